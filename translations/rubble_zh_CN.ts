@@ -6822,10 +6822,6 @@
         <translation>使用了 {0} 个控制点；相似变换需要两个</translation>
     </message>
     <message>
-        <source>{0} does not end in .obj, .ply, .gltf or .glb</source>
-        <translation>{0} 的扩展名不是 .obj、.ply、.gltf 或 .glb</translation>
-    </message>
-    <message>
         <source>{0} does not say by its ending what kind of figure it is to be</source>
         <translation>{0} 的扩展名没有说明是哪种插图</translation>
     </message>
@@ -9360,6 +9356,126 @@
     <message>
         <source>{0}: {1} bodies begin with their centre below the surface, {2} by {3}</source>
         <translation>{0}：{1} 个物体的中心起始于表面之下，{2} 低 {3}</translation>
+    </message>
+    <message>
+        <source>Baker &amp; Kudrolli, Phys. Rev. E 82 (2010) 061304: plastic dice, random loose and random close packing</source>
+        <translation>Baker &amp; Kudrolli, Phys. Rev. E 82 (2010) 061304：塑料骰子，随机疏松与随机密实堆积</translation>
+    </message>
+    <message>
+        <source>Blocks and walls on a tilting table</source>
+        <translation>倾斜台上的石块和墙</translation>
+    </message>
+    <message>
+        <source>Dice poured into a vessel</source>
+        <translation>倒入容器的骰子</translation>
+    </message>
+    <message>
+        <source>Give a mesh of the ground with z up.</source>
+        <translation>请给出 z 向上的地面网格。</translation>
+    </message>
+    <message>
+        <source>a block of 0.5 m and 1.5 m high, friction 0.65: topples</source>
+        <translation>0.5 m 宽、1.5 m 高的块体，摩擦 0.65：倾覆</translation>
+    </message>
+    <message>
+        <source>a cube of 1 m, friction 0.65: slides</source>
+        <translation>1 m 的立方体，摩擦 0.65：滑动</translation>
+    </message>
+    <message>
+        <source>a cube of 1 m, friction 1.2: topples</source>
+        <translation>1 m 的立方体，摩擦 1.2：倾覆</translation>
+    </message>
+    <message>
+        <source>a wall in running bond, 5 courses of blocks 0.4 x 0.6 x 0.3 m, friction 0.65, tilted across: topples</source>
+        <translation>错缝砌筑的墙，5 层 0.4 x 0.6 x 0.3 m 的块体，摩擦 0.65，沿厚度方向倾斜：倾覆</translation>
+    </message>
+    <message>
+        <source>an STL states no unit; its numbers are taken as metres</source>
+        <translation>STL 不写明单位；其数值按米处理</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>假定</translation>
+    </message>
+    <message>
+        <source>assumed: the source measured none; varied for cubes</source>
+        <translation>假定：来源未测量；对立方体取不同的值</translation>
+    </message>
+    <message>
+        <source>at {0} of {1} places the mesh has surfaces above each other, up to {2} apart; the highest is taken</source>
+        <translation>在 {1} 处中的 {0} 处，网格有上下重叠的面，最多相距 {2}；取最高者</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>闭式解</translation>
+    </message>
+    <message>
+        <source>cube slides</source>
+        <translation>立方体滑动</translation>
+    </message>
+    <message>
+        <source>cube topples</source>
+        <translation>立方体倾覆</translation>
+    </message>
+    <message>
+        <source>cubes, friction 0.3</source>
+        <translation>立方体，摩擦 0.3</translation>
+    </message>
+    <message>
+        <source>cubes, friction 0.5</source>
+        <translation>立方体，摩擦 0.5</translation>
+    </message>
+    <message>
+        <source>cubes, friction 0.8</source>
+        <translation>立方体，摩擦 0.8</translation>
+    </message>
+    <message>
+        <source>cut away roofs and overhangs if bodies are to fall below them</source>
+        <translation>如果物体应落到屋顶和悬挑之下，请将它们切除</translation>
+    </message>
+    <message>
+        <source>limit analysis of rigid blocks, closed form: a verification, no measurement</source>
+        <translation>刚体的极限分析，闭式解：属于核实，不是测量</translation>
+    </message>
+    <message>
+        <source>none is needed; walls and overhangs are steep slopes</source>
+        <translation>无需处理；墙和悬挑成为陡坡</translation>
+    </message>
+    <message>
+        <source>numbers of a publication</source>
+        <translation>出版物中的数值</translation>
+    </message>
+    <message>
+        <source>pillar topples</source>
+        <translation>柱体倾覆</translation>
+    </message>
+    <message>
+        <source>poured without shaking: between random loose and random close packing</source>
+        <translation>倒入而不摇动：介于随机疏松与随机密实堆积之间</translation>
+    </message>
+    <message>
+        <source>scale the mesh to metres before it is written if they are not</source>
+        <translation>如果不是米，请在写出之前将网格换算为米</translation>
+    </message>
+    <message>
+        <source>the mesh of {0} triangles was taken as heights on cells of {1}</source>
+        <translation>{0} 个三角形的网格按 {1} 的单元取为高程</translation>
+    </message>
+    <message>
+        <source>wall across</source>
+        <translation>墙沿厚度方向</translation>
+    </message>
+    <message>
+        <source>{0} does not end in .obj, .ply, .stl, .gltf or .glb</source>
+        <translation>{0} 不以 .obj、.ply、.stl、.gltf 或 .glb 结尾</translation>
+    </message>
+    <message>
+        <source>{0} is no surface that bodies could fall on: it has no area from above</source>
+        <translation>{0} 不是物体可落于其上的面：从上方看没有面积</translation>
+    </message>
+    <message>
+        <source>{0} promises {1} triangles, but its length is that of {2}</source>
+        <translation>{0} 声明有 {1} 个三角形，但其长度只够 {2} 个</translation>
     </message>
 </context>
 <context>

@@ -11,9 +11,6 @@ namespace rubble {
 
 namespace {
 
-/// s. A block that runs down a slope takes longer than debris that falls from a building.
-constexpr double settleTime = 60.0;
-
 /// Elements in the order in which their bodies enter: that of the clusters, less those that the engine cannot take.
 std::vector<std::size_t> entryOrder(const RunDescription& description) {
     std::vector<std::size_t> elements;
@@ -102,18 +99,6 @@ Pose placed(const LooseBody& body, const DropOutcome& outcome, const Pose& now) 
     const Pose& start = outcome.trace.start;
     // The engine turns a body about the principal axes of its inertia, which are those of its sides in another order.
     return {now.position, (now.orientation * start.orientation.conjugate() * body.pose.orientation).normalized()};
-}
-
-void prepareForBodies(Scenario& scenario, const std::vector<LooseBody>& bodies) {
-    scenario.grid.oneBodyPerFragment = true;
-    scenario.fragments.birthWindow = 0.0;
-    scenario.effects.of(EffectKind::StructureContact) = EffectSwitch::Off;
-    scenario.simulation.settleTime = settleTime;
-    for (const LooseBody& body : bodies) {
-        if (body.material) {
-            scenario.components[partOf(body)].material = body.material;
-        }
-    }
 }
 
 DropResult drop(const Inputs& inputs, const Scenario& scenario, const DropWatch& watch, TrajectorySink* sink,

@@ -46,10 +46,6 @@ struct DropResult {
     std::int64_t count(Ending ending) const;
 };
 
-/// What a scenario of bodies begins with: a body for each element, each let go at its own time, no structure that stands before,
-/// and the materials that the bodies name.
-void prepareForBodies(Scenario& scenario, const std::vector<LooseBody>& bodies);
-
 /// Lets bodies go and follows them to rest, in the same world and by the same pipeline as a collapse.
 /// @param inputs  `fe` from contentsOf(), or read from a table of bodies
 /// @param sink    takes the trajectory too; null: nobody does

@@ -10,6 +10,7 @@
 #include "core/base/csv_text.h"
 #include "core/base/elapsed.h"
 #include "core/base/unknown.h"
+#include "core/scenario/body_scenario.h"
 #include "core/scenario/parameters.h"
 #include "core/validation/drop_series.h"
 
@@ -326,21 +327,6 @@ private:
     const ValidationOptions& m_options;
 };
 
-void judge(VariantResult& result, const ValidationSet& set) {
-    for (const SetCriterion& criterion : set.criteria) {
-        if (criterion.variant != result.variant.name) {
-            continue;
-        }
-        SetVerdict verdict{criterion, result.figure(criterion.figure), unknown, false};
-        verdict.within = verdict.value >= criterion.low && verdict.value <= criterion.high;
-        if (!criterion.below.empty()) {
-            verdict.limit = result.figure(criterion.below);
-            verdict.within = verdict.within && verdict.value < verdict.limit;
-        }
-        result.verdicts.push_back(std::move(verdict));
-    }
-}
-
 /// Every second body, from the first or the second on; all where nothing is fitted.
 std::vector<std::size_t> half(const ValidationSet& set, bool fitted, std::size_t first) {
     std::vector<std::size_t> chosen;
@@ -383,6 +369,21 @@ VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, co
 double VariantResult::figure(const std::string& key) const {
     const auto found = std::find_if(figures.begin(), figures.end(), [&](const SetFigure& figure) { return figure.key == key; });
     return found != figures.end() ? found->value.value : unknown;
+}
+
+void judge(VariantResult& result, const ValidationSet& set) {
+    for (const SetCriterion& criterion : set.criteria) {
+        if (criterion.variant != result.variant.name) {
+            continue;
+        }
+        SetVerdict verdict{criterion, result.figure(criterion.figure), unknown, false};
+        verdict.within = verdict.value >= criterion.low && verdict.value <= criterion.high;
+        if (!criterion.below.empty()) {
+            verdict.limit = result.figure(criterion.below);
+            verdict.within = verdict.within && verdict.value < verdict.limit;
+        }
+        result.verdicts.push_back(std::move(verdict));
+    }
 }
 
 SetResult validate(const ValidationSet& set, const ValidationOptions& options, const Execution& execution) {

@@ -59,6 +59,9 @@ struct SetResult {
     Findings findings;
 };
 
+/// Holds the figures of a variant against what is asked of them.
+void judge(VariantResult& result, const ValidationSet& set);
+
 /// What a set is simulated and compared with.
 struct ValidationOptions {
     std::optional<std::int64_t> repeats;  ///< in place of those of the set

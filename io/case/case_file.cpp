@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/validation/drop.h"
+#include "core/scenario/body_scenario.h"
 #include "io/base/files.h"
 #include "io/case/journal.h"
 #include "io/fe/bodies/bodies_reader.h"

@@ -10,6 +10,7 @@
 #include "core/fe/frame_transform.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "io/case/mesh_terrain.h"
 #include "io/site/file_words.h"
 #include "io/site/height_reading.h"
 #include "io/site/site_place.h"
@@ -237,7 +238,9 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
                          const Site& site) {
     checkTerrain(path);
     execution.check();
-    HeightReading heights = readHeights(path, frame, site, around, execution, {.alongAxes = true}, HeightReach::Whole);
+    HeightReading heights = isMeshPath(path)
+                                ? heightsOfMesh(path, frame, site, execution)
+                                : readHeights(path, frame, site, around, execution, {.alongAxes = true}, HeightReach::Whole);
     if (heights.debrisMap) {
         throw ParseError(
             {"terrain.debris_map", "{0} is a debris map: its heights are above the ground, not those of a ground", {path}},

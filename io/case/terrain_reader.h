@@ -39,7 +39,8 @@ struct TerrainInput {
     Findings findings;
 };
 
-/// Reads a raster of heights (one band; GeoTIFF, ESRI ASCII grid and other single-file formats) into the local frame of a case:
+/// Reads a raster of heights (one band; GeoTIFF, ESRI ASCII grid and other single-file formats), or a mesh (STL, OBJ, PLY) as a
+/// height function, into the local frame of a case:
 /// easting, northing and height become x, y and z in metres, less the origin of the frame, or by its control points. A window about
 /// the structure is read first, ten times its height or its own length to each side, whichever is more. It decides the cells:
 /// another projection, degrees and turned rasters are resampled, too many heights averaged, spikes and gaps filled from their rims;

@@ -12,6 +12,7 @@
 #include "io/site/meshes/mesh_offset.h"
 #include "io/site/meshes/obj_mesh.h"
 #include "io/site/meshes/ply_mesh.h"
+#include "io/site/meshes/stl_mesh.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -47,10 +48,13 @@ RawMesh readRawMesh(const std::string& path, const Execution& execution) {
     if (hasEnding(path, ".ply")) {
         return readPlyMesh(path, execution);
     }
+    if (hasEnding(path, ".stl")) {
+        return readStlMesh(path, execution);
+    }
     if (hasEnding(path, ".gltf") || hasEnding(path, ".glb")) {
         return readGltfMesh(path, execution);
     }
-    refuseContent({"surroundings.ending", "{0} does not end in .obj, .ply, .gltf or .glb", {path}},
+    refuseContent({"surroundings.ending", "{0} does not end in .obj, .ply, .stl, .gltf or .glb", {path}},
                   "Give a mesh in one of these formats.");
 }
 

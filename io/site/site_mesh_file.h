@@ -25,8 +25,8 @@ struct SiteMeshReading {
     Findings findings;
 };
 
-/// Reads a mesh of the surroundings: OBJ, PLY, glTF (.gltf, .glb), in double precision. Its coordinates are easting, northing and
-/// height in metres, after its offset is added, brought to the local frame as a terrain is; glTF has y up by its definition.
+/// Reads a mesh of the surroundings: OBJ, PLY, STL, glTF (.gltf, .glb), in double precision. Its coordinates are easting, northing
+/// and height in metres, after its offset is added, brought to the local frame as a terrain is; glTF has y up by its definition.
 /// Materials are left out. What is left out of its shape, an offset from a file and coarse coordinates are findings.
 /// Throws WorldError, ParseError (no mesh, too many triangles, nothing of it near the structure), UsageError, Cancelled.
 SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,

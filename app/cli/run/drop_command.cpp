@@ -137,6 +137,18 @@ DropRepeat keepRun(const DropSubject& subject, const std::string& path, Session&
     return made;
 }
 
+/// What is turned at random does not lie along the axes of the table.
+Findings findingsOf(const DropSubject& subject, const Results& results) {
+    const Findings all = io::allFindings(subject.opened, results);
+    Findings findings;
+    for (const Finding& finding : all.list()) {
+        if (!subject.series.turned || finding.what.id != "bodies.along_axes") {
+            findings.add(finding.what, finding.remedy, finding.example, finding.count);
+        }
+    }
+    return findings;
+}
+
 void addEndings(const std::vector<DropRepeat>& repeats, Findings& findings) {
     const auto add = [&](Ending ending, const char* id, const char* pattern, const char* remedy) {
         std::int64_t count = 0;
@@ -179,7 +191,7 @@ ExitCode dropBodies(const Arguments& arguments, Session& session) {
         const auto out = arguments.value("--out");
         repeats.push_back(out ? keepRun(subject, *out, session) : dropOnce(subject.series, r, session.execution()));
     }
-    Findings findings = io::allFindings(subject.opened, repeats.front().result.results);
+    Findings findings = findingsOf(subject, repeats.front().result.results);
     findings.append(subject.findings);
     addEndings(repeats, findings);
     writeCsv(arguments, dropTable(repeats, subject.zero));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <span>
 
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/option_value.h"
@@ -9,6 +10,7 @@
 #include "core/base/elapsed.h"
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
+#include "core/validation/scene_sets.h"
 #include "io/validation/set_folder.h"
 
 namespace rubble::cli {
@@ -17,24 +19,41 @@ namespace {
 
 constexpr int validationRepeatsMax = 1000;
 
-std::vector<io::SetPlace> chosenSets(const Arguments& arguments) {
-    const std::vector<io::SetPlace> all = io::setsIn(arguments.value("--data").value_or(io::shippedSets()));
-    const std::vector<std::string> wanted = arguments.values("--only");
-    if (wanted.empty()) {
-        return all;
-    }
+/// What is to be validated: sets of measured falls, and scenes.
+struct ChosenSets {
+    std::vector<io::SetPlace> places;
+    std::vector<const SceneSet*> scenes;
+};
+
+/// A folder of one's own takes the place of all that comes with the program.
+ChosenSets chosenSets(const Arguments& arguments) {
+    const auto folder = arguments.value("--data");
+    const std::vector<io::SetPlace> places = io::setsIn(folder.value_or(io::shippedSets()));
+    const std::span<const SceneSet> scenes = folder ? std::span<const SceneSet>() : sceneSets();
     std::vector<std::string> names;
-    for (const io::SetPlace& place : all) {
+    for (const io::SetPlace& place : places) {
         names.push_back(place.id);
     }
-    std::vector<io::SetPlace> chosen;
+    for (const SceneSet& scene : scenes) {
+        names.push_back(scene.about.id);
+    }
+    std::vector<std::string> wanted = arguments.values("--only");
+    if (wanted.empty()) {
+        wanted = names;
+    }
+    ChosenSets chosen;
     for (const std::string& id : wanted) {
         const auto found = std::find(names.begin(), names.end(), id);
         if (found == names.end()) {
             throw UsageError({"validation.no_such_set", "There is no set \"{0}\".", {id}},
                              {"validation.no_such_set.remedy", "There are {0}.", {quotedList(names)}});
         }
-        chosen.push_back(all[static_cast<std::size_t>(found - names.begin())]);
+        const auto at = static_cast<std::size_t>(found - names.begin());
+        if (at < places.size()) {
+            chosen.places.push_back(places[at]);
+        } else {
+            chosen.scenes.push_back(&scenes[at - places.size()]);
+        }
     }
     return chosen;
 }
@@ -47,14 +66,19 @@ ExitCode validateSets(const Arguments& arguments, Session& session) {
         options.repeats = parseCount(arguments, "--repeats", 1, validationRepeatsMax, 1);
     }
     options.seed = parseCount(arguments, "--seed", 0, 2147483647, 1);
+    const ChosenSets chosen = chosenSets(arguments);
     std::vector<ValidationSet> sets;
-    for (const io::SetPlace& place : chosenSets(arguments)) {
+    for (const io::SetPlace& place : chosen.places) {
         sets.push_back(io::readSet(place, session.execution()));
     }
     std::vector<SetResult> results;
     for (const ValidationSet& set : sets) {
         session.err() << set.id << ", " << set.bodies.size() << " bodies\n";
         results.push_back(validate(set, options, session.execution()));
+    }
+    for (const SceneSet* scene : chosen.scenes) {
+        session.err() << scene->about.id << '\n';
+        results.push_back(validateScene(*scene, options, session.execution()));
     }
     writeCsv(arguments, validationTable(results));
     if (arguments.json()) {

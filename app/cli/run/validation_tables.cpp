@@ -78,9 +78,11 @@ void printVariant(std::ostream& out, const VariantResult& variant) {
     for (const SetParameter& parameter : variant.used) {
         out << "  " << parameter.key << " = " << parameter.value << "  (" << parameter.source << ")\n";
     }
-    out << "  " << variant.bodies << " bodies, " << variant.simulated << " falls; " << variant.moving << " still moving, "
-        << variant.left << " left the terrain, " << variant.lost << " lost; " << englishNumber(variant.seconds) << " s\n";
-    quantityTable(variant).print(out);
+    if (variant.bodies > 0) {
+        out << "  " << variant.bodies << " bodies, " << variant.simulated << " falls; " << variant.moving << " still moving, "
+            << variant.left << " left the terrain, " << variant.lost << " lost; " << englishNumber(variant.seconds) << " s\n";
+        quantityTable(variant).print(out);
+    }
     const TextTable figures = figureTable(variant);
     if (figures.rows() > 0) {
         figures.print(out);
@@ -151,7 +153,10 @@ Json variantJson(const VariantResult& variant) {
 
 void printValidation(std::ostream& out, const SetResult& result) {
     printHeading(out, result.set->id + ": " + result.set->title);
-    out << "source: " << result.set->source << "\nlicence: " << result.set->licence << "\nfolder: " << result.set->folder << '\n';
+    out << "source: " << result.set->source << "\nlicence: " << result.set->licence << '\n';
+    if (!result.set->folder.empty()) {
+        out << "folder: " << result.set->folder << '\n';
+    }
     for (const VariantResult& variant : result.variants) {
         printVariant(out, variant);
     }

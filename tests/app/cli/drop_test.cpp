@@ -77,6 +77,9 @@ TEST_F(DropRun, RepeatsAreTurnedAndDrawnAnew) {
     EXPECT_EQ(made["repeats"], 3);
     EXPECT_GT(made["figures"]["run_out_m"]["deviation"].get<double>(), 0.0);
     EXPECT_EQ(cli(words).json()["figures"], made["figures"]);
+    for (const nlohmann::json& warning : made["warnings"]) {
+        EXPECT_NE(warning["id"], "bodies.along_axes");
+    }
 }
 
 TEST_F(DropRun, RefusesWhatCannotBeMeant) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/scenario/body_scenario.h"
 #include "core/validation/drop_series.h"
 
 namespace rubble {

@@ -91,11 +91,13 @@ public:
     std::int64_t left = 0;
     std::int64_t lost = 0;
     ReleaseCount lifted;
+    Findings findings;  ///< of all simulations
 
 private:
     void take(const DropRepeat& repeat) {
         moving += repeat.result.count(Ending::Moving);
         left += repeat.result.count(Ending::Left);
+        findings.append(repeat.result.results.simulation->findings);
         lost += repeat.result.count(Ending::Lost) + repeat.result.count(Ending::Refused);
         lifted.count += repeat.lifted.count;
         lifted.measure = std::max(lifted.measure, repeat.lifted.measure);
@@ -258,6 +260,7 @@ public:
             "fall_m", "fall", "m", [&](std::size_t i) { return bodies[i].pose.position.z() - measured[i].place->z(); },
             [](std::size_t, const ComparedEnd& end) { return end.start.position.z() - end.end.position.z(); });
         addCentroid();
+        addDeposits();
         if (turnsMeasured(measured)) {
             addQuantity(
                 "rotation_deg", "net rotation", "deg",
@@ -312,6 +315,18 @@ private:
         }
     }
 
+    void addDeposits() {
+        for (std::size_t i = 0; i < m_run.measured().size(); ++i) {
+            Deposit deposit{*m_run.measured()[i].place, {}};
+            for (const ComparedEnd& end : m_run.ends()[i]) {
+                if (end.known) {
+                    deposit.simulated.push_back(end.end.position);
+                }
+            }
+            m_result.deposits.push_back(std::move(deposit));
+        }
+    }
+
     void addCentroid() {
         Vec3 off = Vec3::Zero();
         for (Eigen::Index axis = 0; axis < 2; ++axis) {
@@ -337,7 +352,7 @@ std::vector<std::size_t> half(const ValidationSet& set, bool fitted, std::size_t
 }
 
 VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, const ValidationOptions& options,
-                         const Execution& execution, ReleaseCount& lifted) {
+                         const Execution& execution, ReleaseCount& lifted, Findings& findings) {
     const auto begun = std::chrono::steady_clock::now();
     VariantResult result;
     result.variant = variant;
@@ -358,6 +373,7 @@ VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, co
     result.lost = run.lost;
     lifted.count += run.lifted.count;
     lifted.measure = std::max(lifted.measure, run.lifted.measure);
+    findings.append(run.findings);
     VariantReport(result, run, options).fill();
     judge(result, set);
     result.seconds = secondsSince(begun);
@@ -392,7 +408,7 @@ SetResult validate(const ValidationSet& set, const ValidationOptions& options, c
     result.findings = set.findings;
     ReleaseCount lifted;
     for (const SetVariant& variant : set.variants) {
-        result.variants.push_back(runVariant(set, variant, options, execution, lifted));
+        result.variants.push_back(runVariant(set, variant, options, execution, lifted, result.findings));
     }
     if (lifted.count > 0) {
         result.findings.add(

@@ -34,6 +34,12 @@ struct SetVerdict {
     bool within = false;
 };
 
+/// Where a body came to lie, m in the axes of its table.
+struct Deposit {
+    Vec3 measured = Vec3::Zero();
+    std::vector<Vec3> simulated;  ///< in the repeats of which the end is known
+};
+
 /// What became of one variant of a set.
 struct VariantResult {
     SetVariant variant;
@@ -44,6 +50,7 @@ struct VariantResult {
     std::int64_t left = 0;           ///< that left the terrain
     std::int64_t lost = 0;           ///< that were lost or refused
     std::vector<QuantityComparison> quantities;
+    std::vector<Deposit> deposits;   ///< [bodies] that are judged
     std::vector<SetFigure> figures;  ///< all, those of the quantities among them
     std::vector<SetVerdict> verdicts;
     double seconds = 0.0;  ///< wall time

@@ -138,8 +138,11 @@ DropRepeat keepRun(const DropSubject& subject, const std::string& path, Session&
 }
 
 /// What is turned at random does not lie along the axes of the table.
-Findings findingsOf(const DropSubject& subject, const Results& results) {
-    const Findings all = io::allFindings(subject.opened, results);
+Findings findingsOf(const DropSubject& subject, const std::vector<DropRepeat>& repeats) {
+    Findings all = io::allFindings(subject.opened, repeats.front().result.results);
+    for (std::size_t r = 1; r < repeats.size(); ++r) {
+        all.append(repeats[r].result.results.simulation->findings);
+    }
     Findings findings;
     for (const Finding& finding : all.list()) {
         if (!subject.series.turned || finding.what.id != "bodies.along_axes") {
@@ -176,6 +179,14 @@ void addEndings(const std::vector<DropRepeat>& repeats, Findings& findings) {
     }
 }
 
+std::int64_t breachesOf(const std::vector<DropRepeat>& repeats) {
+    std::int64_t breaches = 0;
+    for (const DropRepeat& repeat : repeats) {
+        breaches += static_cast<std::int64_t>(repeat.result.results.simulation->health.breaches.size());
+    }
+    return breaches;
+}
+
 ExitCode dropBodies(const Arguments& arguments, Session& session) {
     const std::vector<std::string> inputs{arguments.operand()};
     checkCsvPath(arguments, inputs);
@@ -191,7 +202,7 @@ ExitCode dropBodies(const Arguments& arguments, Session& session) {
         const auto out = arguments.value("--out");
         repeats.push_back(out ? keepRun(subject, *out, session) : dropOnce(subject.series, r, session.execution()));
     }
-    Findings findings = findingsOf(subject, repeats.front().result.results);
+    Findings findings = findingsOf(subject, repeats);
     findings.append(subject.findings);
     addEndings(repeats, findings);
     writeCsv(arguments, dropTable(repeats, subject.zero));
@@ -201,6 +212,7 @@ ExitCode dropBodies(const Arguments& arguments, Session& session) {
     }
     if (arguments.json()) {
         Json object = dropJson(repeats, subject.zero);
+        object["health_breaches"] = breachesOf(repeats);
         object["trajectory_hash"] = repeats.front().result.results.simulation->trajectoryHash.hex();
         object["steps"] = repeats.front().result.results.simulation->steps;
         object["warnings"] = findingsJson(findings);

@@ -6,6 +6,7 @@
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/output_file.h"
 #include "app/cli/frame/text_output.h"
+#include "app/cli/run/validation_pictures.h"
 #include "app/cli/run/validation_tables.h"
 #include "core/base/elapsed.h"
 #include "core/base/error.h"
@@ -81,12 +82,17 @@ ExitCode validateSets(const Arguments& arguments, Session& session) {
         results.push_back(validateScene(*scene, options, session.execution()));
     }
     writeCsv(arguments, validationTable(results));
+    std::vector<std::string> pictures;
+    if (const auto folder = arguments.value("--pictures")) {
+        pictures = drawValidation(results, *folder);
+    }
     if (arguments.json()) {
         Json object;
         object["sets"] = Json::array();
         for (const SetResult& result : results) {
             object["sets"].push_back(validationJson(result));
         }
+        object["pictures"] = pictures;
         object["wall_s"] = secondsSince(start);
         printJson(session, object);
         return ExitCode::Ok;
@@ -94,6 +100,9 @@ ExitCode validateSets(const Arguments& arguments, Session& session) {
     for (const SetResult& result : results) {
         printValidation(session.out(), result);
         session.out() << '\n';
+    }
+    for (const std::string& path : pictures) {
+        session.out() << path << '\n';
     }
     return ExitCode::Ok;
 }
@@ -112,6 +121,7 @@ Command validateCommand() {
          {"--data", "DIR", false, "folder of a set, or of several, in place of those that come with the program"},
          {"--repeats", "N", false, "how often each body is let go (default: what the set says)"},
          {"--seed", "N", false, "of what is drawn (default: 1)"},
+         {"--pictures", "DIR", false, "draw the cumulative curves and maps of the deposits into this folder, as SVG"},
          csvOption("write one row for each figure")},
         validateSets};
 }

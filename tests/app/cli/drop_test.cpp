@@ -43,6 +43,7 @@ TEST_F(DropRun, TellsWhereEachWent) {
     const nlohmann::json made = outcome.json();
     EXPECT_EQ(made["bodies"], 2);
     EXPECT_EQ(made["endings"]["rest"], 2);
+    EXPECT_EQ(made["health_breaches"], 0);
     EXPECT_NEAR(made["figures"]["fall_m"]["mean"].get<double>(), 2.5, 0.01);
     const std::string ends = textOf(m_folder / "ends.csv");
     EXPECT_THAT(ends, HasSubstr("id,repeat,ending,from_x_m"));
@@ -80,6 +81,24 @@ TEST_F(DropRun, RepeatsAreTurnedAndDrawnAnew) {
     for (const nlohmann::json& warning : made["warnings"]) {
         EXPECT_NE(warning["id"], "bodies.along_axes");
     }
+}
+
+TEST_F(DropRun, TellsBreachesOfHealthOfEveryRepeat) {
+    // One block comes down on the other, hard enough for the monitor.
+    const std::string bodies = table("a,500,1,1,0.2,0,0,5,1,0,0,stone\nb,300,0.5,0.5,0.5,0.2,0,6,1,0,0,concrete\n");
+    const auto breaches = [&](const std::string& repeats) {
+        const Outcome outcome = cli({"drop", bodies, "--repeats", repeats, "--json"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        const nlohmann::json made = outcome.json();
+        std::int64_t told = 0;
+        for (const nlohmann::json& warning : made["warnings"]) {
+            const std::string id = warning["id"];
+            told += id == "simulation.energy_gain" || id == "simulation.penetration" ? warning["count"].get<std::int64_t>() : 0;
+        }
+        EXPECT_EQ(told > 0, made["health_breaches"] > 0) << told;
+        return made["health_breaches"].get<int>();
+    };
+    EXPECT_EQ(breaches("3"), 3 * breaches("1"));
 }
 
 TEST_F(DropRun, RefusesWhatCannotBeMeant) {

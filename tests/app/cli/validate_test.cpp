@@ -34,7 +34,8 @@ protected:
 };
 
 TEST_F(ValidateRun, HoldsAFewTossesAgainstTheirMeasurements) {
-    const Outcome outcome = cli({"validate", "--data", m_folder.path(), "--csv", m_folder / "v.csv", "--json"});
+    const Outcome outcome =
+        cli({"validate", "--data", m_folder.path(), "--csv", m_folder / "v.csv", "--pictures", m_folder / "svg", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const nlohmann::json set = outcome.json()["sets"][0];
     EXPECT_EQ(set["id"], "tosses");  // known by the names of its tables
@@ -51,6 +52,10 @@ TEST_F(ValidateRun, HoldsAFewTossesAgainstTheirMeasurements) {
         // A cube that slides half a metre: an error of that is one of the comparison.
         EXPECT_LT(std::abs(variant["quantities"][0]["error"]["value"].get<double>()), 0.3) << variant["name"];
     }
+    // Three quantities and a map of each variant.
+    EXPECT_EQ(outcome.json()["pictures"].size(), 12u);
+    EXPECT_THAT(textOf(m_folder / "svg/tosses-blind-run_out_m.svg"),
+                testing::AllOf(HasSubstr("<svg"), HasSubstr("run-out [m]"), HasSubstr("</svg>")));
     EXPECT_THAT(textOf(m_folder / "v.csv"), HasSubstr("tosses,fitted,position_error_m.median,m,"));
 }
 

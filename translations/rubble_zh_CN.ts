@@ -9477,6 +9477,118 @@
         <source>{0} promises {1} triangles, but its length is that of {2}</source>
         <translation>{0} 声明有 {1} 个三角形，但其长度只够 {2} 个</translation>
     </message>
+    <message>
+        <source>Bring both to one system, such as the UTM zone of the place.</source>
+        <translation>请把两者变换到同一坐标系，如当地的 UTM 带。</translation>
+    </message>
+    <message>
+        <source>Bring it to a projected system, such as the UTM zone of the place.</source>
+        <translation>请把它变换到投影坐标系，如当地的 UTM 带。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate systems, or give clouds of one site.</source>
+        <translation>请检查坐标系，或给出同一场地的点云。</translation>
+    </message>
+    <message>
+        <source>Give a cloud with points.</source>
+        <translation>请给出有点的点云。</translation>
+    </message>
+    <message>
+        <source>Give a file with fewer of them, or a greater projection radius.</source>
+        <translation>请给出核心点更少的文件，或更大的投影半径。</translation>
+    </message>
+    <message>
+        <source>There are more than {0} core points</source>
+        <translation>核心点多于 {0} 个</translation>
+    </message>
+    <message>
+        <source>a unit of x and y is {0}, one of z {1}: distances in the numbers of the file are lengths of neither</source>
+        <translation>x 和 y 的一个单位为 {0}，z 的为 {1}：以文件数值计的距离不是任何一种单位的长度</translation>
+    </message>
+    <message>
+        <source>all lengths are in units of the file, each {0}</source>
+        <translation>所有长度以文件的单位计，每单位 {0}</translation>
+    </message>
+    <message>
+        <source>ask for metres (--metres), and give all lengths in them</source>
+        <translation>请要求以米计（--metres），并以米给出所有长度</translation>
+    </message>
+    <message>
+        <source>core points have no distance: no point of either cloud lies in their cylinder</source>
+        <translation>核心点没有距离：其圆柱中没有任何一个点云的点</translation>
+    </message>
+    <message>
+        <source>core points have no distance: no point of the first cloud lies in their cylinder</source>
+        <translation>核心点没有距离：其圆柱中没有第一个点云的点</translation>
+    </message>
+    <message>
+        <source>core points have no distance: no point of the second cloud lies in their cylinder</source>
+        <translation>核心点没有距离：其圆柱中没有第二个点云的点</translation>
+    </message>
+    <message>
+        <source>core points have no normal: fewer than three points of the first cloud lie about them</source>
+        <translation>核心点没有法向：其周围第一个点云的点少于三个</translation>
+    </message>
+    <message>
+        <source>distances have no level of detection: fewer than {0} points of a cloud lie in their cylinder</source>
+        <translation>距离没有检测水平：其圆柱中某个点云的点少于 {0} 个</translation>
+    </message>
+    <message>
+        <source>distances may be too short: a surface in the cylinder reaches its end</source>
+        <translation>距离可能偏短：圆柱中的表面到达其端部</translation>
+    </message>
+    <message>
+        <source>give a greater depth</source>
+        <translation>请给出更大的深度</translation>
+    </message>
+    <message>
+        <source>give a greater depth if the surface moved farther; else the second cloud has a hole there</source>
+        <translation>如果表面移动得更远，请给出更大的深度；否则第二个点云在那里有空缺</translation>
+    </message>
+    <message>
+        <source>give a greater normal scale, or cores on the first cloud</source>
+        <translation>请给出更大的法向尺度，或位于第一个点云上的核心点</translation>
+    </message>
+    <message>
+        <source>give a greater projection scale; these distances are not called significant</source>
+        <translation>请给出更大的投影尺度；这些距离不称为显著</translation>
+    </message>
+    <message>
+        <source>give cores on the first cloud, or a greater projection scale</source>
+        <translation>请给出位于第一个点云上的核心点，或更大的投影尺度</translation>
+    </message>
+    <message>
+        <source>nobody stated how well one cloud lies against the other: the level of detection holds their roughness alone</source>
+        <translation>无人写明两个点云相对就位的精度：检测水平只含其粗糙度</translation>
+    </message>
+    <message>
+        <source>state the registration error (--registration-error), 0 only if it is known to be none</source>
+        <translation>请写明配准误差（--registration-error），确知没有误差时才写 0</translation>
+    </message>
+    <message>
+        <source>the file names no coordinate system; that of the first cloud is taken</source>
+        <translation>文件未写明坐标系；采用第一个点云的坐标系</translation>
+    </message>
+    <message>
+        <source>{0} has no eastings and northings (&quot;{1}&quot;): distances would have no meaning</source>
+        <translation>{0} 没有东坐标和北坐标（“{1}”）：距离没有意义</translation>
+    </message>
+    <message>
+        <source>{0} has no point that counts</source>
+        <translation>{0} 没有可计入的点</translation>
+    </message>
+    <message>
+        <source>{0} has no point to measure at</source>
+        <translation>{0} 没有可供量距的点</translation>
+    </message>
+    <message>
+        <source>{0} is in &quot;{1}&quot;, {2} in &quot;{3}&quot;</source>
+        <translation>{0} 在“{1}”中，{2} 在“{3}”中</translation>
+    </message>
+    <message>
+        <source>{0} lies {1} units away from the core points</source>
+        <translation>{0} 距核心点 {1} 个单位</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

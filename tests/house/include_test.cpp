@@ -38,6 +38,7 @@ const std::vector<Library>& libraries() {
         {"zlib", std::regex("^zlib\\.h")},
         {"OpenSSL", std::regex("^openssl/")},
         {"xxHash", std::regex("^xxh")},
+        {"nanoflann", std::regex("^nanoflann")},
         {"OpenGL", std::regex("^(GL|EGL)/")},
         {"X11", std::regex("^(X11/|xcb/)")},
         {"Python", std::regex("^(pybind11/|Python\\.h)")},
@@ -66,6 +67,7 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> table{
         {"core", {"core"}, {"Eigen", "xxHash"}},
         {"core/engine", {"core"}, {"Eigen", "Bullet"}},
+        {"core/evidence/clouds", {"core"}, {"Eigen", "nanoflann"}},
         {"core/selftest", {"core"}, {"Eigen"}},
         {"io",
          {"core", "io"},

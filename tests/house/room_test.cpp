@@ -25,7 +25,7 @@ const std::vector<Storeys>& storeys() {
         {"core/engine", {"world", "soft", "bullet"}},
         {"core/simulation", {"bodies", "effects", "health", "run"}},
         {"core/analysis", {"debris", "accuracy"}},
-        {"core/evidence", {"maps", "surveys", "photographs", "ensembles", "."}},
+        {"core/evidence", {"clouds", "maps", "surveys", "photographs", "ensembles", "."}},
         {"io", {"base", "json", "fe", "site", "run", "case", "validation", "exports", "jobs"}},
         {"widgets", {"render", "figures", "basics", "views", "case", "run", "accuracy", "evidence"}},
         {"widgets/render", {"basics", "shapes", "site", "."}},

@@ -2,6 +2,7 @@
 
 #include <ogr_spatialref.h>
 
+#include <array>
 #include <limits>
 
 #include "io/site/file_words.h"
@@ -74,6 +75,17 @@ bool knowsSystem(const std::string& text) {
     const GdalSession session;
     OGRSpatialReference system;
     return setSystem(system, text);
+}
+
+bool sameSystem(const std::string& one, const std::string& other) {
+    const GdalSession session;
+    OGRSpatialReference a;
+    OGRSpatialReference b;
+    if (!setSystem(a, one) || !setSystem(b, other)) {
+        return true;
+    }
+    const std::array<const char*, 3> options{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT", nullptr};
+    return a.IsSame(&b, options.data()) != 0;
 }
 
 void describeUnits(const std::string& path, const std::string& asked, CloudHead& head, Findings& findings) {

@@ -10,6 +10,9 @@ namespace rubble::io {
 /// Whether a text names a coordinate system.
 bool knowsSystem(const std::string& text);
 
+/// Whether two texts name one coordinate system, or either names none.
+bool sameSystem(const std::string& one, const std::string& other);
+
 /// Says what the numbers of a cloud mean, from its coordinate system, and what is assumed where it says nothing: findings.
 /// @param asked  the system for a cloud that names none, empty: none. Throws UsageError if it is no system.
 void describeUnits(const std::string& path, const std::string& asked, CloudHead& head, Findings& findings);

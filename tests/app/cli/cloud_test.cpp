@@ -78,6 +78,34 @@ TEST_F(CloudCommand, TakesColumnsOutPhotographsAndSaysWhatIsNoCloud) {
     EXPECT_THAT(none.err, HasSubstr("is no point cloud that can be read"));
 }
 
+TEST_F(CloudCommand, MeasuresTheDistanceBetweenTwoClouds) {
+    const std::string folder = sourcePath("tests/data/clouds/m3c2/autzen-bmx-");
+    const std::vector<std::string> words{"cloud",   folder + "2010.las",        "--against", folder + "2023.las",
+                                         "--cores", folder + "largersample.txt"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        return cli(all);
+    };
+    const std::string csv = m_folder / "distances.csv";
+    const std::vector<std::string> scales{"--normal-scale", "1.390432", "--projection-scale", "2.890432", "--depth", "5.5"};
+    std::vector<std::string> more = scales;
+    more.insert(more.end(), {"--csv", csv, "--json"});
+    const Outcome told = with(more);
+    ASSERT_EQ(told.exitCode, 0) << told.err;
+    const nlohmann::json made = told.json();
+    EXPECT_EQ(made["states"]["measured"], 91);
+    EXPECT_EQ(made["significant"], 78);
+    EXPECT_TRUE(made["registration_error"].is_null()) << "what nobody stated is not 0";
+    EXPECT_TRUE(made["unit_m"].is_null()) << "x and y are metres, z feet";
+    EXPECT_EQ(cli({"cloud", csv, "--json"}).json()["points"], 103);
+    const Outcome read = with(scales);
+    EXPECT_THAT(read.out, HasSubstr("not known: nobody stated it"));
+    EXPECT_THAT(read.out, HasSubstr("78 of 89"));
+    EXPECT_EQ(with({"--normal-scale", "1"}).exitCode, 2);
+    EXPECT_EQ(cli({"cloud", folder + "2010.las", "--depth", "5"}).exitCode, 2);
+}
+
 }  // namespace
 
 }  // namespace rubble::cli

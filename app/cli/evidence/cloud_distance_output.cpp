@@ -1,0 +1,190 @@
+#include "app/cli/evidence/cloud_distance_output.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/cli/frame/text_output.h"
+#include "core/base/csv_text.h"
+#include "core/base/message.h"
+#include "core/base/unknown.h"
+
+namespace rubble::cli {
+
+namespace {
+
+constexpr std::array<const char*, coreStateCount> stateNames{"measured", "no_normal", "no_first", "no_second", "no_point"};
+
+/// What all measured distances are together.
+struct DistanceTotals {
+    std::array<std::int64_t, coreStateCount> states{};
+    std::int64_t detectable = 0;  ///< with a level of detection
+    std::int64_t significant = 0;
+    double mean = unknown;
+    double median = unknown;
+    double least = unknown;
+    double most = unknown;
+    double deviation = unknown;
+    double detection = unknown;  ///< median of the levels
+};
+
+double middleOf(std::vector<double> values) {
+    if (values.empty()) {
+        return unknown;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+DistanceTotals totalsOf(const io::CloudComparison& made) {
+    DistanceTotals totals;
+    std::vector<double> distances;
+    std::vector<double> levels;
+    for (const CoreDistance& core : made.distances) {
+        ++totals.states[static_cast<std::size_t>(core.state)];
+        if (core.state == CoreState::Measured) {
+            distances.push_back(core.distance);
+        }
+        if (!std::isnan(core.detection)) {
+            levels.push_back(core.detection);
+            totals.significant += core.significant() ? 1 : 0;
+        }
+    }
+    totals.detectable = static_cast<std::int64_t>(levels.size());
+    totals.detection = middleOf(std::move(levels));
+    if (distances.empty()) {
+        return totals;
+    }
+    double sum = 0.0;
+    for (const double distance : distances) {
+        sum += distance;
+    }
+    totals.mean = sum / static_cast<double>(distances.size());
+    double squares = 0.0;
+    for (const double distance : distances) {
+        squares += (distance - totals.mean) * (distance - totals.mean);
+    }
+    totals.deviation = std::sqrt(squares / static_cast<double>(distances.size()));
+    const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
+    totals.least = *least;
+    totals.most = *most;
+    totals.median = middleOf(std::move(distances));
+    return totals;
+}
+
+Json known(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json comparedJson(const io::ComparedCloud& cloud) {
+    return {{"path", cloud.path},
+            {"format", cloud.head.format},
+            {"system", cloud.head.units.local() ? Json() : Json(cloud.head.units.name)},
+            {"points", cloud.points},
+            {"points_near", cloud.near}};
+}
+
+std::string unitOf(const io::CloudComparison& made) {
+    if (std::isnan(made.unit)) {
+        return " (numbers of the file, of mixed units)";
+    }
+    if (made.unit == 1.0) {
+        return made.metresStated ? " m" : " m (assumed)";
+    }
+    return " units of " + exactNumber(made.unit) + " m";
+}
+
+std::string cloudText(const io::ComparedCloud& cloud) {
+    return cloud.path + ", " + englishInteger(static_cast<std::int64_t>(cloud.points)) + " points, " +
+           englishInteger(static_cast<std::int64_t>(cloud.near)) + " of them near the cores";
+}
+
+}  // namespace
+
+Json cloudDistanceJson(const io::CloudComparison& made, const io::CloudComparisonRequest& request) {
+    const DistanceTotals totals = totalsOf(made);
+    Json object;
+    object["first"] = comparedJson(made.first);
+    object["second"] = comparedJson(made.second);
+    object["cores"] = {{"path", made.coresFrom.empty() ? Json() : Json(made.coresFrom)}, {"points", made.cores.size()}};
+    object["unit_m"] = known(made.unit);
+    object["unit_stated"] = made.metresStated;
+    object["normal_scale"] = request.settings.normalRadius;
+    object["projection_scale"] = request.settings.projectionRadius;
+    object["depth"] = request.settings.depth;
+    object["registration_error"] = request.settings.registrationError ? Json(*request.settings.registrationError) : Json();
+    object["distance"] = {{"mean", known(totals.mean)},
+                          {"median", known(totals.median)},
+                          {"deviation", known(totals.deviation)},
+                          {"least", known(totals.least)},
+                          {"most", known(totals.most)}};
+    object["level_of_detection_median"] = known(totals.detection);
+    object["significant"] = totals.significant;
+    object["with_level_of_detection"] = totals.detectable;
+    Json states;
+    for (std::size_t s = 0; s < coreStateCount; ++s) {
+        states[stateNames[s]] = totals.states[s];
+    }
+    object["states"] = std::move(states);
+    object["parts"] = made.parts;
+    object["warnings"] = findingsJson(made.findings);
+    return object;
+}
+
+void printCloudDistance(std::ostream& out, const io::CloudComparison& made, const io::CloudComparisonRequest& request) {
+    const DistanceTotals totals = totalsOf(made);
+    const std::string unit = unitOf(made);
+    FactList facts;
+    facts.add("from", cloudText(made.first));
+    facts.add("to", cloudText(made.second));
+    facts.add("core points", englishInteger(static_cast<std::int64_t>(made.cores.size())) + " of " +
+                                 (made.coresFrom.empty() ? "the first cloud, thinned" : made.coresFrom));
+    facts.add("scales", "normal " + englishNumber(request.settings.normalRadius) + ", projection " +
+                            englishNumber(request.settings.projectionRadius) + ", depth " + englishNumber(request.settings.depth) +
+                            unit);
+    const auto& registration = request.settings.registrationError;
+    facts.add("registration error", registration ? englishNumber(*registration) + unit : "not known: nobody stated it");
+    facts.add("measured",
+              englishInteger(totals.states[0]) + ", " + englishInteger(totals.detectable) + " of them with a level of detection");
+    if (totals.states[0] > 0) {
+        facts.add("distance", "median " + englishNumber(totals.median) + ", mean " + englishNumber(totals.mean) + ", deviation " +
+                                  englishNumber(totals.deviation) + ", " + englishNumber(totals.least) + " to " +
+                                  englishNumber(totals.most) + unit);
+    }
+    if (totals.detectable > 0) {
+        facts.add("level of detection",
+                  "median " + englishNumber(totals.detection) + unit + (registration ? "" : ", of roughness alone") + " (95 %)");
+        facts.add("significant", englishInteger(totals.significant) + " of " + englishInteger(totals.detectable));
+    }
+    printHeading(out, "Distance between two clouds");
+    facts.print(out);
+    printFindings(out, made.findings);
+}
+
+void writeDistances(std::ostream& out, const io::CloudComparison& made) {
+    out << "x,y,z,state,distance,level_of_detection,significant,roughness_first,roughness_second,points_first,points_second,"
+           "mean_first,mean_second,normal_x,normal_y,normal_z\n";
+    std::string line;
+    for (std::size_t k = 0; k < made.cores.size(); ++k) {
+        const CoreDistance& core = made.distances[k];
+        line.clear();
+        for (const double value : made.cores[k]) {
+            line += exactNumber(value) + ',';
+        }
+        line += stateNames[static_cast<std::size_t>(core.state)];
+        line += ',' + exactNumber(core.distance) + ',' + exactNumber(core.detection) + ',';
+        if (!std::isnan(core.detection)) {
+            line += core.significant() ? '1' : '0';
+        }
+        line += ',' + exactNumber(core.first.roughness) + ',' + exactNumber(core.second.roughness);
+        line += ',' + std::to_string(core.first.points) + ',' + std::to_string(core.second.points);
+        line += ',' + exactNumber(core.first.mean) + ',' + exactNumber(core.second.mean);
+        for (const double value : core.normal) {
+            line += ',' + exactNumber(value);
+        }
+        out << line << '\n';
+    }
+}
+
+}  // namespace rubble::cli

@@ -1,0 +1,147 @@
+#include "core/evidence/clouds/point_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nanoflann.hpp>
+
+namespace rubble {
+
+namespace {
+
+/// Points to a leaf of the tree.
+constexpr std::size_t leafPoints = 16;
+/// Share by which a ball is searched larger than asked for, so that rounding loses no point on its rim.
+constexpr double roundingShare = 1e-9;
+
+/// Every third bit of a number that holds the 21 lowest of another.
+std::uint64_t spreadBits(std::uint64_t bits) {
+    bits &= 0x1F'FFFF;
+    bits = (bits | bits << 32) & 0x1F'0000'0000'FFFF;
+    bits = (bits | bits << 16) & 0x1F'0000'FF00'00FF;
+    bits = (bits | bits << 8) & 0x100F'00F0'0F00'F00F;
+    bits = (bits | bits << 4) & 0x10C3'0C30'C30C'30C3;
+    return (bits | bits << 2) & 0x1249'2492'4924'9249;
+}
+
+/// Number of a cube along a curve that leads through all of them.
+std::uint64_t cubeNumber(const Vec3& place, double cube) {
+    constexpr double middle = 1 << 20;
+    const auto along = [&](int axis) {
+        return spreadBits(static_cast<std::uint64_t>(std::clamp(std::floor(place[axis] / cube) + middle, 0.0, 2.0 * middle - 1.0)));
+    };
+    return along(0) | along(1) << 1 | along(2) << 2;
+}
+
+/// Hands each point of a ball to a caller, who decides whether it counts.
+template <class Visit>
+class BallVisit {
+public:
+    BallVisit(double radius, const Visit& visit) : m_squared(radius * radius), m_visit(visit) {}
+    void init() {}
+    void clear() {}
+    std::size_t size() const { return 0; }
+    bool full() const { return true; }
+    bool addPoint(double /*squared*/, std::uint32_t i) const {
+        m_visit(i);
+        return true;
+    }
+    double worstDist() const { return m_squared; }
+
+private:
+    double m_squared;
+    const Visit& m_visit;
+};
+
+}  // namespace
+
+struct PointIndex::Tree {
+    /// What the library asks of a list of points.
+    struct PointList {
+        std::vector<Vec3> places;
+
+        std::size_t kdtree_get_point_count() const { return places.size(); }
+        double kdtree_get_pt(std::size_t i, std::size_t axis) const { return places[i][static_cast<Eigen::Index>(axis)]; }
+        template <class Box>
+        bool kdtree_get_bbox(Box& /*box*/) const {
+            return false;
+        }
+    };
+
+    using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointList, double, std::uint32_t>,
+                                                      PointList, 3, std::uint32_t>;
+    explicit Tree(std::vector<Vec3> places)
+        : list{std::move(places)}, index(3, list, nanoflann::KDTreeSingleIndexAdaptorParams(leafPoints)) {}
+
+    template <class Visit>
+    void visitBall(const Vec3& centre, double radius, const Visit& visit) const {
+        BallVisit<Visit> ball(radius * (1.0 + roundingShare) + 1e-12, visit);
+        index.findNeighbors(ball, centre.data(), {});
+    }
+
+    PointList list;
+    Index index;
+};
+
+std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> numbers(places.size());
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+        numbers[i] = {cubeNumber(places[i], cube), i};
+    }
+    std::sort(numbers.begin(), numbers.end());
+    std::vector<std::uint32_t> before(places.size());
+    std::vector<Vec3> ordered(places.size());
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+        before[i] = numbers[i].second;
+        ordered[i] = places[before[i]];
+    }
+    places = std::move(ordered);
+    return before;
+}
+
+PointIndex::PointIndex(std::vector<Vec3> places) : m_tree(std::make_unique<Tree>(std::move(places))) {}
+
+PointIndex::~PointIndex() = default;
+PointIndex::PointIndex(PointIndex&&) noexcept = default;
+
+const std::vector<Vec3>& PointIndex::places() const {
+    return m_tree->list.places;
+}
+
+void PointIndex::within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    const std::vector<Vec3>& places = m_tree->list.places;
+    m_tree->visitBall(centre, radius, [&](std::uint32_t i) {
+        if ((places[i] - centre).squaredNorm() <= radius * radius) {
+            found.push_back(i);
+        }
+    });
+    // The tree has an order of its own; sums of reals then do not depend on it.
+    std::sort(found.begin(), found.end());
+}
+
+void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
+                                std::vector<std::uint32_t>& found) const {
+    found.clear();
+    const std::vector<Vec3>& places = m_tree->list.places;
+    // A long cylinder is searched by balls about its parts, each of which takes the points of its own part.
+    const auto parts = std::max<std::int64_t>(1, std::llround(std::min(halfLength / radius, 1e4)));
+    const double length = 2.0 * halfLength / static_cast<double>(parts);
+    const double ball = std::hypot(radius, 0.5 * length);
+    for (std::int64_t part = 0; part < parts; ++part) {
+        const double middle = -halfLength + (static_cast<double>(part) + 0.5) * length;
+        m_tree->visitBall(centre + middle * axis, ball, [&](std::uint32_t i) {
+            const Vec3 from = places[i] - centre;
+            const double along = axis.dot(from);
+            if (std::abs(along) > halfLength || from.squaredNorm() - along * along > radius * radius) {
+                return;
+            }
+            const auto own = static_cast<std::int64_t>(std::floor((along + halfLength) / length));
+            if (std::clamp<std::int64_t>(own, 0, parts - 1) == part) {
+                found.push_back(i);
+            }
+        });
+    }
+    std::sort(found.begin(), found.end());
+}
+
+}  // namespace rubble

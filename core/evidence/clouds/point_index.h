@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace rubble {
+
+/// Puts places beside each other that lie beside each other, cube by cube, so that finding them takes fewer ways through memory.
+/// Within a cube they keep their order. @return for each place where it stood before
+std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube);
+
+/// Points that are found by their place. May be asked by several threads at once.
+class PointIndex {
+public:
+    /// @param places  at most 2^32 - 1, about an origin near them
+    explicit PointIndex(std::vector<Vec3> places);
+    ~PointIndex();
+    PointIndex(PointIndex&&) noexcept;
+
+    const std::vector<Vec3>& places() const;
+    /// The points within a radius of a place, its rim included, in the order of the cloud.
+    void within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const;
+    /// The points within a cylinder about a line through a place, its ends and mantle included, in the order of the cloud.
+    /// @param axis  of length 1; @param halfLength  to each side
+    void withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
+                        std::vector<std::uint32_t>& found) const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> m_tree;
+};
+
+}  // namespace rubble

@@ -1,0 +1,340 @@
+#include "io/site/clouds/cloud_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <thread>
+#include <unordered_set>
+
+#include "core/base/unknown.h"
+#include "io/site/clouds/cloud_summary.h"
+#include "io/site/clouds/cloud_system.h"
+#include "io/site/file_words.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// Parts of the box of the cores that points are counted in before strips are cut.
+constexpr std::size_t countedParts = 4096;
+
+/// A cube of the first cloud that has its core already.
+struct CubeHash {
+    std::size_t operator()(const std::array<std::int64_t, 3>& cube) const {
+        std::uint64_t hash = 0;
+        for (const std::int64_t k : cube) {
+            hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15ULL;
+            hash ^= hash >> 29;
+        }
+        return hash;
+    }
+};
+
+/// Cores between two places along the longest side of their box.
+struct CoreStrip {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+class CloudComparing {
+public:
+    CloudComparing(const CloudComparisonRequest& request, const Execution& execution)
+        : m_request(request), m_execution(execution) {}
+
+    CloudComparison compare() {
+        open(m_request.first, m_made.first, "");
+        open(m_request.second, m_made.second, m_made.first.head.crs);
+        checkUnits(m_made.first);
+        checkUnits(m_made.second);
+        if (!sameSystem(m_made.first.head.crs, m_made.second.head.crs)) {
+            refuseContent({"distance.other_system",
+                           "{0} is in \"{1}\", {2} in \"{3}\"",
+                           {m_request.first, m_made.first.head.units.name, m_request.second, m_made.second.head.units.name}},
+                          "Bring both to one system, such as the UTM zone of the place.");
+        }
+        takeUnit();
+        readCores();
+        measure();
+        judge();
+        return std::move(m_made);
+    }
+
+private:
+    std::unique_ptr<PointCloud> opened(const std::string& path, const std::string& crs) const {
+        CloudRequest read = m_request.read;
+        auto cloud = openCloud(path, read);
+        if (cloud->head().units.local() && !crs.empty()) {
+            read.crs = crs;
+            cloud = openCloud(path, read);
+        }
+        return cloud;
+    }
+
+    /// @param crs  taken where the cloud names none itself
+    void open(const std::string& path, ComparedCloud& taken, const std::string& crs) {
+        taken.path = path;
+        taken.head = opened(path, crs)->head();
+        if (taken.head.crsFrom == "asked for" && m_request.read.crs.empty()) {
+            find(path, {"distance.system_taken", "the file names no coordinate system; that of the first cloud is taken", {}},
+                 "make sure that both are in the same one");
+        }
+    }
+
+    void checkUnits(const ComparedCloud& cloud) {
+        if (cloud.head.units.degrees || cloud.head.units.geocentric) {
+            refuseContent({"distance.degrees",
+                           "{0} has no eastings and northings (\"{1}\"): distances would have no meaning",
+                           {cloud.path, cloud.head.units.name}},
+                          "Bring it to a projected system, such as the UTM zone of the place.");
+        }
+    }
+
+    void takeUnit() {
+        const CloudUnits& units = m_made.first.head.units;
+        m_made.metresStated = units.metresStated && units.heightStated;
+        m_made.unit = m_request.metres ? 1.0 : units.metres;
+        if (m_request.metres) {
+            m_unit = Vec3(units.metres, units.metres, units.heightMetres);
+        } else if (std::abs(units.metres - units.heightMetres) > 1e-9) {
+            m_made.unit = unknown;
+            find(m_request.first,
+                 {"distance.mixed_units",
+                  "a unit of x and y is {0}, one of z {1}: distances in the numbers of the file are lengths of neither",
+                  {{units.metres, "m"}, {units.heightMetres, "m"}}},
+                 "ask for metres (--metres), and give all lengths in them");
+        } else if (units.metres != 1.0) {
+            find(m_request.first, {"distance.in_units", "all lengths are in units of the file, each {0}", {{units.metres, "m"}}},
+                 "ask for metres (--metres), and give all lengths in them");
+        }
+    }
+
+    /// Hands over each block of a cloud, in the unit of the comparison. @param tell  what was found is kept
+    template <class Visit>
+    CloudSummary read(const std::string& path, const std::string& crs, bool tell, const Visit& visit) {
+        const std::unique_ptr<PointCloud> cloud = opened(path, crs);
+        std::vector<Vec3> places;
+        CloudSummary summary = summariseCloud(*cloud, m_execution, [&](const CloudBlock& block) {
+            places = block.places;
+            if (m_request.metres) {
+                for (Vec3& place : places) {
+                    place = place.cwiseProduct(m_unit);
+                }
+            }
+            visit(places);
+        });
+        if (tell) {
+            m_made.findings.append(summary.findings);
+        }
+        return summary;
+    }
+
+    void addCore(const Vec3& place) {
+        if (m_made.cores.size() == coresMost) {
+            throw UsageError({"distance.cores", "There are more than {0} core points", {coresMost}},
+                             {"distance.cores.remedy", "Give a file with fewer of them, or a greater projection radius.", {}});
+        }
+        m_made.cores.push_back(place);
+        m_box.extend(place);
+    }
+
+    void readCores() {
+        m_made.coresFrom = m_request.cores;
+        if (m_request.cores.empty()) {
+            std::unordered_set<std::array<std::int64_t, 3>, CubeHash> taken;
+            read(m_request.first, "", false, [&](const std::vector<Vec3>& places) {
+                for (const Vec3& place : places) {
+                    const Vec3 cube = (place / m_request.settings.projectionRadius).array().floor();
+                    if (taken.insert({std::llround(cube.x()), std::llround(cube.y()), std::llround(cube.z())}).second) {
+                        addCore(place);
+                    }
+                }
+            });
+        } else {
+            const auto add = [&](const std::vector<Vec3>& places) {
+                std::for_each(places.begin(), places.end(), [&](const Vec3& place) { addCore(place); });
+            };
+            read(m_request.cores, m_made.first.head.crs, true, add);
+        }
+        if (m_made.cores.empty()) {
+            const std::string& path = m_request.cores.empty() ? m_request.first : m_request.cores;
+            refuseContent({"distance.no_cores", "{0} has no point to measure at", {path}}, "Give a cloud with points.");
+        }
+        m_origin = m_box.center().array().round();
+        m_box.sizes().maxCoeff(&m_axis);
+    }
+
+    /// How far points count from a core.
+    double reach() const {
+        const CloudDistanceSettings& settings = m_request.settings;
+        return std::max(settings.normalRadius, std::hypot(settings.projectionRadius, settings.depth)) * (1.0 + 1e-9);
+    }
+
+    bool isNear(const Vec3& place) const {
+        return ((place - m_box.min()).array() >= -reach()).all() && ((m_box.max() - place).array() >= -reach()).all();
+    }
+
+    /// Counts what lies near the cores, along their longest side.
+    std::vector<std::uint64_t> countNear() {
+        std::vector<std::uint64_t> counts(countedParts);
+        const double low = m_box.min()[m_axis] - reach();
+        const double share = static_cast<double>(countedParts) / (m_box.sizes()[m_axis] + 2.0 * reach());
+        const auto countOf = [&](ComparedCloud& cloud, const std::string& crs) {
+            Aabb all;
+            const CloudSummary summary = read(cloud.path, crs, true, [&](const std::vector<Vec3>& places) {
+                for (const Vec3& place : places) {
+                    all.extend(place);
+                    if (isNear(place)) {
+                        ++cloud.near;
+                        ++counts[std::min(countedParts - 1, static_cast<std::size_t>((place[m_axis] - low) * share))];
+                    }
+                }
+            });
+            cloud.points = summary.points();
+            checkMeeting(cloud, all);
+        };
+        countOf(m_made.first, "");
+        countOf(m_made.second, m_made.first.head.crs);
+        return counts;
+    }
+
+    void checkMeeting(const ComparedCloud& cloud, const Aabb& all) const {
+        if (cloud.points == 0) {
+            refuseContent({"distance.empty", "{0} has no point that counts", {cloud.path}}, "Give a cloud with points.");
+        }
+        if (cloud.near == 0) {
+            const double apart = all.exteriorDistance(m_box);
+            refuseContent({"distance.elsewhere", "{0} lies {1} units away from the core points", {cloud.path, apart}},
+                          "Check the coordinate systems, or give clouds of one site.");
+        }
+    }
+
+    /// Strips of cores, the points that may count for each of which fit into memory; a strip is at least as wide as points reach.
+    std::vector<CoreStrip> strips(const std::vector<std::uint64_t>& counts) const {
+        const double low = m_box.min()[m_axis] - reach();
+        const double width = (m_box.sizes()[m_axis] + 2.0 * reach()) / static_cast<double>(countedParts);
+        const auto around = static_cast<std::size_t>(std::ceil(reach() / width)) + 1;
+        std::vector<CoreStrip> cut{{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
+        std::vector<std::uint64_t> until(countedParts + 1);
+        std::partial_sum(counts.begin(), counts.end(), until.begin() + 1);
+        std::size_t first = 0;
+        for (std::size_t part = 1; part < countedParts; ++part) {
+            const std::size_t from = first > around ? first - around : 0;
+            const std::size_t to = std::min(countedParts, part + 1 + around);
+            if (until[to] - until[from] > m_request.heldPoints && part - first >= around) {
+                cut.back().high = low + static_cast<double>(part) * width;
+                cut.push_back({cut.back().high, std::numeric_limits<double>::infinity()});
+                first = part;
+            }
+        }
+        return cut;
+    }
+
+    std::vector<Vec3> held(const ComparedCloud& cloud, const std::string& crs, const CoreStrip& strip) {
+        std::vector<Vec3> places;
+        read(cloud.path, crs, false, [&](const std::vector<Vec3>& block) {
+            for (const Vec3& place : block) {
+                if (isNear(place) && place[m_axis] >= strip.low - reach() && place[m_axis] <= strip.high + reach()) {
+                    places.push_back(place - m_origin);
+                }
+            }
+        });
+        return places;
+    }
+
+    std::vector<Vec3> ordered(std::vector<Vec3> places) const {
+        orderByCubes(places, m_request.settings.projectionRadius);
+        return places;
+    }
+
+    void measure() {
+        const std::vector<CoreStrip> cut = strips(countNear());
+        m_made.distances.resize(m_made.cores.size());
+        for (const CoreStrip& strip : cut) {
+            std::vector<std::size_t> which;
+            std::vector<Vec3> cores;
+            for (std::size_t k = 0; k < m_made.cores.size(); ++k) {
+                const double at = m_made.cores[k][m_axis];
+                if (at >= strip.low && at < strip.high) {
+                    which.push_back(k);
+                    cores.push_back(m_made.cores[k] - m_origin);
+                }
+            }
+            if (which.empty()) {
+                continue;
+            }
+            std::vector<Vec3> firstPlaces = held(m_made.first, "", strip);
+            std::vector<Vec3> secondPlaces = held(m_made.second, m_made.first.head.crs, strip);
+            std::optional<PointIndex> second;
+            std::jthread building([&] { second.emplace(ordered(std::move(secondPlaces))); });
+            const PointIndex first(ordered(std::move(firstPlaces)));
+            building.join();
+            const std::vector<std::uint32_t> before = orderByCubes(cores, m_request.settings.projectionRadius);
+            const std::vector<CoreDistance> made = cloudDistances(cores, first, *second, m_request.settings, m_execution);
+            for (std::size_t k = 0; k < which.size(); ++k) {
+                m_made.distances[which[before[k]]] = made[k];
+            }
+            ++m_made.parts;
+        }
+    }
+
+    void judge() {
+        std::array<std::int64_t, coreStateCount> states{};
+        std::int64_t few = 0;
+        std::int64_t deep = 0;
+        for (const CoreDistance& core : m_made.distances) {
+            ++states[static_cast<std::size_t>(core.state)];
+            const bool measured = core.state == CoreState::Measured;
+            few += measured && std::isnan(core.detection) ? 1 : 0;
+            const auto cut = [&](const CoreSide& side) { return std::abs(side.mean) + side.roughness > m_request.settings.depth; };
+            deep += measured && (cut(core.first) || cut(core.second)) ? 1 : 0;
+        }
+        const auto count = [&](CoreState state) { return states[static_cast<std::size_t>(state)]; };
+        find({"distance.no_normal", "core points have no normal: fewer than three points of the first cloud lie about them", {}},
+             "give a greater normal scale, or cores on the first cloud", count(CoreState::NoNormal));
+        find({"distance.no_first", "core points have no distance: no point of the first cloud lies in their cylinder", {}},
+             "give cores on the first cloud, or a greater projection scale", count(CoreState::NoFirst));
+        find({"distance.no_second", "core points have no distance: no point of the second cloud lies in their cylinder", {}},
+             "give a greater depth if the surface moved farther; else the second cloud has a hole there",
+             count(CoreState::NoSecond));
+        find({"distance.no_point", "core points have no distance: no point of either cloud lies in their cylinder", {}},
+             "give cores on the first cloud, or a greater projection scale", count(CoreState::NoPoint));
+        find({"distance.few_points",
+              "distances have no level of detection: fewer than {0} points of a cloud lie in their cylinder",
+              {std::size_t{roughnessPoints}}},
+             "give a greater projection scale; these distances are not called significant", few);
+        find({"distance.deep", "distances may be too short: a surface in the cylinder reaches its end", {}}, "give a greater depth",
+             deep);
+        if (!m_request.settings.registrationError) {
+            find({"distance.registration_unknown",
+                  "nobody stated how well one cloud lies against the other: the level of detection holds their roughness alone",
+                  {}},
+                 "state the registration error (--registration-error), 0 only if it is known to be none");
+        }
+    }
+
+    void find(Message what, std::string_view remedy, std::int64_t count = 1) { find("", std::move(what), remedy, count); }
+    void find(const std::string& path, Message what, std::string_view remedy, std::int64_t count = 1) {
+        if (count > 0) {
+            addFinding(m_made.findings, path, std::move(what), remedy, count);
+        }
+    }
+
+    const CloudComparisonRequest& m_request;
+    const Execution& m_execution;
+    CloudComparison m_made;
+    Vec3 m_unit = Vec3::Ones();
+    Aabb m_box;  ///< of the cores
+    Vec3 m_origin = Vec3::Zero();
+    Eigen::Index m_axis = 0;
+};
+
+}  // namespace
+
+CloudComparison compareClouds(const CloudComparisonRequest& request, const Execution& execution) {
+    return CloudComparing(request, execution).compare();
+}
+
+}  // namespace rubble::io

@@ -1970,10 +1970,6 @@
         <translation>请给出单波段高程栅格。</translation>
     </message>
     <message>
-        <source>Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.</source>
-        <translation>请给出单波段高程栅格：GeoTIFF、ESRI ASCII 网格、BIL、ENVI、IMG、HGT、DTED、XYZ 或 Surfer。</translation>
-    </message>
-    <message>
         <source>Give a raster that covers the site, or fill its gaps with gdal_fillnodata.py.</source>
         <translation>请给出覆盖场地的栅格，或用 gdal_fillnodata.py 填补空缺。</translation>
     </message>
@@ -9531,7 +9527,7 @@
     </message>
     <message>
         <source>distances have no level of detection: fewer than {0} points of a cloud lie in their cylinder</source>
-        <translation>距离没有检测水平：其圆柱中某个点云的点少于 {0} 个</translation>
+        <translation>距离没有检测限：其圆柱中某个点云的点少于 {0} 个</translation>
     </message>
     <message>
         <source>distances may be too short: a surface in the cylinder reaches its end</source>
@@ -9559,7 +9555,7 @@
     </message>
     <message>
         <source>nobody stated how well one cloud lies against the other: the level of detection holds their roughness alone</source>
-        <translation>无人写明两个点云相对就位的精度：检测水平只含其粗糙度</translation>
+        <translation>无人写明两个点云相对就位的精度：检测限只含其粗糙度</translation>
     </message>
     <message>
         <source>state the registration error (--registration-error), 0 only if it is known to be none</source>
@@ -9588,6 +9584,70 @@
     <message>
         <source>{0} lies {1} units away from the core points</source>
         <translation>{0} 距核心点 {1} 个单位</translation>
+    </message>
+    <message>
+        <source>Give a raster of heights with one band (GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer), or a point cloud.</source>
+        <translation>请提供单波段的高程栅格（GeoTIFF、ESRI ASCII 网格、BIL、ENVI、IMG、HGT、DTED、XYZ 或 Surfer），或点云。</translation>
+    </message>
+    <message>
+        <source>Give the cloud with its ground, or without classes if they are wrong.</source>
+        <translation>请给出带地面的点云；如果类别有误，请给出不带类别的点云。</translation>
+    </message>
+    <message>
+        <source>Its numbers seem to be feet: give it with its coordinate system, or in metres.</source>
+        <translation>其数值似乎以英尺计：请连同坐标系给出，或以米给出。</translation>
+    </message>
+    <message>
+        <source>Laying the points on a grid</source>
+        <translation>把点放到网格上</translation>
+    </message>
+    <message>
+        <source>classify the ground in a program for point clouds, if trees, vehicles or houses stand there</source>
+        <translation>如果那里有树木、车辆或房屋，请在点云程序中对地面分类</translation>
+    </message>
+    <message>
+        <source>give them another class if they are debris</source>
+        <translation>如果它们是堆积物，请改为其他类别</translation>
+    </message>
+    <message>
+        <source>no point is of class 2: all but vegetation and wires are taken as ground</source>
+        <translation>没有类别 2 的点：除植被和电线外全部作为地面</translation>
+    </message>
+    <message>
+        <source>none is needed unless debris runs there</source>
+        <translation>除非堆积物到达那里，否则无需处理</translation>
+    </message>
+    <message>
+        <source>points farther from the structure than there is room for were left out</source>
+        <translation>离结构太远、容纳不下的点已略去</translation>
+    </message>
+    <message>
+        <source>points of class 2 are the ground; {0} of other classes were left out</source>
+        <translation>类别 2 的点为地面；略去了其他类别的 {0} 个点</translation>
+    </message>
+    <message>
+        <source>points of vegetation and wires were left out</source>
+        <translation>植被和电线的点已略去</translation>
+    </message>
+    <message>
+        <source>the cloud has no classes: all its points are taken as ground</source>
+        <translation>点云没有类别：其所有点都作为地面</translation>
+    </message>
+    <message>
+        <source>what is smaller than a cell is averaged; a denser cloud gets finer cells</source>
+        <translation>小于单元的部分被平均；更密的点云得到更细的单元</translation>
+    </message>
+    <message>
+        <source>{0} counts its places from the centre of the Earth</source>
+        <translation>{0} 的坐标从地心算起</translation>
+    </message>
+    <message>
+        <source>{0} holds vegetation and wires alone ({1} points): neither ground nor debris</source>
+        <translation>{0} 只有植被和电线（{1} 个点）：既无地面也无堆积物</translation>
+    </message>
+    <message>
+        <source>{0} points were laid on cells of {1}, {2} to a cell in the median; {3} % of the cells have none</source>
+        <translation>{0} 个点放到了 {1} 的单元上，每个单元的点数中位数为 {2}；{3} % 的单元没有点</translation>
     </message>
 </context>
 <context>

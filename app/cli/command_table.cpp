@@ -49,7 +49,8 @@ Option cachedOption() {
 }
 
 Option terrainOption() {
-    return {"--terrain", "FILE", false, "raster or mesh (STL, OBJ, PLY) that the debris falls on; takes the place of the case's"};
+    return {"--terrain", "FILE", false,
+            "raster, point cloud or mesh (STL, OBJ, PLY) that the debris falls on; takes the place of the case's"};
 }
 
 Option meshOffsetOption() {

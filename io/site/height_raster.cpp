@@ -186,6 +186,21 @@ void flipColumns(HeightGrid& raster) {
     }
 }
 
+double heightOn(const HeightGrid& raster, const Eigen::Vector2d& place) {
+    const double u = (place.x() - raster.x0) / raster.dx;
+    const double v = (place.y() - raster.y0) / raster.dy;
+    if (!(u >= 0.0 && v >= 0.0 && u <= static_cast<double>(raster.nx - 1) && v <= static_cast<double>(raster.ny - 1))) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const std::size_t i = std::min(static_cast<std::size_t>(u), raster.nx - 2);
+    const std::size_t j = std::min(static_cast<std::size_t>(v), raster.ny - 2);
+    const double s = u - static_cast<double>(i);
+    const double t = v - static_cast<double>(j);
+    const double* low = &raster.heights[j * raster.nx + i];
+    const double* high = low + raster.nx;
+    return s >= t ? (1.0 - s) * low[0] + (s - t) * low[1] + t * high[1] : (1.0 - t) * low[0] + (t - s) * high[0] + s * high[1];
+}
+
 std::int64_t countGaps(const HeightGrid& raster) {
     return std::count_if(raster.heights.begin(), raster.heights.end(), [](double height) { return std::isnan(height); });
 }

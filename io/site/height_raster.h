@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,6 +12,9 @@ namespace rubble::io {
 /// Reverses the order of rows or columns.
 void flipRows(HeightGrid& raster);
 void flipColumns(HeightGrid& raster);
+
+/// Height of the surface of two triangles a cell, as a terrain has it; not a number beside it and beside gaps.
+double heightOn(const HeightGrid& raster, const Eigen::Vector2d& place);
 
 std::int64_t countGaps(const HeightGrid& raster);
 

@@ -9,6 +9,7 @@
 #include "io/base/native_lock.h"
 #include "io/base/trial.h"
 #include "io/site/file_words.h"
+#include "io/site/clouds/height_source.h"
 #include "io/site/raster_axis.h"
 #include "io/site/raster_file.h"
 #include "io/site/raster_sampling.h"
@@ -28,27 +29,12 @@ void addWiderUnread(Findings& findings, const std::string& path, const std::stri
                "copy the raster again from where it came; debris that runs there falls on a level guess");
 }
 
-/// Height of the surface of two triangles a cell, as a terrain has it; not a number beside it and beside gaps.
-double heightOn(const HeightGrid& raster, const Eigen::Vector2d& place) {
-    const double u = (place.x() - raster.x0) / raster.dx;
-    const double v = (place.y() - raster.y0) / raster.dy;
-    if (!(u >= 0.0 && v >= 0.0 && u <= static_cast<double>(raster.nx - 1) && v <= static_cast<double>(raster.ny - 1))) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    const std::size_t i = std::min(static_cast<std::size_t>(u), raster.nx - 2);
-    const std::size_t j = std::min(static_cast<std::size_t>(v), raster.ny - 2);
-    const double s = u - static_cast<double>(i);
-    const double t = v - static_cast<double>(j);
-    const double* low = &raster.heights[j * raster.nx + i];
-    const double* high = low + raster.nx;
-    return s >= t ? (1.0 - s) * low[0] + (s - t) * low[1] + t * high[1] : (1.0 - t) * low[0] + (t - s) * high[0] + s * high[1];
-}
-
 /// Turns one file into heights.
 class Reading {
 public:
-    Reading(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, const HeightMeaning& meaning,
-            HeightReach reach, const Execution& execution)
+    /// @param opened  what is read of it: the file itself, or the grid of a cloud
+    Reading(const std::string& path, const std::string& opened, const Frame& frame, const Site& site, const Aabb& around,
+            const HeightMeaning& meaning, HeightReach reach, const Execution& execution)
         : m_path(path),
           m_frame(frame),
           m_site(site),
@@ -59,7 +45,7 @@ public:
           m_reach(reach),
           m_alongAxes(meaning.alongAxes),
           m_execution(execution),
-          m_file(path) {}
+          m_file(opened, RasterFile::Holds::Heights, path) {}
 
     HeightReading read();
 
@@ -204,12 +190,23 @@ void Reading::checkOverlap(const Eigen::Vector2d& least, const Eigen::Vector2d& 
     }
     const Vec3 low = m_around.min();
     const Vec3 high = m_around.max();
-    if (!(most.x() >= low.x() && least.x() <= high.x() && most.y() >= low.y() && least.y() <= high.y())) {
+    const Eigen::Vector2d shift = m_place.transform().shift;
+    const auto meets = [&](double unit) {
+        const Eigen::Vector2d from = unit * (least + shift) - shift;
+        const Eigen::Vector2d to = unit * (most + shift) - shift;
+        return (to.array() >= low.head<2>().array()).all() && (from.array() <= high.head<2>().array()).all();
+    };
+    if (!meets(1.0)) {
+        constexpr double foot = 0.3048;
+        const bool feet = m_file.metresPerUnit() == 1.0 && m_place.upright() && meets(foot);
+        const char* remedy =
+            feet
+                ? "Its numbers seem to be feet: give it with its coordinate system, or in metres."
+                : "Tie the FE model to the coordinate system by control points (Site… in the Case menu), or give the right raster.";
         refuse(
             "terrain.elsewhere",
             "{0} covers x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}",
-            {least.x(), {most.x(), "m"}, least.y(), {most.y(), "m"}, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}},
-            "Tie the FE model to the coordinate system by control points (Site… in the Case menu), or give the right raster.");
+            {least.x(), {most.x(), "m"}, least.y(), {most.y(), "m"}, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}}, remedy);
     }
     m_result.missing =
         std::max({least.x() - low.x(), high.x() - most.x(), least.y() - low.y(), high.y() - most.y(), m_result.missing});
@@ -560,12 +557,13 @@ HeightReading Reading::read() {
 
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
                           const Execution& execution, const HeightMeaning& meaning, HeightReach reach) {
+    const HeightSource source(path, meaning.surface ? CloudPart::Surface : CloudPart::Ground, frame, site, around, execution);
     bool alive = false;
     bool windowOnly = false;
     {
         const std::scoped_lock lock(nativeLibraries());
         const auto survives = [&](HeightReach tried) {
-            return survivesTrial([&] { Reading(path, frame, site, around, meaning, tried, Execution{}).read(); });
+            return survivesTrial([&] { Reading(path, source.opened(), frame, site, around, meaning, tried, Execution{}).read(); });
         };
         alive = survives(reach);
         if (!alive && reach == HeightReach::Whole) {
@@ -577,11 +575,14 @@ HeightReading readHeights(const std::string& path, const Frame& frame, const Sit
         throw ParseError({"terrain.crash", "{0} is damaged so that the library that reads rasters fails on it", {path}},
                          {"terrain.empty.remedy", "Copy it again from where it came.", {}});
     }
-    if (!windowOnly) {
-        return Reading(path, frame, site, around, meaning, reach, execution).read();
+    HeightReading heights =
+        Reading(path, source.opened(), frame, site, around, meaning, windowOnly ? HeightReach::Window : reach, execution).read();
+    if (windowOnly) {
+        addWiderUnread(heights.findings, path, "the library that reads rasters fails on it");
     }
-    HeightReading heights = Reading(path, frame, site, around, meaning, HeightReach::Window, execution).read();
-    addWiderUnread(heights.findings, path, "the library that reads rasters fails on it");
+    Findings all = source.findings();
+    all.append(heights.findings);
+    heights.findings = std::move(all);
     return heights;
 }
 

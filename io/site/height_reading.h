@@ -24,6 +24,8 @@ struct HeightMeaning {
     /// Nodes are wanted along x and y: a raster that is turned or projected is interpolated to such, once. Heights above the ground
     /// never are.
     bool alongAxes = false;
+    /// Of a point cloud all that stands there counts but vegetation; else its ground alone, where it knows any.
+    bool surface = false;
 };
 
 /// What a file holds around the window about the structure.
@@ -55,13 +57,14 @@ struct HeightReading {
     Findings findings;
 };
 
-/// Reads the heights of a file around a structure: a window ten times its height or its own length to each side, whichever is
-/// more. A raster whose rows run along x and y, shifted or scaled as it may be, keeps its heights. Of one in another system than
-/// the case's, in degrees or turned, they are kept with a lattice that places them, or interpolated to cells along x and y if asked
-/// for. One with more heights than a terrain may have is made coarser by averaging. What cannot be a height of land, and what
-/// stands out from all around it, is a gap, before anything is interpolated. Every such liberty is a finding with its size. A map
-/// of our own without heights is refused. All is read in a child process first, for GDAL may crash on a damaged file.
-/// What lies around the window changes nothing within it; where it cannot be read, that is a finding.
+/// Reads the heights of a file, a raster or a point cloud that is laid on a grid (cloudRaster()), around a structure: a window ten
+/// times its height or its own length to each side, whichever is more. A raster whose rows run along x and y, shifted or scaled as
+/// it may be, keeps its heights. Of one in another system than the case's, in degrees or turned, they are kept with a lattice that
+/// places them, or interpolated to cells along x and y if asked for. One with more heights than a terrain may have is made coarser
+/// by averaging. What cannot be a height of land, and what stands out from all around it, is a gap, before anything is
+/// interpolated. Every such liberty is a finding with its size. A map of our own without heights is refused. All is read in a child
+/// process first, for GDAL may crash on a damaged file. What lies around the window changes nothing within it; where it cannot be
+/// read, that is a finding.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
 /// Throws as openTerrain().
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,

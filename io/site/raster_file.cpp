@@ -78,7 +78,8 @@ namespace {
         refusePicture(path);
     }
     refuseContent({"terrain.unknown_format", "{0} is no raster of heights that can be read: {1}", {path, reason}},
-                  "Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.");
+                  "Give a raster of heights with one band (GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer), or "
+                  "a point cloud.");
 }
 
 /// A band that says which pixels are there, where GDAL itself does not take it as a mask; null: none.
@@ -97,7 +98,8 @@ struct RasterFile::Handles {
     GDALRasterBand* opacity = nullptr;    ///< of all bands; null: none
 };
 
-RasterFile::RasterFile(const std::string& path, Holds what) : m_path(path), m_handles(std::make_unique<Handles>()) {
+RasterFile::RasterFile(const std::string& path, Holds what, const std::string& shown)
+    : m_path(shown.empty() ? path : shown), m_handles(std::make_unique<Handles>()) {
     const GdalSession session;
     m_handles->dataset.reset(
         GDALDataset::FromHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,

@@ -42,7 +42,8 @@ class RasterFile {
 public:
     enum class Holds { Heights, Colours };
     /// Throws WorldError (cannot be read) or ParseError (no raster of that kind, no place).
-    explicit RasterFile(const std::string& path, Holds what = Holds::Heights);
+    /// @param shown  path that messages name; empty: the path itself
+    explicit RasterFile(const std::string& path, Holds what = Holds::Heights, const std::string& shown = "");
     ~RasterFile();
     RasterFile(const RasterFile&) = delete;
     RasterFile& operator=(const RasterFile&) = delete;

@@ -81,7 +81,10 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
         throw ParseError({"survey.no_outline", "{0} is no file of polygons that can be read", {path}},
                          {"survey.no_outline.remedy", "Give a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML.", {}});
     } else {
-        takeHeights(input, readHeights(path, frame, site, around, execution, {request.aboveGround, request.withFallen}), request);
+        takeHeights(input,
+                    readHeights(path, frame, site, around, execution,
+                                {.aboveGround = request.aboveGround, .withFallen = request.withFallen, .surface = true}),
+                    request);
         if (!request.ground.empty() && !input.survey.heights.aboveGround) {
             // What it takes liberties with is told where the terrain is opened.
             HeightReading ground = readHeights(request.ground, frame, site, around, execution);

@@ -10,6 +10,7 @@
 #include "app/cli/frame/output_file.h"
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
+#include "io/site/clouds/distance_files.h"
 
 namespace rubble::cli {
 
@@ -105,8 +106,8 @@ io::CloudRequest cloudRequestFrom(const Arguments& arguments) {
 }
 
 /// Options that ask for distances, and mean nothing without another cloud.
-constexpr std::array<std::string_view, 6> distanceOptions{"--cores", "--normal-scale",       "--projection-scale",
-                                                          "--depth", "--registration-error", "--metres"};
+constexpr std::array<std::string_view, 7> distanceOptions{
+    "--out", "--cores", "--normal-scale", "--projection-scale", "--depth", "--registration-error", "--metres"};
 
 double scaleFrom(const Arguments& arguments, std::string_view option) {
     if (!arguments.has(option)) {
@@ -134,9 +135,19 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
     }
     const std::vector<std::string> inputs{request.first, request.second, request.cores.empty() ? request.first : request.cores};
     checkCsvPath(arguments, inputs);
+    const std::vector<std::string> files = arguments.values("--out");
+    for (const std::string& path : files) {
+        if (!io::namesDistanceCloud(path)) {
+            throw wrongValue("--out", path, "a path that ends in .las or .ply");
+        }
+        checkOutputPath(path, inputs);
+    }
     const io::CloudComparison made = io::compareClouds(request, session.execution());
     if (const auto path = arguments.value("--csv")) {
         io::writeAtomically(*path, [&](std::ostream& out) { writeDistances(out, made); });
+    }
+    for (const std::string& path : files) {
+        io::writeDistanceCloud(path, made);
     }
     if (arguments.json()) {
         printJson(session, cloudDistanceJson(made, request));
@@ -190,6 +201,7 @@ Command cloudCommand() {
          {"--projection-scale", "R", false, "radius of the cylinder along the normal in which both clouds are averaged"},
          {"--depth", "D", false, "of the cylinder, to each side of the core"},
          {"--registration-error", "E", false, "by which one cloud may be out of place against the other (default: not known)"},
+         {"--out", "FILE", true, "write the core points with their distances as a cloud: .las or .ply, significant ones coloured"},
          {"--metres", "", false, "bring all to metres first (default: lengths are in units of the files)"},
          csvOption("write the points that were taken, in the numbers of the file, or the distances")},
         tellCloud};

@@ -46,6 +46,9 @@ SurveySettings surveySettingsFrom(const Arguments& arguments) {
     if (arguments.has("--ground-noise")) {
         settings.groundNoise = parseLength(arguments, "--ground-noise", 0.0, true);
     }
+    if (arguments.has("--offset-error")) {
+        settings.offsetError = parseLength(arguments, "--offset-error", 0.0, true);
+    }
     if (const auto fit = arguments.value("--register")) {
         if (*fit != "none" && *fit != "ground" && *fit != "debris") {
             throw wrongValue("--register", *fit, "none, ground or debris");
@@ -157,7 +160,12 @@ void addMeasures(Json& object, const SurveyComparison& made) {
                                                 {"cut_m3", volumes.cut},
                                                 {"net_m3", volumes.net()},
                                                 {"not_detected_m3", volumes.undetected},
-                                                {"net_error_m3", number(volumes.error)}};
+                                                {"net_error_m3", number(volumes.netError.random)},
+                                                {"fill_error_m3", number(volumes.fillError.random)},
+                                                {"cut_error_m3", number(volumes.cutError.random)},
+                                                {"net_systematic_m3", number(volumes.netError.systematic)},
+                                                {"fill_systematic_m3", number(volumes.fillError.systematic)},
+                                                {"cut_systematic_m3", number(volumes.cutError.systematic)}};
     object["reachable"] = Json();
     object["like_for_like"] = Json();
     if (made.seen) {
@@ -243,10 +251,16 @@ std::string detectionText(const SurveyNoise& noise) {
     return std::isfinite(noise.correlation) ? text + "; it hangs together over " + englishNumber(noise.correlation) + " m" : text;
 }
 
+/// "12.5 +- 0.3 random +- not known"
+std::string volumeText(double volume, const VolumeError& error) {
+    const auto text = [](double part) { return std::isfinite(part) ? englishNumber(part) : std::string("not known"); };
+    return englishNumber(volume) + " m3 (+- " + text(error.random) + " random, +- " + text(error.systematic) + " systematic)";
+}
+
 std::string volumesText(const SurveyVolumes& volumes) {
-    const std::string error = std::isfinite(volumes.error) ? " +- " + englishNumber(volumes.error) : "";
-    return "fill " + englishNumber(volumes.fill) + ", cut " + englishNumber(volumes.cut) + ", net " + englishNumber(volumes.net()) +
-           error + " m3; below the level of detection " + englishNumber(volumes.undetected) + " m3";
+    return "fill " + volumeText(volumes.fill, volumes.fillError) + ", cut " + volumeText(volumes.cut, volumes.cutError) + ", net " +
+           volumeText(volumes.net(), volumes.netError) + "; below the level of detection " + englishNumber(volumes.undetected) +
+           " m3";
 }
 
 std::string scopeText(const SurveyComparison& made) {
@@ -374,7 +388,7 @@ Command surveyCommand() {
             "map, overlap "
             "of the footprints, volume, run-out by direction, centroids.",
             {{"--survey", "FILE", false,
-              "raster of heights, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
+              "raster of heights, point cloud, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
              {"--time", "SECONDS", false, "instant on the file's clock, or end (default: end)"},
              {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
              {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
@@ -386,6 +400,8 @@ Command surveyCommand() {
              leaveOutOption(),
              {"--noise", "M", false, "standard deviation of the surveyed heights, m (default: as the case says, else estimated)"},
              {"--ground-noise", "M", false, "the same of the ground they are held above, m"},
+             {"--offset-error", "M", false,
+              "standard deviation of an offset that all surveyed heights may have together, m (default: not known)"},
              {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
              {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
              {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},

@@ -20,7 +20,8 @@ constexpr double reachShare = 0.95;  // of the covered area in a sector, within 
 void check(const SurveySettings& settings) {
     const auto size = [](double value) { return std::isfinite(value) && value >= 0.0; };
     if (!size(settings.leastHeight) || !size(settings.shiftMost) || !size(settings.liveThreshold) || settings.sectors < 1 ||
-        settings.sectors > 360 || !size(settings.noise.value_or(0.0)) || !size(settings.groundNoise.value_or(0.0))) {
+        settings.sectors > 360 || !size(settings.noise.value_or(0.0)) || !size(settings.groundNoise.value_or(0.0)) ||
+        !size(settings.offsetError.value_or(0.0))) {
         throw UsageError({"survey.settings", "A setting of the survey comparison is no size", {}},
                          {"survey.settings.remedy", "Give lengths in metres, not below zero, and 1 to 360 sectors.", {}});
     }

@@ -24,6 +24,9 @@ struct SurveySettings {
     /// m, standard deviations of the surveyed heights and of those of the ground; unset: not stated.
     std::optional<double> noise = std::nullopt;
     std::optional<double> groundNoise = std::nullopt;
+    /// m, standard deviation of an offset that all surveyed heights above the ground may have together, as of a registration or a
+    /// vertical datum; unset: nobody stated one.
+    std::optional<double> offsetError = std::nullopt;
 };
 
 /// How the survey was moved.
@@ -53,13 +56,20 @@ struct LeftOutDebris {
     double simulatedVolume = 0.0;
 };
 
+/// What a volume may be off by (95 %).
+struct VolumeError {
+    double random = 0.0;      ///< m3, of noise: grows with the root of the area, correlation taken into account. NaN: not known
+    double systematic = 0.0;  ///< m3, of an offset of all heights: grows with the area. NaN: nobody stated one
+};
+
 /// Volumes between the surveyed surface and the ground, of heights from the level of detection on.
 struct SurveyVolumes {
     double fill = 0.0;        ///< m3, above the ground
     double cut = 0.0;         ///< m3, below it
     double undetected = 0.0;  ///< m3, of heights below the level of detection, above or below the ground: not counted
-    /// m3, what noise may do to the net volume (95 %), correlation taken into account but no offset; NaN: noise is not known.
-    double error = 0.0;
+    VolumeError fillError;
+    VolumeError cutError;
+    VolumeError netError;
 
     double net() const { return fill - cut; }
 };

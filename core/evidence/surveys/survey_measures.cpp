@@ -93,11 +93,30 @@ LeftOutDebris leftOutOf(const SurveyComparison& made, const CellGrid& surveyed) 
     return left;
 }
 
+namespace {
+
+/// Of the heights over an area that counts, m2.
+VolumeError volumeError(const SurveyComparison& made, double counted) {
+    constexpr double confidence = 1.96;
+    const double cell = made.settings.cell * made.settings.cell;
+    // Noise that hangs together does not average out over the area that it hangs together in.
+    const double length = std::isfinite(made.noise.correlation) ? made.noise.correlation : 0.0;
+    const double together = std::min(std::max(cell, 2.0 * std::numbers::pi * length * length), std::max(counted, cell));
+    const bool known = made.noise.source == SurveyNoise::Source::Stated || made.noise.source == SurveyNoise::Source::Estimated;
+    VolumeError error;
+    error.random = known ? confidence * made.noise.deviation * std::sqrt(counted * together) : unknown;
+    error.systematic = made.settings.offsetError ? confidence * *made.settings.offsetError * counted : unknown;
+    return error;
+}
+
+}  // namespace
+
 SurveyVolumes volumesOf(const SurveyComparison& made) {
     SurveyVolumes volumes;
     const double area = made.settings.cell * made.settings.cell;
     const double detection = std::max(made.noise.detection(), rounding);
-    double counted = 0.0;
+    double filled = 0.0;
+    double cut = 0.0;
     for (std::size_t k = 0; k < made.compared.size(); ++k) {
         if (!counts(made, k)) {
             continue;
@@ -108,13 +127,11 @@ SurveyVolumes volumesOf(const SurveyComparison& made) {
             continue;
         }
         (height > 0.0 ? volumes.fill : volumes.cut) += std::abs(height) * area;
-        counted += area;
+        (height > 0.0 ? filled : cut) += area;
     }
-    // Noise that hangs together does not average out over the area that it hangs together in.
-    const double length = std::isfinite(made.noise.correlation) ? made.noise.correlation : 0.0;
-    const double together = std::min(std::max(area, 2.0 * std::numbers::pi * length * length), std::max(counted, area));
-    const bool known = made.noise.source == SurveyNoise::Source::Stated || made.noise.source == SurveyNoise::Source::Estimated;
-    volumes.error = known ? 1.96 * made.noise.deviation * std::sqrt(counted * together) : unknown;
+    volumes.fillError = volumeError(made, filled);
+    volumes.cutError = volumeError(made, cut);
+    volumes.netError = volumeError(made, filled + cut);
     return volumes;
 }
 

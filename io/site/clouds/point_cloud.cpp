@@ -174,6 +174,13 @@ bool beginsAsPcd(std::string_view begin) {
 
 }  // namespace
 
+bool beginsAsCloud(const std::string& path) {
+    std::array<unsigned char, 4096> start{};
+    const std::size_t got = CloudFile(path).readSome(0, start.data(), start.size());
+    const std::string_view begin(reinterpret_cast<const char*>(start.data()), got);
+    return begin.starts_with("LASF") || begin.starts_with("ASTM-E57") || begin.starts_with("ply") || beginsAsPcd(begin);
+}
+
 std::unique_ptr<PointCloud> openCloud(const std::string& path, const CloudRequest& request) {
     std::array<unsigned char, 4096> start{};
     const CloudFile file(path);

@@ -48,6 +48,9 @@ private:
     bool m_ended = false;
 };
 
+/// Whether a file begins as a format does that holds points and nothing else: LAS, LAZ, E57, PLY or PCD. Throws as CloudFile.
+bool beginsAsCloud(const std::string& path);
+
 /// Opens a point cloud by what the file holds, not by its name: LAS, LAZ, E57, PLY, PCD, PTX, PTS, or a table of text.
 /// Throws WorldError, ParseError (none of these, or damaged), UsageError (a system or columns that cannot be meant).
 std::unique_ptr<PointCloud> openCloud(const std::string& path, const CloudRequest& request = {});

@@ -178,7 +178,7 @@ TEST_F(SurveyMeasures, NoiseIsEstimatedAndWhatMayBeNoiseDoesNotCount) {
     EXPECT_EQ(made.least, std::max(0.2, made.noise.detection()));
     EXPECT_EQ(made.findings.count("survey.detection"), 1);
     EXPECT_NEAR(made.volumes.fill, 1200.0, 200.0);
-    EXPECT_GT(made.volumes.error, 0.0);
+    EXPECT_GT(made.volumes.netError.random, 0.0);
     // Stated by the user it is taken as that.
     m_settings.noise = 0.04;
     m_settings.groundNoise = 0.03;
@@ -195,7 +195,7 @@ TEST_F(SurveyMeasures, NoiseThatHangsTogetherHasItsLengthAndWeighsMore) {
     const SurveyComparison made = compared(scanOf(waves));
     EXPECT_GT(made.noise.correlation, 2.0);
     EXPECT_LT(made.noise.correlation, 8.0);
-    EXPECT_GT(made.volumes.error, 1.96 * made.noise.deviation * std::sqrt(120.0 * 10.0));
+    EXPECT_GT(made.volumes.netError.random, 1.96 * made.noise.deviation * std::sqrt(120.0 * 10.0));
 }
 
 TEST_F(SurveyMeasures, ASurveyOfAnotherHeightIsSaid) {

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "io/site/clouds/distance_files.h"
 #include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -163,6 +164,27 @@ TEST_F(CloudPair, MetresTakeTheUnitsOfPlanAndHeights) {
     ASSERT_GT(metres.distances.size(), 20u) << "cores are points of the first cloud, one to each cube";
     EXPECT_NEAR(numbers.distances[25].distance, 1.0, 1e-9);
     EXPECT_NEAR(metres.distances[25].distance, 0.3048, 1e-9);
+}
+
+TEST_F(CloudPair, DistancesAreWrittenAsCloudsThatAreReadBack) {
+    const CloudComparison made = compareClouds(autzen(), Execution());
+    for (const char* name : {"distances.las", "distances.ply"}) {
+        writeDistanceCloud(m_folder / name, made);
+        const WholeCloud read = readCloud(m_folder / name);
+        ASSERT_EQ(read.points.size(), made.cores.size()) << name;
+        EXPECT_THAT(read.head.unread, testing::Contains("distance")) << name;
+        EXPECT_THAT(read.head.unread, testing::Contains("significant")) << name;
+        EXPECT_EQ(read.summary.findings.count("cloud.bounds_differ"), 0) << name;
+        for (std::size_t k = 0; k < made.cores.size(); ++k) {
+            EXPECT_LT((read.points.places[k] - made.cores[k]).norm(), 1e-4) << name;
+            const auto& colour = read.points.colours[k];
+            const bool grey = colour[0] == colour[1] && colour[1] == colour[2];
+            EXPECT_EQ(grey, !made.distances[k].significant()) << name << ' ' << k;
+            EXPECT_EQ(colour[0] > colour[2], made.distances[k].significant() && made.distances[k].distance > 0.0)
+                << name << ' ' << k;
+        }
+    }
+    EXPECT_EQ(readCloud(m_folder / "distances.las").head.units.heightSystem, "NAVD88 height (ftUS)");
 }
 
 TEST_F(CloudPair, SaysWhatCannotBeHeldAgainstEachOther) {

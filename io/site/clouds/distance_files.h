@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "io/site/clouds/cloud_comparison.h"
+
+namespace rubble::io {
+
+/// Whether a path ends as a cloud that distances are written to: .las or .ply.
+bool namesDistanceCloud(const std::string& path);
+
+/// Writes the core points as a cloud with what was measured at each: distance, level of detection, roughness, points, whether the
+/// distance is significant (0, 1; 255: not known). What is not known is not a number. Significant distances are coloured, red
+/// where the second cloud lies above and blue below, as strong as the greatest of all; all others are grey. LAS 1.4 (format 7,
+/// extra bytes, the system of the first cloud) or binary PLY, by the ending. Throws WorldError.
+void writeDistanceCloud(const std::string& path, const CloudComparison& made);
+
+}  // namespace rubble::io

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/site/clouds/cloud_raster.h"
+
+namespace rubble::io {
+
+/// The raster that heights are read from: a file of heights itself, or the grid that a point cloud is laid on. Whether a file is a
+/// cloud is told by its content; text is a cloud where it is no raster.
+class HeightSource {
+public:
+    /// Throws as cloudRaster().
+    HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
+                 const Execution& execution);
+
+    /// What a reader of rasters opens.
+    const std::string& opened() const { return m_cloud ? m_cloud->file->name() : m_path; }
+    bool cloud() const { return m_cloud.has_value(); }
+    /// Of the cloud.
+    Findings findings() const { return m_cloud ? m_cloud->findings : Findings(); }
+
+private:
+    std::string m_path;
+    std::optional<CloudRaster> m_cloud;
+};
+
+}  // namespace rubble::io

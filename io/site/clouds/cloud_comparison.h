@@ -11,9 +11,9 @@
 
 namespace rubble::io {
 
-/// Core points at most, and points of both clouds that are held in memory at a time: about 1.5 GB.
+/// Core points at most, and points of both clouds that are held in memory at a time: 1.6 GB while they are ordered.
 inline constexpr std::size_t coresMost = 10'000'000;
-inline constexpr std::uint64_t heldPointsMost = 30'000'000;
+inline constexpr std::uint64_t heldPointsMost = 20'000'000;
 
 /// Two clouds to be held against each other.
 struct CloudComparisonRequest {

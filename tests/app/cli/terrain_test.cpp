@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -64,6 +65,36 @@ protected:
 
     std::string m_terrain = writeLevel(m_folder / "level.asc", -1.5);
 };
+
+/// Points of the same level ground at places that follow no lattice.
+std::string writeLevelCloud(const std::string& path, double height) {
+    std::ofstream out(path);
+    out << "x,y,z\n";
+    for (int k = 0; k < 8'000; ++k) {
+        // Steps of two irrational numbers fill a square evenly.
+        out << -20.0 + 40.0 * std::fmod(0.754877666 * k, 1.0) << ',' << -20.0 + 40.0 * std::fmod(0.569840291 * k, 1.0) << ','
+            << height << '\n';
+    }
+    return path;
+}
+
+TEST_F(Terrain, APointCloudIsGroundAndSurveyAsARasterIs) {
+    const std::string cloud = writeLevelCloud(m_folder / "ground.csv", -1.5);
+    const nlohmann::json onRaster = run({"--terrain", m_terrain});
+    const nlohmann::json onCloud = run({"--terrain", cloud});
+    EXPECT_EQ(onCloud["terrain"]["sha256"], io::sha256OfFile(cloud));
+    EXPECT_NEAR(onCloud["terrain"]["lowest_m"].get<double>(), -1.5, 1e-9);
+    EXPECT_NEAR(onCloud["terrain"]["highest_m"].get<double>(), -1.5, 1e-9);
+    EXPECT_THAT(onCloud.dump(), HasSubstr("cloud.gridded"));
+    EXPECT_NEAR(onCloud["energy"]["gravity_work_j"].get<double>(), onRaster["energy"]["gravity_work_j"].get<double>(),
+                0.05 * onRaster["energy"]["gravity_work_j"].get<double>());
+    // A survey that equals the ground shows no debris at all.
+    const Outcome surveyed = cli({"survey", m_out, "--survey", cloud, "--json"});
+    ASSERT_EQ(surveyed.exitCode, 0) << surveyed.err;
+    EXPECT_EQ(surveyed.json()["surveyed"]["area_m2"], 0.0);
+    EXPECT_NEAR(surveyed.json()["volumes"]["net_m3"].get<double>(), 0.0, 1e-6);
+    EXPECT_TRUE(surveyed.json()["volumes"]["net_systematic_m3"].is_null()) << "nobody stated an offset";
+}
 
 TEST_F(Terrain, DebrisFallsOnItAndTheRunSaysSo) {
     const nlohmann::json level = run();

@@ -301,7 +301,8 @@ TEST(RunPanel, OffersWhatCanBeDone) {
     simulate->click();
     EXPECT_EQ(asked, 1);
     panel.setReady(true, true);
-    EXPECT_TRUE(simulate->isHidden());
+    EXPECT_FALSE(simulate->isEnabled());
+    EXPECT_FALSE(simulate->isHidden()) << "Cancel does not take its place";
 }
 
 TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
 
 #include "core/clusters/grid_bounds.h"
@@ -39,6 +40,11 @@ QString multipleText(double multiple) {
     return multiple > 0.0 ? QLocale().toString(multiple, 'f', multiple < 10.0 ? 2 : 1) : QString(QChar(0x2013));
 }
 
+/// Settings that stand with the table of sizes.
+bool isOfTheSize(std::string_view key) {
+    return key == "grouping" || key == "multiple" || std::find(sizeKeys.begin(), sizeKeys.end(), key) != sizeKeys.end();
+}
+
 }  // namespace
 
 double GridPanel::multipleAt(int position) {
@@ -65,12 +71,13 @@ GridPanel::GridPanel(QWidget* parent)
       m_table(new QTableWidget(3, tableColumns)),
       m_findings(new FindingList) {
     buildTarget();
+    // What is set stands above all that it changes, so that nothing moves under the mouse.
+    addRemaining(Stage::Sizing, tr("Clusters"), isOfTheSize);
+    addRemaining(Stage::Clusters, tr("More"), isOfTheSize);
     buildSize();
     buildResult();
     addPrediction();
     addWide(m_findings);
-    addRemaining(Stage::Sizing, tr("Clusters"));
-    addRemaining(Stage::Clusters, tr("More"));
     setAdvice({});
     setPublishedCounts({});
     setContent({});
@@ -83,7 +90,6 @@ void GridPanel::buildTarget() {
     addParameter(target, "awake_time");
     m_advice->setObjectName(QStringLiteral("muted"));
     m_advice->setWordWrap(true);
-    target->addWide(m_advice);
     auto* buttons = new QWidget;
     auto* row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
@@ -92,10 +98,11 @@ void GridPanel::buildTarget() {
     auto* calibrate = new QPushButton(tr("Calibrate this machine…"));
     calibrate->setObjectName(QStringLiteral("calibrate"));
     calibrate->setToolTip(tr("Measure how many bodies this machine carries, and see the curve"));
-    row->addWidget(m_use);
     row->addWidget(calibrate);
+    row->addWidget(m_use);
     row->addStretch();
     target->addWide(buttons);
+    target->addWide(m_advice);
     connect(m_use, &QPushButton::clicked, this, [this] { emit edited(QStringLiteral("bodies_max"), ParameterValue(m_offered)); });
     connect(calibrate, &QPushButton::clicked, this, &GridPanel::calibrationRequested);
 }
@@ -109,13 +116,16 @@ void GridPanel::buildSize() {
     m_slider->setAccessibleName(tr("Multiple of mean distance"));
     m_slider->setToolTip(tr("Drag to set the multiple; clusters are counted and the grid is drawn anew while you drag."));
     size->addWide(m_slider);
-    size->addWide(m_multipleWhy);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        addParameter(size, sizeKeys[axis]);
-        m_axisWhy[axis] = new Notice;
-        size->addWide(m_axisWhy[axis]);
+    for (const char* key : sizeKeys) {
+        addParameter(size, key);
     }
     buildTable(size);
+    // Below the controls, which would move else while they are used.
+    size->addWide(m_multipleWhy);
+    for (Notice*& why : m_axisWhy) {
+        why = new Notice;
+        size->addWide(why);
+    }
     connect(m_slider, &QSlider::sliderPressed, this, &GridPanel::draggingStarted);
     connect(m_slider, &QSlider::sliderReleased, this, &GridPanel::draggingEnded);
     connect(m_slider, &QSlider::valueChanged, this, [this](int position) {

@@ -1,10 +1,15 @@
 #include "widgets/basics/panel.h"
 
+#include <QApplication>
+#include <QCursor>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollBar>
 #include <QStyle>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/prediction_box.h"
@@ -21,11 +26,15 @@ namespace {
 /// does whenever things are placed: not every change of them is told to the widget as an event.
 class PanelColumn : public QVBoxLayout {
 public:
-    using QVBoxLayout::QVBoxLayout;
+    PanelColumn(Panel& panel, QWidget* body) : QVBoxLayout(body), m_panel(panel) {}
     void setGeometry(const QRect& place) override {
+        m_panel.keepInHand();
         QVBoxLayout::setGeometry(place);
         parentWidget()->setMinimumHeight(totalHeightForWidth(parentWidget()->width()));
     }
+
+private:
+    Panel& m_panel;
 };
 
 }  // namespace
@@ -80,8 +89,9 @@ void FindingList::set(const Findings& findings) {
         if (!finding.example.empty()) {
             text += QStringLiteral(" (") + tr("first: %1").arg(spokenText(finding.example)) + QStringLiteral(")");
         }
-        notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
+        // Before it shows itself: without a parent it would be a window.
         m_column->addWidget(notice);
+        notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
     }
     setVisible(!findings.empty());
 }
@@ -93,8 +103,8 @@ PanelGroup::PanelGroup(const QString& heading, QWidget* parent) : QWidget(parent
     column->setSpacing(6);
     title->setObjectName(QStringLiteral("groupHeading"));
     title->setFont(groupFont());
-    title->setVisible(!heading.isEmpty());
     column->addWidget(title);
+    title->setVisible(!heading.isEmpty());
     column->addLayout(m_grid);
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(8);
@@ -168,7 +178,7 @@ Panel::Panel(const QString& title, const QString& question, QWidget* parent)
     : QScrollArea(parent), m_column(new QVBoxLayout), m_error(new Notice), m_stale(new Notice) {
     auto* body = new QWidget;
     body->setObjectName(QStringLiteral("panelBody"));
-    auto* outer = new PanelColumn(body);
+    auto* outer = new PanelColumn(*this, body);
     outer->setContentsMargins(14, 12, 14, 16);
     outer->setSpacing(4);
     auto* heading = new QLabel(title);
@@ -181,11 +191,11 @@ Panel::Panel(const QString& title, const QString& question, QWidget* parent)
     m_column->setSpacing(16);
     m_column->setContentsMargins(0, 12, 0, 0);
     m_column->addWidget(m_error);
-    m_column->addWidget(m_stale);
     outer->addLayout(m_column);
     outer->addStretch();
     setWidget(body);
     setWidgetResizable(true);
+    m_stale->setParent(this);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
@@ -206,6 +216,49 @@ void Panel::addWide(QWidget* widget) {
 
 void Panel::setStale(bool stale, const QString& why) {
     m_stale->set(Notice::Kind::Note, stale ? why : QString());
+    placeFoot();
+}
+
+void Panel::placeFoot() {
+    constexpr int margin = 8;
+    const int wide = width() - 2 * margin;
+    const int high = m_stale->isHidden() ? 0 : std::max(m_stale->heightForWidth(wide), m_stale->minimumSizeHint().height());
+    setViewportMargins(0, 0, 0, high > 0 ? high + 2 * margin : 0);
+    m_stale->setGeometry(margin, height() - high - margin, wide, high);
+}
+
+void Panel::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    placeFoot();
+}
+
+QWidget* Panel::inHand() const {
+    const QPoint cursor = viewport()->mapFromGlobal(QCursor::pos());
+    if (isVisible() && viewport()->rect().contains(cursor)) {
+        return widget()->childAt(widget()->mapFrom(viewport(), cursor));
+    }
+    QWidget* focus = QApplication::focusWidget();
+    return focus != nullptr && widget()->isAncestorOf(focus) ? focus : nullptr;
+}
+
+void Panel::keepInHand() {
+    if (m_inHand != nullptr) {
+        return;
+    }
+    m_inHand = inHand();
+    if (m_inHand == nullptr) {
+        return;
+    }
+    m_inHandAt = m_inHand->mapTo(viewport(), QPoint(0, 0)).y();
+    m_scrolledAt = verticalScrollBar()->value();
+    // Once what changes is laid out as a whole.
+    QTimer::singleShot(0, this, [this] {
+        if (m_inHand != nullptr && m_inHand->isVisible() && verticalScrollBar()->value() == m_scrolledAt) {
+            const int moved = m_inHand->mapTo(viewport(), QPoint(0, 0)).y() - m_inHandAt;
+            verticalScrollBar()->setValue(m_scrolledAt + moved);
+        }
+        m_inHand.clear();
+    });
 }
 
 void Panel::setError(const QString& what, const QString& remedy) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QHash>
+#include <QPointer>
 #include <QScrollArea>
 #include <vector>
 
@@ -74,7 +75,7 @@ public:
 
     PanelGroup* addGroup(const QString& heading);
     void addWide(QWidget* widget);
-    /// Says in place that what the panel shows is older than the settings.
+    /// Says below what scrolls that what the panel shows is older than the settings.
     void setStale(bool stale, const QString& why = {});
     /// Shows an error in place, or removes it with an empty text.
     void setError(const QString& what, const QString& remedy = {});
@@ -87,6 +88,8 @@ public:
     PredictionBox* prediction() const { return m_prediction; }
     ParameterEditor* editor(const QString& key) const { return m_editors.value(key); }
     QSize sizeHint() const override;
+    /// Called before rows are laid out anew: what is under the mouse, or has the focus, stays where it is on the screen.
+    void keepInHand();
 
 signals:
     /// The user changed a parameter.
@@ -105,10 +108,18 @@ protected:
     /// @param elsewhere  says which of them another panel shows
     void addRemaining(Stage stage, const QString& heading, bool (*elsewhere)(std::string_view key) = nullptr);
 
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void placeFoot();
+    QWidget* inHand() const;
+
     QVBoxLayout* m_column;
     Notice* m_error;
-    Notice* m_stale;
+    Notice* m_stale;  ///< below what scrolls, so that nothing moves when it comes
+    QPointer<QWidget> m_inHand;
+    int m_inHandAt = 0;
+    int m_scrolledAt = 0;
     PredictionBox* m_prediction = nullptr;
     QHash<QString, ParameterEditor*> m_editors;
 };

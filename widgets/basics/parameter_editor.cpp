@@ -119,11 +119,12 @@ void ParameterEditor::build() {
         if (m_auto != nullptr) {
             line->addWidget(m_auto);
         }
-        m_complaint = new QLabel;
+        m_complaint = new QLabel(this);
         m_complaint->setObjectName(QStringLiteral("complaint"));
         m_complaint->setWordWrap(true);
+        m_complaint->setAttribute(Qt::WA_TransparentForMouseEvents);
         m_complaint->hide();
-        column->addWidget(m_complaint);
+        connect(this, &QObject::destroyed, m_complaint, &QObject::deleteLater);
         setFocusProxy(m_field);
     }
 }
@@ -264,7 +265,16 @@ void ParameterEditor::show(const ParameterValue& value) {
 void ParameterEditor::refuse(const QString& why) {
     m_field->setProperty("wrong", true);
     m_complaint->setText(why);
+    // Over what stands below, so that no row moves while somebody is at work on it.
+    QWidget* ground = parentWidget() != nullptr ? parentWidget() : this;
+    m_complaint->setParent(ground);
+    const int wide = ground == this ? width() : ground->width();
+    const int high = m_complaint->heightForWidth(wide);
+    const QPoint below = ground == this ? QPoint(0, height()) : QPoint(0, geometry().bottom() + 2);
+    const int top = below.y() + high <= ground->height() ? below.y() : geometry().top() - high - 2;
+    m_complaint->setGeometry(0, std::max(0, top), wide, high);
     m_complaint->show();
+    m_complaint->raise();
 }
 
 void ParameterEditor::commitText() {

@@ -136,7 +136,7 @@ QLineEdit:disabled, QPlainTextEdit:disabled { color: %muted%; background: transp
 QLineEdit[wrong="true"] { border-color: %error%; }
 QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px solid %hairline%; selection-background-color: %accentTint%;
   selection-color: %text%; outline: none; }
-#complaint { color: %error%; }
+#complaint { color: %error%; background: %panel%; }
 #groupHeading, #muted, #unit { color: %muted%; }
 #rail { background: %panel%; border-right: 1px solid %hairline%; }
 #panelBody, QScrollArea { background: %panel%; }

@@ -46,6 +46,11 @@ EvidencePage::EvidencePage(QWidget* parent)
     m_hint->setObjectName(QStringLiteral("muted"));
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(12, 0, 12, 6);
+    // Its room is kept: the photograph stays where it is while points are clicked.
+    m_hint->setMinimumHeight(m_hint->fontMetrics().lineSpacing() + 6);
+    QSizePolicy keepsRoom = m_hint->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);
+    m_hint->setSizePolicy(keepsRoom);
     column->addWidget(m_hint);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(3);

@@ -159,9 +159,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
 void RunPanel::setReady(bool ready, bool running, const QString& why) {
     m_simulate->setEnabled(ready && !running);
     m_live->setEnabled(ready && !running);
-    m_simulate->setVisible(!running);
-    m_live->setVisible(!running);
-    m_cancel->setVisible(running);
+    m_cancel->setEnabled(running);
     m_why->setText(why);
     m_why->setVisible(!why.isEmpty());
 }

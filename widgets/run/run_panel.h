@@ -35,7 +35,7 @@ public:
     HealthList& health() { return *m_health; }
     RunList& runs() { return *m_runs; }
     /// @param ready    there are clusters to simulate; @param why  else says what is missing
-    /// @param running  shows Cancel in place of the buttons
+    /// @param running  only Cancel can be pushed; the buttons stand still
     void setReady(bool ready, bool running, const QString& why = {});
 
 signals:

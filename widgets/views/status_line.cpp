@@ -24,9 +24,10 @@ StatusLine::StatusLine(QWidget* parent)
     m_cancel->setToolTip(tr("Stop what runs (Esc); what is computed is kept"));
     m_cancel->setObjectName(QStringLiteral("cancel"));
     m_cancel->setStyleSheet(QStringLiteral("padding: 1px 8px;"));
-    row->addWidget(m_activity);
-    row->addWidget(m_progress);
+    // In front of sentences of any length, so that it stands still.
     row->addWidget(m_cancel);
+    row->addWidget(m_progress);
+    row->addWidget(m_activity);
     for (std::size_t i = 0; i < m_figures.size(); ++i) {
         m_figures[i] = new QLabel;
         m_figures[i]->setTextFormat(Qt::RichText);

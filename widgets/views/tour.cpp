@@ -83,7 +83,8 @@ void Tour::go(int stop) {
     place();
     // Words have their final size once the card has been shown.
     QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection);
-    m_next->setFocus();
+    // Reached as if by the keyboard, so that Space pushes it.
+    m_next->setFocus(Qt::TabFocusReason);
     setAccessibleDescription(at.title + QStringLiteral(". ") + at.words);
     update();
 }
@@ -146,6 +147,22 @@ void Tour::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(tints().accent, 2));
         painter.drawPath(hole);
     }
+}
+
+bool Tour::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        // Its keys are not those of the transport.
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+            case Qt::Key_Left:
+            case Qt::Key_Right:
+            case Qt::Key_Space:
+                event->accept();
+                return true;
+            default:
+                break;
+        }
+    }
+    return QWidget::event(event);
 }
 
 void Tour::keyPressEvent(QKeyEvent* event) {

@@ -28,12 +28,14 @@ public:
     Tour(std::vector<TourStop> stops, QWidget* window);
 
     void start();
+    void end() { go(-1); }
     int current() const { return m_current; }
 
 signals:
     void ended();
 
 protected:
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;

@@ -546,7 +546,13 @@ void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 void ViewWidget::keyPressEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Escape || m_tool == Tool::Select) {
         QOpenGLWidget::keyPressEvent(event);
-    } else if (!dropMeasurement()) {
+    } else {
+        leaveTool();
+    }
+}
+
+void ViewWidget::leaveTool() {
+    if (!dropMeasurement()) {
         setTool(Tool::Select);
         emit measured();
     }

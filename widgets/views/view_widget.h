@@ -62,6 +62,8 @@ public:
     Tool tool() const { return m_tool; }
     /// Drops a length that was begun; false if none was.
     bool dropMeasurement();
+    /// Takes back a length that was begun, else the tool.
+    void leaveTool();
     /// Camera moves are animated (200 ms) unless the user asks for reduced motion.
     void setAnimated(bool animated) { m_animated = animated; }
     /// While time or camera move, all such widgets draw large models with less detail after two pictures in a row that took longer

@@ -1,5 +1,7 @@
 #include "app/gui/stage/panel_deck.h"
 
+#include <array>
+
 #include "app/gui/session/regrouping_edit.h"
 #include "app/gui/session/session.h"
 #include "widgets/basics/evidence_tabs.h"
@@ -125,6 +127,12 @@ std::vector<widgets::Panel*> PanelDeck::panels() const {
 void PanelDeck::choose(Entry entry) {
     m_rail->setCurrent(entry);
     m_stack->setCurrentIndex(entry);
+}
+
+QWidget* PanelDeck::shownPanel() const {
+    const std::array<QWidget*, 3> pages{m_evidence, m_ensemble, m_causes};
+    return m_stack->currentIndex() == Evidence ? pages[static_cast<std::size_t>(m_evidenceTabs->current())]
+                                               : m_stack->currentWidget();
 }
 
 void PanelDeck::chooseEvidence(EvidencePage page) {

@@ -51,6 +51,8 @@ public:
     widgets::EvidenceTabs& evidenceTabs() { return *m_evidenceTabs; }
     widgets::ReportPanel& report() { return *m_report; }
     QStackedWidget& stack() { return *m_stack; }
+    /// The panel in use: for evidence that of its page.
+    QWidget* shownPanel() const;
     std::vector<widgets::Panel*> panels() const;
     void choose(Entry entry);
     void chooseEvidence(EvidencePage page);

@@ -1,9 +1,6 @@
 #include "app/gui/window/main_window.h"
 
-#include <QAbstractButton>
-#include <QAbstractSlider>
 #include <QApplication>
-#include <QButtonGroup>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
@@ -82,13 +79,12 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     connectSession();
     connectActions();
     prepareTour();
+    prepareKeys();
     new DoneNotice(*this);
-    qApp->installEventFilter(this);
     goOn();
 }
 
 MainWindow::~MainWindow() {
-    qApp->removeEventFilter(this);
     keepLook();
 }
 
@@ -159,7 +155,12 @@ void MainWindow::connectActions() {
     on(ActionId::PresetPaper, [this] { m_session.document().applyPreset(QStringLiteral("paper")); });
     on(ActionId::Quit, [this] { close(); });
     on(ActionId::Preferences, [this] { showPreferences(); });
-    on(ActionId::Manual, [this] { m_help->showAbout(QApplication::focusWidget()); });
+    on(ActionId::Manual, [this] {
+        // Without a field or a dock in use it is about the panel.
+        const QWidget* focus = QApplication::focusWidget();
+        const bool aside = focus == nullptr || focus == this || m_rooms->deck->rail().isAncestorOf(focus);
+        m_help->showAbout(aside ? m_rooms->deck->shownPanel() : focus);
+    });
     on(ActionId::ManualSearch, [this] { m_help->search(); });
     on(ActionId::About, [this] { showAbout(); });
     on(ActionId::ResetLayout, [this] { m_layout->reset(); });
@@ -285,25 +286,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
             open(paths.front());
         }
     }
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    // Keys that mean something to the widget with the focus go to it, not to the action that has the same key.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const QWidget* focus = QApplication::focusWidget();
-        const auto* button = qobject_cast<const QAbstractButton*>(focus);
-        const bool pushes = key->key() == Qt::Key_Space && button != nullptr;
-        const bool moves = (key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
-                            key->key() == Qt::Key_End) &&
-                           (qobject_cast<const QAbstractSlider*>(focus) != nullptr ||
-                            qobject_cast<const QComboBox*>(focus) != nullptr || (button != nullptr && button->group() != nullptr));
-        if (watched == focus && (pushes || moves)) {
-            event->accept();
-            return true;
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
 }
 
 }  // namespace rubble

@@ -14,7 +14,12 @@ class QToolBar;
 
 namespace rubble {
 
+namespace widgets {
+class Tour;
+}
+
 class Help;
+class KeyRules;
 class LayoutMemory;
 
 /// The workbench: rail and panel left, views in the centre, timeline and status line below. A window shows a session, and another
@@ -46,7 +51,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     /// What outlives the window.
@@ -59,6 +63,7 @@ private:
     void connectSession();
     void connectActions();
     void prepareTour();
+    void prepareKeys();
     void showCentre();
     void showTitle();
     void showAbout();
@@ -79,6 +84,8 @@ private:
     QLabel* m_title;
     QSplitter* m_splitter = nullptr;
     QStackedWidget* m_centre = nullptr;
+    widgets::Tour* m_tour = nullptr;
+    KeyRules* m_keys = nullptr;
     std::unique_ptr<WindowRooms> m_rooms;
     std::unique_ptr<Help> m_help;
     std::unique_ptr<LayoutMemory> m_layout;

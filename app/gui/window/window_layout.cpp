@@ -1,6 +1,8 @@
 #include <QActionGroup>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
@@ -10,19 +12,25 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "app/gui/case/layout_memory.h"
 #include "app/gui/help/help.h"
 #include "app/gui/stage/dock_area.h"
 #include "app/gui/stage/view_area.h"
+#include "app/gui/window/key_rules.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/mnemonics.h"
+#include "app/gui/window/wheel_guard.h"
 #include "app/gui/window/window_focus.h"
 #include "widgets/accuracy/accuracy_page.h"
+#include "widgets/basics/evidence_tabs.h"
 #include "widgets/basics/page_stack.h"
 #include "widgets/evidence/causes_page.h"
 #include "widgets/evidence/ensemble_page.h"
 #include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/survey_view.h"
 #include "widgets/views/status_line.h"
 #include "widgets/views/timeline.h"
 #include "widgets/views/tour.h"
@@ -41,6 +49,7 @@ constexpr int leastPanelWidth = 306;
 
 void MainWindow::buildLayout() {
     new WindowFocus(this);
+    new WheelGuard(this);
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -160,7 +169,7 @@ void MainWindow::buildToolBar() {
 }
 
 void MainWindow::prepareTour() {
-    auto* tour = new widgets::Tour(
+    m_tour = new widgets::Tour(
         {{&m_rooms->deck->rail(), tr("The order of work"),
           tr("From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, "
              "or "
@@ -177,7 +186,35 @@ void MainWindow::prepareTour() {
          {m_timeline, tr("The timeline"),
           tr("Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.")}},
         this);
-    connect(&m_actions[ActionId::Tour], &QAction::triggered, tour, &widgets::Tour::start);
+    connect(&m_actions[ActionId::Tour], &QAction::triggered, m_tour, &widgets::Tour::start);
+}
+
+void MainWindow::prepareKeys() {
+    widgets::ViewWidget& views = m_area->views();
+    using Tool = widgets::PhotoView::Tool;
+    std::vector<KeyRules::Closable> closables{
+        {[this] { return m_tour->isVisible(); }, [this] { m_tour->end(); }},
+        {[&views] { return views.isVisible() && views.tool() != widgets::ViewWidget::Tool::Select; },
+         [&views] { views.leaveTool(); }},
+        {[this] { return m_evidencePage->isVisible() && m_evidencePage->photo().tool() != Tool::Look; },
+         [this] { m_evidencePage->setTool(Tool::Look); }},
+        {[this] { return m_evidencePage->survey().isVisible() && m_evidencePage->survey().drawing().has_value(); },
+         [this] { m_evidencePage->survey().draw(std::nullopt); }},
+        {[&views] { return views.isVisible() && views.view().clip.has_value(); }, [this] { m_actions[ActionId::Clip].trigger(); }}};
+    std::vector<const QWidget*> forms{&m_rooms->deck->stack()};
+    for (const auto* dock : m_rooms->inspection->docks().findChildren<QDockWidget*>()) {
+        forms.push_back(dock);
+    }
+    m_keys = new KeyRules(*this, std::move(forms), std::move(closables));
+    // What was shown is gone with the focus, which would go on to some field of what comes.
+    const auto leave = [this] {
+        if (const QWidget* focus = QApplication::focusWidget(); focus == nullptr || m_rooms->deck->stack().isAncestorOf(focus)) {
+            m_keys->leaveFields();
+        }
+    };
+    connect(&m_rooms->deck->stack(), &QStackedWidget::currentChanged, this, leave);
+    connect(&m_rooms->deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, leave);
+    connect(m_area, &QStackedWidget::currentChanged, this, leave);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -1,8 +1,15 @@
+#include <gtest/gtest.h>
+
 #include <QApplication>
+#include <QDialog>
+#include <QEvent>
 #include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QWidget>
 
 #include "tests/app/gui/left_session.h"
 #include "tests/support/run_tests.h"
@@ -13,6 +20,36 @@ extern "C" int dlclose(void*) noexcept {
     return 0;
 }
 #endif
+
+namespace {
+
+/// Fails a test in which a widget without a parent comes up as a window of its own: it flashes up beside the workbench.
+class BareWindows : public QObject {
+public:
+    BareWindows() { qApp->installEventFilter(this); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Show) {
+            const auto* widget = qobject_cast<const QWidget*>(watched);
+            if (widget != nullptr && widget->isWindow() && widget->parentWidget() == nullptr && isOfThisProgram(*widget)) {
+                ADD_FAILURE() << "a bare window: " << widget->metaObject()->className() << " \""
+                              << widget->objectName().toStdString() << "\" of " << widget->width() << " x " << widget->height();
+            }
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    /// Windows that are meant, and popups that Qt makes by itself.
+    static bool isOfThisProgram(const QWidget& widget) {
+        const Qt::WindowType type = widget.windowType();
+        return qobject_cast<const QMainWindow*>(&widget) == nullptr && qobject_cast<const QDialog*>(&widget) == nullptr &&
+               qobject_cast<const QMenu*>(&widget) == nullptr && type != Qt::Popup && type != Qt::ToolTip && type != Qt::Desktop;
+    }
+};
+
+}  // namespace
 
 // Runs under an X server (xvfb-run): the views need GLX. Settings and state go to places of their own.
 int main(int argc, char** argv) {
@@ -35,5 +72,6 @@ int main(int argc, char** argv) {
     const QTemporaryDir cache;
     qputenv("XDG_CACHE_HOME", cache.path().toUtf8());
     keepSettingsIn(state.path());
+    const BareWindows bare;
     return rubble::runTests(argc, argv);
 }

@@ -1,0 +1,171 @@
+#include "app/gui/window/key_rules.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
+#include <algorithm>
+#include <utility>
+
+namespace rubble {
+
+namespace {
+
+/// The line that is typed into while a widget has the focus; null if there is none.
+QLineEdit* lineOf(QWidget* widget) {
+    if (auto* line = qobject_cast<QLineEdit*>(widget)) {
+        return line->isReadOnly() ? nullptr : line;
+    }
+    const bool holdsOne = qobject_cast<QAbstractSpinBox*>(widget) != nullptr || qobject_cast<QComboBox*>(widget) != nullptr;
+    return holdsOne ? widget->findChild<QLineEdit*>() : nullptr;
+}
+
+bool isTypedInto(QWidget* widget) {
+    if (const auto* text = qobject_cast<const QTextEdit*>(widget)) {
+        return !text->isReadOnly();
+    }
+    return lineOf(widget) != nullptr || qobject_cast<const QPlainTextEdit*>(widget) != nullptr;
+}
+
+bool isPushed(const QWidget* widget) {
+    return qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr ||
+           qobject_cast<const QAbstractItemView*>(widget) != nullptr;
+}
+
+bool isOfNumbers(const QKeyEvent& key) {
+    static const QString characters = QStringLiteral("0123456789.,+-");
+    const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    return plain && key.text().size() == 1 && characters.contains(key.text());
+}
+
+bool movesWithin(const QKeyEvent& key, const QWidget* focus) {
+    const bool arrow =
+        key.key() == Qt::Key_Left || key.key() == Qt::Key_Right || key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+    const auto* button = qobject_cast<const QAbstractButton*>(focus);
+    return arrow && (qobject_cast<const QAbstractSlider*>(focus) != nullptr || qobject_cast<const QComboBox*>(focus) != nullptr ||
+                     (button != nullptr && button->group() != nullptr));
+}
+
+bool isEscape(const QKeyEvent& key) {
+    return key.key() == Qt::Key_Escape && key.modifiers() == Qt::NoModifier;
+}
+
+/// The dock in front that Esc closes: one that floats, or the one with the focus.
+QDockWidget* dockInFront(const QWidget& window) {
+    const QWidget* focus = QApplication::focusWidget();
+    for (auto* dock : window.findChildren<QDockWidget*>()) {
+        if (dock->isVisible() && (dock->isFloating() || (focus != nullptr && dock->isAncestorOf(focus)))) {
+            return dock;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+KeyRules::KeyRules(QWidget& window, std::vector<const QWidget*> forms, std::vector<Closable> closables)
+    : QObject(&window), m_window(window), m_forms(std::move(forms)), m_closables(std::move(closables)) {
+    qApp->installEventFilter(this);
+    leaveFields();
+}
+
+void KeyRules::leaveFields() {
+    // What is left without any focus would hand it to the first field when the window is activated.
+    m_window.setFocus(Qt::OtherFocusReason);
+}
+
+bool KeyRules::ours(const QWidget& widget) const {
+    const QWidget* top = widget.window();
+    return top == &m_window || (qobject_cast<const QDockWidget*>(top) != nullptr && top->parentWidget() != nullptr &&
+                                top->parentWidget()->window() == &m_window);
+}
+
+void KeyRules::noteFocus(QWidget& widget, const QFocusEvent& event) {
+    switch (event.reason()) {
+        case Qt::TabFocusReason:
+        case Qt::BacktabFocusReason:
+        case Qt::ShortcutFocusReason:
+            m_byKeyboard = true;
+            break;
+        case Qt::ActiveWindowFocusReason:
+        case Qt::PopupFocusReason:
+        case Qt::MenuBarFocusReason:
+            return;
+        default:
+            m_byKeyboard = false;
+    }
+    m_field = lineOf(&widget);
+    m_before = m_field != nullptr ? m_field->text() : QString();
+}
+
+bool KeyRules::takesKey(const QKeyEvent& key) const {
+    QWidget* focus = QApplication::focusWidget();
+    if (isEscape(key)) {
+        return key.isAutoRepeat() || escapes();
+    }
+    if (focus == nullptr || isTypedInto(focus)) {
+        return false;
+    }
+    const bool inForm =
+        std::any_of(m_forms.begin(), m_forms.end(), [focus](const QWidget* form) { return form->isAncestorOf(focus); });
+    return (key.key() == Qt::Key_Space && m_byKeyboard && isPushed(focus)) || movesWithin(key, focus) ||
+           (inForm && isOfNumbers(key));
+}
+
+bool KeyRules::escapes() const {
+    return isTypedInto(QApplication::focusWidget()) || dockInFront(m_window) != nullptr ||
+           std::any_of(m_closables.begin(), m_closables.end(), [](const Closable& each) { return each.open(); });
+}
+
+bool KeyRules::escape() {
+    if (QWidget* focus = QApplication::focusWidget(); isTypedInto(focus)) {
+        if (m_field != nullptr && m_field == lineOf(focus) && m_field->text() != m_before) {
+            m_field->setText(m_before);
+            m_field->setModified(false);
+        }
+        leaveFields();
+        return true;
+    }
+    if (QDockWidget* dock = dockInFront(m_window)) {
+        dock->close();
+        return true;
+    }
+    const auto front = std::find_if(m_closables.begin(), m_closables.end(), [](const Closable& each) { return each.open(); });
+    if (front == m_closables.end()) {
+        return false;
+    }
+    front->close();
+    return true;
+}
+
+bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
+    auto* widget = qobject_cast<QWidget*>(watched);
+    if (widget == nullptr || !ours(*widget)) {
+        return QObject::eventFilter(watched, event);
+    }
+    if (event->type() == QEvent::FocusIn) {
+        noteFocus(*widget, *static_cast<QFocusEvent*>(event));
+    } else if (event->type() == QEvent::ShortcutOverride) {
+        if (takesKey(*static_cast<QKeyEvent*>(event))) {
+            event->accept();
+            return true;
+        }
+    } else if (event->type() == QEvent::KeyPress) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        // What nothing below has used comes to the window.
+        if (isEscape(key) && widget == widget->window()) {
+            return !key.isAutoRepeat() && escape();
+        }
+        m_byKeyboard = m_byKeyboard || key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+}  // namespace rubble

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QPointer>
+#include <functional>
+#include <vector>
+
+class QFocusEvent;
+class QKeyEvent;
+class QLineEdit;
+class QWidget;
+
+namespace rubble {
+
+/// Who gets a key of the main window: what has the focus, or the action that has the same key.
+/// - Space pushes only what was reached by the keyboard, and belongs to the transport else.
+/// - Characters of numbers do nothing beside the fields of a form: who types them there missed a field.
+/// - Esc leaves a field as it was, or closes what is open in front; only when nothing is, it cancels what runs.
+class KeyRules : public QObject {
+    Q_OBJECT
+
+public:
+    /// Something in front of the work, which Esc closes.
+    struct Closable {
+        std::function<bool()> open;
+        std::function<void()> close;
+    };
+    /// @param forms      hold fields
+    /// @param closables  the front one first; docks that float or have the focus need not be named
+    KeyRules(QWidget& window, std::vector<const QWidget*> forms, std::vector<Closable> closables);
+
+    /// Gives the keys back to the window, so that no field takes what was not meant for it.
+    void leaveFields();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    bool ours(const QWidget& widget) const;
+    void noteFocus(QWidget& widget, const QFocusEvent& event);
+    bool takesKey(const QKeyEvent& key) const;
+    bool escapes() const;
+    bool escape();
+
+    QWidget& m_window;
+    std::vector<const QWidget*> m_forms;
+    std::vector<Closable> m_closables;
+    bool m_byKeyboard = false;  ///< what has the focus was reached by the keyboard
+    QPointer<QLineEdit> m_field;
+    QString m_before;  ///< what the field held when it got the focus
+};
+
+}  // namespace rubble

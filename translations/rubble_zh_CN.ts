@@ -11103,6 +11103,14 @@
         <source>VTKHDF (*.vtkhdf)</source>
         <translation>VTKHDF (*.vtkhdf)</translation>
     </message>
+    <message>
+        <source>Save the run?</source>
+        <translation>保存计算？</translation>
+    </message>
+    <message>
+        <source>The run of this case is kept nowhere and goes with it.</source>
+        <translation>此案例的计算没有保留在任何地方，将随案例一起消失。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Help</name>
@@ -11667,6 +11675,10 @@
         <source>Changes of “%1” were discarded</source>
         <translation>“%1”的更改已丢弃</translation>
     </message>
+    <message>
+        <source>Temporary runs of a program that ended early were removed: %1 GiB</source>
+        <translation>已清除异常终止的程序留下的临时计算：%1 GiB</translation>
+    </message>
 </context>
 <context>
     <name>rubble::ReportWork</name>
@@ -11702,10 +11714,6 @@
         <translation>模拟用时 %1</translation>
     </message>
     <message>
-        <source>Cancelled at %1 s; what is computed is kept</source>
-        <translation>已在 %1 s 处取消；已计算的内容保留</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>已取消</translation>
     </message>
@@ -11733,6 +11741,10 @@
         <source>A run is being simulated.</source>
         <translation>正在模拟。</translation>
     </message>
+    <message>
+        <source>Cancelled at %1 s after %2; what is computed is kept</source>
+        <translation>在 %1 s 处取消，耗时 %2；已计算的内容保留</translation>
+    </message>
 </context>
 <context>
     <name>rubble::RunHistory</name>
@@ -11743,6 +11755,14 @@
     <message>
         <source>The history of runs cannot be kept. %1</source>
         <translation>无法保留计算历史。%1</translation>
+    </message>
+    <message>
+        <source>Nothing can be written into %1: this run goes with the case unless it is saved</source>
+        <translation>无法写入 %1：此计算若不保存，将随案例一起消失</translation>
+    </message>
+    <message>
+        <source>Runs kept: the oldest made room, %1 of them with %2 GiB; Preferences allow %3 GiB</source>
+        <translation>保留的计算：最旧的 %1 次（%2 GiB）已让出空间；首选项允许 %3 GiB</translation>
     </message>
 </context>
 <context>
@@ -16497,6 +16517,18 @@ What the file fits: %2.</source>
         <source>body %1 at x %2, y %3, z %4 %5</source>
         <translation>刚体 %1 位于 x %2、y %3、z %4 %5</translation>
     </message>
+    <message>
+        <source>Set “%1” to %2</source>
+        <translation>将“%1”设为%2</translation>
+    </message>
+    <message>
+        <source>It is set: simulate to see what it does</source>
+        <translation>已设定：重新模拟即可看到效果</translation>
+    </message>
+    <message>
+        <source>Change this setting; Ctrl+Z takes it back</source>
+        <translation>更改此设置；Ctrl+Z 可撤销</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::Inspector</name>
@@ -16835,6 +16867,14 @@ What the file fits: %2.</source>
     <message>
         <source>Go to this hit: its time, the speed just before, the kinetic energy of the centre just before; the velocity changed by %1</source>
         <translation>转到该次撞击：时刻、撞击前的速度、撞击前质心的动能；速度变化 %1</translation>
+    </message>
+    <message>
+        <source>rose</source>
+        <translation>上升</translation>
+    </message>
+    <message>
+        <source>Height of its end above its birth</source>
+        <translation>终点高出产生处的高度</translation>
     </message>
 </context>
 <context>
@@ -17369,10 +17409,6 @@ What the file fits: %2.</source>
         <translation>单位制，最相符者在先</translation>
     </message>
     <message>
-        <source>Systems of units, the best fit first: densities, size and free fall judge them</source>
-        <translation>单位制，最相符者在先：由密度、尺寸和自由落体判断</translation>
-    </message>
-    <message>
         <source>Take %1</source>
         <translation>采用 %1</translation>
     </message>
@@ -17395,6 +17431,10 @@ What the file fits: %2.</source>
     <message>
         <source>nothing in the file speaks for or against them</source>
         <translation>文件中没有支持或反对的依据</translation>
+    </message>
+    <message>
+        <source>Systems of units, the best fit first: densities, size and free fall judge them. A click takes one</source>
+        <translation>单位制，最符合的在前：由密度、尺寸和自由落体判断。单击即采用</translation>
     </message>
 </context>
 <context>
@@ -17944,6 +17984,30 @@ What the file fits: %2.</source>
         <source>Draw large models with less detail while they move, where this machine draws fewer than 24 pictures a second; the legend says so. Counts, picking and figures keep every detail</source>
         <translation>若本机每秒绘制不足 24 幅，大模型在运动时以较少细节绘制，图例会注明。计数、拾取和图保留全部细节</translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation>不保留</translation>
+    </message>
+    <message>
+        <source>Keep runs, up to</source>
+        <translation>保留计算，至多</translation>
+    </message>
+    <message>
+        <source>Room for the runs of a case, cancelled ones too, from 0 (none) to %1 GiB; the oldest make room for new ones. The Run panel lists them</source>
+        <translation>一个案例的计算可占用的空间，取消的也计入，0（不保留）至 %1 GiB；最旧的为新的让出空间。计算面板列出它们</translation>
+    </message>
+    <message>
+        <source>beside each case</source>
+        <translation>在各案例旁</translation>
+    </message>
+    <message>
+        <source>Folder of kept runs</source>
+        <translation>保留计算的文件夹</translation>
+    </message>
+    <message>
+        <source>Where runs are kept; empty: in a folder beside the case, and with the program&apos;s own state for one that was never saved</source>
+        <translation>计算保留在何处；空：在案例旁的文件夹中，从未保存过的案例则在程序的状态文件夹中</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::RegroupForm</name>
@@ -18226,16 +18290,16 @@ Program: %3</source>
         <translation>即视图中的计算</translation>
     </message>
     <message>
-        <source>Its file was not kept: “Save run as…” in the Case menu keeps one</source>
-        <translation>其文件未保留：“案例”菜单的“计算另存为…”可保留</translation>
-    </message>
-    <message>
-        <source>%1 is not there any more</source>
-        <translation>%1 已不存在</translation>
-    </message>
-    <message>
         <source>Open %1 and show it in the views</source>
         <translation>打开 %1 并在视图中显示</translation>
+    </message>
+    <message>
+        <source>Its file was not kept, so it cannot be shown.</source>
+        <translation>其文件未保留，无法显示。</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more, so it cannot be shown.</source>
+        <translation>%1 已不存在，无法显示。</translation>
     </message>
 </context>
 <context>

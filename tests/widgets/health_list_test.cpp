@@ -107,8 +107,8 @@ TEST(HealthList, ASoundRunSaysSoAndAsksForNothing) {
 TEST(HealthList, ABreachSaysWhatWhereWhenAndTheRemedy) {
     const QString words = breachWords(twoBreaches().breaches[0], Vec3(500000, 4000000, 0));
     for (const char* part : {"inside each other", "3.20", "4.10", "3.75", "1,234", "500,012.5", "3,999,997.0", "0.310", "0.100",
-                             "17 bodies", "Raise step_rate"}) {
-        EXPECT_TRUE(words.contains(QLatin1String(part))) << part << " in " << words.toStdString();
+                             "17 bodies", "Raise “Steps per second”"}) {
+        EXPECT_TRUE(words.contains(QString::fromUtf8(part))) << part << " in " << words.toStdString();
     }
 }
 
@@ -141,6 +141,41 @@ TEST(HealthList, AnAcknowledgedRunShowsWhoAndWhy) {
     EXPECT_TRUE(allText(list).contains(QStringLiteral("A. Examiner")));
     EXPECT_TRUE(allText(list).contains(QStringLiteral("far from the piers")));
     EXPECT_FALSE(allText(list).contains(QStringLiteral("tainted")));
+}
+
+TEST(HealthList, ARemedyIsSetByItsButtonUntilItIsSet) {
+    HealthList list;
+    HealthList::Content content{twoBreaches(), {}, Vec3::Zero(), {}, 60.0, {}};
+    list.setContent(content);
+    std::vector<std::pair<QString, ParameterValue>> set;
+    QObject::connect(&list, &HealthList::remedyChosen,
+                     [&](const QString& key, const ParameterValue& value) { set.emplace_back(key, value); });
+    const auto buttons = list.findChildren<QPushButton*>(QStringLiteral("applyRemedy"));
+    ASSERT_EQ(buttons.size(), 2);
+    EXPECT_EQ(buttons[0]->text(), QStringLiteral("Set “Smaller steps when unhealthy” to on"));
+    QTest::mouseClick(buttons[0], Qt::LeftButton);
+    ASSERT_EQ(set.size(), 1U);
+    EXPECT_EQ(set[0].first, QStringLiteral("auto_remedy"));
+    EXPECT_EQ(set[0].second, ParameterValue(true));
+    // Set already: told, not offered. In the run already: twice the steps.
+    content.scenario.simulation.autoRemedy = true;
+    list.setContent(content);
+    EXPECT_FALSE(list.findChild<QPushButton*>(QStringLiteral("applyRemedy"))->isEnabled());
+    content.settings.autoRemedy = true;
+    const auto next = remedySettingOf(content.health.breaches[0], content);
+    ASSERT_TRUE(next.has_value());
+    EXPECT_EQ(next->key, "step_rate");
+    EXPECT_EQ(next->value, ParameterValue(120.0));
+}
+
+TEST(HealthList, ALimitThatWasPassedTwiceCountsOnce) {
+    HealthReport health = twoBreaches();
+    health.breaches.push_back(health.breaches[0]);
+    EXPECT_EQ(limitsIn(health), 2);
+    HealthList list;
+    list.setContent({health, {}, Vec3::Zero(), {}, 60.0, {}});
+    EXPECT_EQ(list.findChildren<QPushButton*>(QStringLiteral("applyRemedy")).size(), 2);
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("2 limits passed")));
 }
 
 TEST(HealthList, ShowLeadsToItsBreach) {

@@ -2,10 +2,12 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/scenario/parameters.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/spoken_text.h"
 #include "widgets/figures/shown_units.h"
@@ -35,6 +37,33 @@ QString patternOf(const std::string& english) {
     return whole;
 }
 
+/// Settings have their keys in files and on the command line; on screen they have the names that stand beside their fields.
+QString withNamesOfSettings(QString text) {
+    if (!text.contains(u'_') && !text.contains(QStringLiteral(" = "))) {
+        return text;
+    }
+    for (const Parameter& row : parameterTable()) {
+        const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
+        if (row.keyed() || !text.contains(key)) {
+            continue;
+        }
+        const QString name = QStringLiteral("“%1”").arg(said("parameters", row.label));
+        static const QString valued = QStringLiteral("\\b%1 = (\\w[\\w.-]*\\w|\\w)");
+        const QRegularExpression setting(valued.arg(key));
+        for (auto found = setting.match(text); found.hasMatch(); found = setting.match(text)) {
+            const QString value = found.captured(1);
+            const bool isSwitch = value == QLatin1String("true") || value == QLatin1String("false");
+            const QString shown = isSwitch ? shownValue(value == QLatin1String("true")) : shownName(value.toStdString());
+            text.replace(found.capturedStart(), found.capturedLength(), QStringLiteral("%1 = %2").arg(name, shown));
+        }
+        // Others are words as well: friction, gravity.
+        if (key.contains(u'_')) {
+            text.replace(QRegularExpression(QStringLiteral("\\b%1\\b").arg(key)), name);
+        }
+    }
+    return text;
+}
+
 QString shownArgument(const Argument& argument) {
     QString text;
     const figures::ShownUnit unit = figures::shownUnit(argument.unit);
@@ -51,7 +80,7 @@ QString shownArgument(const Argument& argument) {
 }  // namespace
 
 QString worded(const Message& message) {
-    const QString pattern = patternOf(message.pattern);
+    const QString pattern = withNamesOfSettings(patternOf(message.pattern));
     QString text;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
         const qsizetype close = pattern[i] == u'{' ? pattern.indexOf(u'}', i) : -1;

@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QThread>
@@ -37,6 +38,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent)
       m_threads(new QSpinBox),
       m_memory(new QSpinBox),
       m_autosave(new QSpinBox),
+      m_runs(new QSpinBox),
+      m_runsFolder(new QLineEdit),
       m_copies(new QCheckBox),
       m_simplify(new QCheckBox) {
     setWindowTitle(tr("Preferences"));
@@ -131,10 +134,24 @@ void PreferencesDialog::buildWork(QFormLayout& form) {
     addRow(form, tr("Autosave"), m_autosave,
            tr("Seconds between two copies of a changed case that are kept for recovery, from 0 (none) to %1")
                .arg(mostAutosaveSeconds));
+    m_runs->setObjectName(QStringLiteral("keepRuns"));
+    m_runs->setRange(0, mostKeptGib);
+    m_runs->setSuffix(QStringLiteral(" GiB"));
+    m_runs->setSpecialValueText(tr("none"));
+    addRow(form, tr("Keep runs, up to"), m_runs,
+           tr("Room for the runs of a case, cancelled ones too, from 0 (none) to %1 GiB; the oldest make room for new ones. The "
+              "Run panel lists them")
+               .arg(mostKeptGib));
+    m_runsFolder->setObjectName(QStringLiteral("runsFolder"));
+    m_runsFolder->setPlaceholderText(tr("beside each case"));
+    addRow(form, tr("Folder of kept runs"), m_runsFolder,
+           tr("Where runs are kept; empty: in a folder beside the case, and with the program's own state for one that was never "
+              "saved"));
+    connect(m_runsFolder, &QLineEdit::editingFinished, this, &PreferencesDialog::take);
     m_copies->setObjectName(QStringLiteral("copies"));
     addRow(form, tr("Keep copies of results"), m_copies,
            tr("Keep a compressed copy of every FE result that is read: it opens at once next time"));
-    for (QSpinBox* box : {m_threads, m_memory, m_autosave}) {
+    for (QSpinBox* box : {m_threads, m_memory, m_autosave, m_runs}) {
         box->setKeyboardTracking(false);
         connect(box, &QSpinBox::valueChanged, this, &PreferencesDialog::take);
     }
@@ -151,6 +168,8 @@ void PreferencesDialog::show(const Preferences& preferences) {
     m_threads->setValue(preferences.threads);
     m_memory->setValue(preferences.memoryMib);
     m_autosave->setValue(preferences.autosaveSeconds);
+    m_runs->setValue(preferences.keepRunsGib);
+    m_runsFolder->setText(preferences.runsFolder);
     m_copies->setChecked(preferences.keepCopies);
     m_simplify->setChecked(preferences.simplify);
     m_showing = false;
@@ -168,6 +187,8 @@ void PreferencesDialog::take() {
     next.threads = m_threads->value();
     next.memoryMib = m_memory->value();
     next.autosaveSeconds = m_autosave->value();
+    next.keepRunsGib = m_runs->value();
+    next.runsFolder = m_runsFolder->text().trimmed();
     next.keepCopies = m_copies->isChecked();
     next.simplify = m_simplify->isChecked();
     if (!(next == m_now)) {

@@ -8,6 +8,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLineEdit;
 class QFormLayout;
 class QLabel;
 class QSpinBox;
@@ -24,6 +25,8 @@ struct Preferences {
     int memoryMib = 2048;                           ///< MiB that states and frames may take, so that they need not be read again
     int autosaveSeconds = 60;                       ///< s between two autosaves; 0: none
     bool keepCopies = false;                        ///< of FE results that are read
+    int keepRunsGib = 20;                           ///< GiB that the kept runs of a case may take; 0: none are kept
+    QString runsFolder;                             ///< where they are kept; empty: beside each case
     bool simplify = true;                           ///< views with less detail while they move, where they are slow
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
@@ -33,6 +36,7 @@ struct Preferences {
 inline constexpr int mostThreads = 1024;
 inline constexpr int leastMemoryMib = 128, mostMemoryMib = 1 << 20;
 inline constexpr int mostAutosaveSeconds = 3600;
+inline constexpr int mostKeptGib = 100'000;
 
 /// Edits preferences; every edit is told at once, and a button gives those as delivered.
 class PreferencesDialog : public QDialog {
@@ -63,6 +67,8 @@ private:
     QSpinBox* m_threads;
     QSpinBox* m_memory;
     QSpinBox* m_autosave;
+    QSpinBox* m_runs;
+    QLineEdit* m_runsFolder;
     QCheckBox* m_copies;
     QCheckBox* m_simplify;
 };

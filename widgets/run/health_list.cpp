@@ -7,8 +7,13 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
+#include "core/scenario/parameters.h"
+#include "widgets/basics/language.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -71,6 +76,43 @@ QWidget* bare(QBoxLayout* layout) {
 }
 
 }  // namespace
+
+std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const HealthList::Content& content) {
+    const double twice = std::min(10'000.0, 10.0 * std::ceil(0.2 * content.stepRate));
+    const auto steps = content.stepRate > 0.0 ? std::optional(RemedySetting{"step_rate", twice}) : std::nullopt;
+    switch (breach.check) {
+        case HealthCheck::Energy:
+        case HealthCheck::Penetration:
+            return content.settings.autoRemedy ? steps : RemedySetting{"auto_remedy", true};
+        case HealthCheck::Speed:
+        case HealthCheck::BelowGround:
+            return steps;
+        case HealthCheck::AsleepShare:
+            return RemedySetting{"freeze_delay", 2.0 * content.settings.freezeDelay};
+        case HealthCheck::Bulking:
+            if (breach.worst >= breach.limit) {
+                return std::nullopt;
+            }
+            return content.settings.solver == SolverKind::SoftStep ? steps : RemedySetting{"solver", std::string("soft-step")};
+        default:
+            return std::nullopt;
+    }
+}
+
+std::int64_t limitsIn(const HealthReport& health) {
+    std::set<HealthCheck> passed;
+    for (const HealthBreach& breach : health.breaches) {
+        passed.insert(breach.check);
+    }
+    return static_cast<std::int64_t>(passed.size());
+}
+
+bool toldByHealth(const Finding& finding) {
+    static constexpr std::array<std::string_view, healthCheckCount> ids{
+        "simulation.energy_gain",  "simulation.penetration",  "simulation.too_fast",  "simulation.below_ground",
+        "simulation.outside_site", "simulation.not_a_number", "simulation.pile_woke", "simulation.bulking"};
+    return std::find(ids.begin(), ids.end(), finding.what.id) != ids.end();
+}
 
 QString limitsPassed(std::int64_t count) {
     return count == 1 ? HealthList::tr("1 limit passed") : HealthList::tr("%1 limits passed").arg(shownCount(count));
@@ -149,7 +191,7 @@ HealthList::HealthList(QWidget* parent)
 
 void HealthList::setContent(const Content& content) {
     showBreaches(content);
-    const auto count = static_cast<std::int64_t>(content.health.breaches.size());
+    const std::int64_t count = limitsIn(content.health);
     const bool waits = count > 0 && !content.acknowledged;
     const QString passed = limitsPassed(count);
     if (count == 0) {
@@ -190,6 +232,7 @@ void HealthList::showBreaches(const Content& content) {
         words->setTextInteractionFlags(Qt::TextSelectableByMouse);
         words->setObjectName(QStringLiteral("breach"));
         row->addWidget(words);
+        addRemedy(*row, breach, content);
         auto* show = new QPushButton(tr("Show %1 s").arg(hundredths(breach.from)));
         show->setToolTip(breach.body ? tr("Go to this instant and point out the body") : tr("Go to this instant"));
         show->setAccessibleName(tr("Show %1, %2").arg(titleOf(breach), interval(breach)));
@@ -197,6 +240,25 @@ void HealthList::showBreaches(const Content& content) {
         row->addWidget(show, 0, Qt::AlignLeft);
         m_breaches->addWidget(bare(row));
     }
+}
+
+void HealthList::addRemedy(QVBoxLayout& row, const HealthBreach& breach, const Content& content) {
+    const auto remedy = remedySettingOf(breach, content);
+    const auto sameLimit = [&](const HealthBreach& each) { return each.check == breach.check; };
+    // Once for a limit that was passed again and again.
+    const auto& all = content.health.breaches;
+    if (!remedy || &*std::find_if(all.begin(), all.end(), sameLimit) != &breach) {
+        return;
+    }
+    const QString name = said("parameters", findParameter(remedy->key).first->label);
+    auto* apply = new QPushButton(tr("Set “%1” to %2").arg(name, shownValue(remedy->value)));
+    apply->setObjectName(QStringLiteral("applyRemedy"));
+    const bool isSet = parameterValue(content.scenario, remedy->key) == remedy->value;
+    apply->setEnabled(!isSet);
+    apply->setToolTip(isSet ? tr("It is set: simulate to see what it does") : tr("Change this setting; Ctrl+Z takes it back"));
+    connect(apply, &QPushButton::clicked, this,
+            [this, set = *remedy] { emit remedyChosen(QString::fromStdString(set.key), set.value); });
+    row.addWidget(apply, 0, Qt::AlignLeft);
 }
 
 void HealthList::setComplaint(const QString& complaint) {

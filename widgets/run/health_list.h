@@ -2,7 +2,11 @@
 
 #include <QWidget>
 #include <optional>
+#include <string>
 
+#include "core/base/finding.h"
+#include "core/scenario/parameters.h"
+#include "core/scenario/scenario.h"
 #include "core/simulation/health/health.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "widgets/views/timeline.h"
@@ -27,7 +31,10 @@ public:
     struct Content {
         HealthReport health;
         std::optional<Acknowledgement> acknowledged;
-        Vec3 origin = Vec3::Zero();  ///< m, of the local frame: places are shown in coordinates of the file
+        Vec3 origin = Vec3::Zero();        ///< m, of the local frame: places are shown in coordinates of the file
+        SimulationSettings settings = {};  ///< of the run
+        double stepRate = 0.0;             ///< 1/s, that the run had on average; 0: not known
+        Scenario scenario = {};            ///< as it is set now: what a remedy asks for may be set already
     };
     void setContent(const Content& content);
     /// What went wrong with an acknowledgement; empty takes it away.
@@ -36,10 +43,13 @@ public:
 signals:
     /// Show this breach: its instant and its body.
     void breachChosen(std::size_t breach);
+    /// Set this, as the remedy of a breach says.
+    void remedyChosen(const QString& key, const rubble::ParameterValue& value);
     void acknowledgeRequested(const QString& name, const QString& note);
 
 private:
     void showBreaches(const Content& content);
+    void addRemedy(QVBoxLayout& row, const HealthBreach& breach, const Content& content);
     void acknowledge();
 
     Notice* m_verdict;
@@ -52,6 +62,18 @@ private:
     Notice* m_acknowledged;
 };
 
+/// What sets the remedy of a breach.
+struct RemedySetting {
+    std::string key;
+    ParameterValue value;
+};
+/// The one setting to try first; unset where no setting alone helps.
+std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const HealthList::Content& content);
+
+/// How many limits were passed, however often each.
+std::int64_t limitsIn(const HealthReport& health);
+/// Whether a finding says what a breach of the list says.
+bool toldByHealth(const Finding& finding);
 /// "2 limits passed"
 QString limitsPassed(std::int64_t count);
 /// A breach in words: what, where and when, worst against limit, remedy; rich text.

@@ -130,15 +130,21 @@ void RunList::choose() {
         parts << tr("trajectory %1").arg(QString::fromStdString(run.trajectoryHash.hex()).left(8));
     }
     parts << (run.live ? tr("live") : tr("as fast as it went"));
-    m_details->setText(parts.join(QStringLiteral(" · ")));
+    // A button that cannot be pushed shows no tip.
+    const QString why = line.shown         ? QString()
+                        : run.file.empty() ? tr("Its file was not kept, so it cannot be shown.")
+                        : !line.fileThere
+                            ? tr("%1 is not there any more, so it cannot be shown.").arg(QString::fromStdString(run.file))
+                            : QString();
+    m_details->setText(parts.join(QStringLiteral(" · ")) + (why.isEmpty() ? QString() : u'\n' + why));
     m_details->setToolTip(tr("Fingerprint of inputs, settings and program: %1\nTrajectory of every recorded frame: %2\nProgram: %3")
                               .arg(QString::fromStdString(run.fingerprint.hex()), QString::fromStdString(run.trajectoryHash.hex()),
                                    QString::fromStdString(run.build)));
     m_show->setEnabled(line.fileThere && !line.shown);
     m_show->setToolTip(line.shown         ? tr("It is the run in the views")
-                       : run.file.empty() ? tr("Its file was not kept: “Save run as…” in the Case menu keeps one")
+                       : run.file.empty() ? tr("Its file was not kept, so it cannot be shown.")
                        : !line.fileThere
-                           ? tr("%1 is not there any more").arg(QString::fromStdString(run.file))
+                           ? tr("%1 is not there any more, so it cannot be shown.").arg(QString::fromStdString(run.file))
                            : tr("Open %1 and show it in the views").arg(QFileInfo(QString::fromStdString(run.file)).fileName()));
 }
 

@@ -54,6 +54,7 @@ RunPanel::RunPanel(QWidget* parent)
     m_healthGroup = addGroup(tr("Health of the run"));
     m_health = new HealthList;
     m_healthGroup->addWide(m_health);
+    connect(m_health, &HealthList::remedyChosen, this, &RunPanel::edited);
     buildOutcome();
     addGroup(tr("Runs of this case"))->addWide(m_runs);
     buildSettings();
@@ -153,7 +154,14 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     m_hash->setText(QString::fromStdString(r.trajectoryHash.hex()).left(8));
     m_hash->setToolTip(QString::fromStdString(r.trajectoryHash.hex()));
     m_outcome->show();
-    m_findings->set(r.findings);
+    // What the health of the run says above is not said again.
+    Findings others;
+    for (const Finding& finding : r.findings.list()) {
+        if (!toldByHealth(finding)) {
+            others.add(finding.what, finding.remedy, finding.example, finding.count);
+        }
+    }
+    m_findings->set(others);
 }
 
 void RunPanel::setReady(bool ready, bool running, const QString& why) {

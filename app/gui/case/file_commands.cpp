@@ -54,6 +54,19 @@ void copyAcknowledgements(const std::string& fromRun, const std::string& toRun) 
     }
 }
 
+/// Copies a run file with what was said about it.
+void copyRun(const std::string& from, const std::string& to, const Execution& execution) {
+    io::writeAtomically(to, [&](std::ostream& out) {
+        std::ifstream in(from, std::ios::binary);
+        std::vector<char> block(1 << 20);
+        while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+            execution.check();
+            out.write(block.data(), in.gcount());
+        }
+    });
+    copyAcknowledgements(from, to);
+}
+
 }  // namespace
 
 FileCommands::FileCommands(Session& session, Actions& actions, QWidget& window)
@@ -184,7 +197,41 @@ void FileCommands::editSite() {
     }
 }
 
+// Kept runs stay; one for which there was no room or no right to keep it is asked about.
+bool FileCommands::mayLeaveRun() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->kept || record->reader == nullptr || record->reader->frameCount() == 0) {
+        return true;
+    }
+    QMessageBox question(QMessageBox::Question, tr("Save the run?"), tr("The run of this case is kept nowhere and goes with it."),
+                         QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    if (!record->running) {
+        question.addButton(QMessageBox::Save);
+        question.setDefaultButton(QMessageBox::Save);
+    }
+    const int answer = question.exec();
+    if (answer != QMessageBox::Save) {
+        return answer == QMessageBox::Discard;
+    }
+    const QString path = askForOutput(tr("Save run"), QStringLiteral(".run.h5"), tr("Runs (*.run.h5)"));
+    return !path.isEmpty() && copyRunTo(path);
+}
+
+bool FileCommands::copyRunTo(const QString& path) {
+    try {
+        copyRun(m_computation.currentRun()->path.toStdString(), path.toStdString(), Execution());
+        m_session.part<ProjectFiles>().runs.keptAt(QFileInfo(path).absoluteFilePath());
+        return true;
+    } catch (...) {
+        m_session.report(*failureOf(std::current_exception()));
+        return false;
+    }
+}
+
 bool FileCommands::mayLeave() {
+    if (!mayLeaveRun()) {
+        return false;
+    }
     if (!m_document.modified()) {
         return true;
     }
@@ -267,15 +314,7 @@ void FileCommands::saveRunTo(const QString& path) {
     m_computation.write(
         [from = record->path.toStdString(), to = path.toStdString()](const Execution& execution) {
             execution.report({"gui.saving_run", "Saving the run", {}}, 0.0);
-            io::writeAtomically(to, [&](std::ostream& out) {
-                std::ifstream in(from, std::ios::binary);
-                std::vector<char> block(1 << 20);
-                while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
-                    execution.check();
-                    out.write(block.data(), in.gcount());
-                }
-            });
-            copyAcknowledgements(from, to);
+            copyRun(from, to, execution);
         },
         [session = &m_session, path, kept = record->path](const std::exception_ptr& thrown) {
             reportWrite(*session, path, thrown);

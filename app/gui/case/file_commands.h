@@ -80,6 +80,8 @@ public:
     void saveChartTo(const QString& path, const widgets::FileChart& chart);
 
 private:
+    bool mayLeaveRun();
+    bool copyRunTo(const QString& path);
     void connectActions(Actions& actions);
     void setTerrain(const QString& path, const widgets::Wording& what);
     /// The case with files of a role put in place of those it has, or beside them.

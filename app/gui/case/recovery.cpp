@@ -1,9 +1,11 @@
 #include "app/gui/case/recovery.h"
 
 #include <QBoxLayout>
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
+#include "app/gui/session/kept_runs.h"
 #include "app/gui/session/session.h"
 #include "widgets/basics/notice_bar.h"
 
@@ -34,6 +36,10 @@ Recovery::Recovery(Session& session, QBoxLayout& notices, QObject* parent)
 }
 
 void Recovery::look() {
+    if (const DroppedRuns dropped = dropDeadScratch(QDir::tempPath()); dropped.count > 0) {
+        m_session.tell(tr("Temporary runs of a program that ended early were removed: %1 GiB")
+                           .arg(QLocale().toString(static_cast<double>(dropped.bytes) / (1 << 30), 'f', 2)));
+    }
     m_files.left.clear();
     for (LeftWork& work : m_files.autosave.leftWork()) {
         m_files.left.push_back(std::move(work));

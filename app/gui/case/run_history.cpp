@@ -1,14 +1,20 @@
 #include "app/gui/case/run_history.h"
 
 #include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
 #include <algorithm>
 
 #include "app/gui/case/autosave.h"
+#include "app/gui/session/kept_runs.h"
 #include "app/gui/session/session.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/run/run_history.h"
+#include "widgets/run/health_list.h"
 
 namespace rubble {
 
@@ -31,6 +37,7 @@ void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
 
 RunHistory::RunHistory(Session& session, const QString& folder, QObject* parent)
     : QObject(parent), m_session(session), m_document(session.document()), m_computation(session.computation()), m_folder(folder) {
+    m_computation.keepRunsIn([this] { return makeFolder(); });
     connect(&m_document, &Document::replaced, this, &RunHistory::load);
     connect(&m_document, &Document::titleChanged, this, [this] {
         // Saved elsewhere: what is known goes along, to what that place knows already.
@@ -95,8 +102,83 @@ void RunHistory::load() {
     if (!m_document.empty()) {
         addNew(m_runs, read(sidecar()));
         addNew(m_runs, read(stateFile()));
+        findFiles();
     }
     emit changed();
+}
+
+QString RunHistory::runsFolder() const {
+    const widgets::Preferences& preferences = m_session.preferences();
+    if (preferences.keepRunsGib == 0 || m_document.empty()) {
+        return {};
+    }
+    const QString key = QFileInfo(stateFile()).baseName();
+    const QString base = m_document.path().isEmpty() ? m_document.base() : m_document.path();
+    if (!preferences.runsFolder.isEmpty()) {
+        return preferences.runsFolder + u'/' + QFileInfo(base).completeBaseName() + u'-' + key.left(8);
+    }
+    if (!m_document.path().isEmpty() && QFileInfo(QFileInfo(base).absolutePath()).isWritable()) {
+        return base + QStringLiteral(".runs");
+    }
+    return m_folder.isEmpty() ? QString() : m_folder + u'/' + key;
+}
+
+QString RunHistory::makeFolder() {
+    const QString folder = runsFolder();
+    if (folder.isEmpty() || (QDir().mkpath(folder) && QFileInfo(folder).isWritable())) {
+        return folder;
+    }
+    m_session.tell(tr("Nothing can be written into %1: this run goes with the case unless it is saved").arg(folder));
+    return {};
+}
+
+// Runs of a program that was killed are in no history, and those of a case that was moved lie beside it now.
+void RunHistory::findFiles() {
+    if (runsFolder().isEmpty()) {
+        return;
+    }
+    const auto exists = [](const std::string& path) { return QFile::exists(QString::fromStdString(path)); };
+    for (const QFileInfo& file : QDir(runsFolder()).entryInfoList({QStringLiteral("*.run.h5")}, QDir::Files, QDir::Name)) {
+        const std::string path = file.absoluteFilePath().toStdString();
+        const auto listed = std::find_if(m_runs.begin(), m_runs.end(), [&](const RunEntry& run) {
+            return run.file == path || (!run.file.empty() && !exists(run.file) &&
+                                        QFileInfo(QString::fromStdString(run.file)).fileName() == file.fileName());
+        });
+        if (listed != m_runs.end()) {
+            listed->file = path;
+            continue;
+        }
+        std::optional<RunEntry> found = entryOfRunFile(file.absoluteFilePath());
+        const auto same = [&](const RunEntry& run) { return found->complete && run.trajectoryHash == found->trajectoryHash; };
+        if (found && std::none_of(m_runs.begin(), m_runs.end(), same)) {
+            for (const CaseScenario& scenario : m_document.theCase().scenarios) {
+                found->scenarioId = scenario.name == found->scenarioName ? scenario.id : found->scenarioId;
+            }
+            addNew(m_runs, {*found});
+        }
+    }
+}
+
+void RunHistory::makeRoom() {
+    const QString folder = runsFolder();
+    if (folder.isEmpty()) {
+        return;
+    }
+    QStringList inUse;
+    if (const RunRecord* record = m_computation.currentRun()) {
+        inUse << record->path;
+    }
+    for (const auto& other : m_computation.otherRuns()) {
+        inUse << other->path;
+    }
+    const int gib = m_session.preferences().keepRunsGib;
+    const DroppedRuns dropped = dropOldestRuns(folder, qint64{gib} << 30, inUse);
+    if (dropped.count > 0) {
+        m_session.tell(tr("Runs kept: the oldest made room, %1 of them with %2 GiB; Preferences allow %3 GiB")
+                           .arg(dropped.count)
+                           .arg(QLocale().toString(static_cast<double>(dropped.bytes) / (1 << 30), 'f', 2))
+                           .arg(gib));
+    }
 }
 
 void RunHistory::begins() {
@@ -121,7 +203,7 @@ void RunHistory::ended() {
     run.fragments = record->results.fragments != nullptr ? static_cast<std::int64_t>(record->results.fragments->size()) : 0;
     run.bodies = record->results.clustering != nullptr ? static_cast<std::int64_t>(record->results.clustering->list.size()) : 0;
     run.endTime = record->newest;
-    run.breaches = static_cast<std::int64_t>(record->health().breaches.size());
+    run.breaches = widgets::limitsIn(record->health());
     if (const SimulationResult* result = record->outcome.get()) {
         run.complete = true;
         run.bodies = result->bodiesPeak;
@@ -133,7 +215,10 @@ void RunHistory::ended() {
         run.energyDrift = result->energy.drift;
         run.trajectoryHash = result->trajectoryHash;
     }
+    const QString file = QFileInfo(record->path).absoluteFilePath();
+    run.file = record->kept && QFile::exists(file) ? file.toStdString() : std::string();
     m_runs.push_back(std::move(run));
+    makeRoom();
     m_shown = m_runs.size() - 1;
     store();
     emit changed();

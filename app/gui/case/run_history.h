@@ -32,6 +32,8 @@ public:
     void begins();
     /// The file of the run that is shown was kept here.
     void keptAt(const QString& path);
+    /// Where the runs of the open case are kept; empty: nowhere, so that they go with the case.
+    QString runsFolder() const;
     /// Shows a kept run again; answers through Computation::runReopened() or failed().
     void show(std::size_t place);
 
@@ -42,6 +44,9 @@ private:
     void load();
     void ended();
     void store();
+    void findFiles();
+    void makeRoom();
+    QString makeFolder();
     std::vector<RunEntry> read(const QString& file);
     QString sidecar() const;
     QString stateFile() const;

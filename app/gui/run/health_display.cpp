@@ -48,6 +48,8 @@ HealthDisplay::HealthDisplay(Session& session, PanelDeck& deck, Playback& playba
     });
     connect(&deck.run().health(), &widgets::HealthList::breachChosen, this, [this](std::size_t breach) { show(breach, true); });
     connect(&deck.run().health(), &widgets::HealthList::acknowledgeRequested, &m_computation, &Computation::acknowledge);
+    // Once the button has done with its click: the list is made anew.
+    connect(&session.document(), &Document::scenarioChanged, this, &HealthDisplay::refresh, Qt::QueuedConnection);
     connect(&m_computation, &Computation::acknowledged, this, &HealthDisplay::acknowledged);
     connect(&m_computation, &Computation::runBegun, this, [this] {
         clearSelection();
@@ -64,7 +66,11 @@ void HealthDisplay::refresh() {
         m_deck.run().setHealth(std::nullopt);
         return;
     }
-    m_deck.run().setHealth(widgets::HealthList::Content{record->health(), record->acknowledged, origin()});
+    const SimulationResult& result = *record->outcome;
+    const double span = result.endTime - result.firstTime;
+    m_deck.run().setHealth(
+        widgets::HealthList::Content{record->health(), record->acknowledged, origin(), record->scenario.simulation,
+                                     span > 0.0 ? static_cast<double>(result.steps) / span : 0.0, m_session.document().scenario()});
 }
 
 void HealthDisplay::showMarks() {

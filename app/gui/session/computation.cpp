@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/gui/session/kept_runs.h"
 #include "core/base/error.h"
 #include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
@@ -58,6 +59,19 @@ Digest decisionKey(const Inputs& inputs, const Scenario& scenario) {
     seen.simulation.frameRate = SimulationSettings().frameRate;
     return stageKey(inputs, seen, Stage::Simulation);
 }
+
+/// Writes how long it has lived when it ends, however that comes.
+class WallClock {
+public:
+    explicit WallClock(double& seconds) : m_seconds(seconds) {}
+    ~WallClock() { m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+    WallClock(const WallClock&) = delete;
+    WallClock& operator=(const WallClock&) = delete;
+
+private:
+    double& m_seconds;
+    const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
@@ -294,6 +308,7 @@ QString Computation::scratchPath() {
             throw WorldError({"gui.scratch", "No folder for the run can be made in {0}", {QDir::tempPath().toStdString()}},
                              {"gui.scratch.remedy", "Make room there, or set TMPDIR to a folder with room and start again.", {}});
         }
+        m_scratchLock = holdFile(m_scratch->filePath(scratchLock));
     }
     return m_scratch->filePath(QStringLiteral("run-%1.run.h5").arg(++m_runs));
 }
@@ -304,7 +319,10 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
     }
     auto record = std::make_shared<RunRecord>();
     try {
-        record->path = scratchPath();
+        const QString folder = m_runFolder ? m_runFolder() : QString();
+        record->kept = !folder.isEmpty();
+        record->path = record->kept ? newRunFile(folder) : scratchPath();
+        record->lock = record->kept ? holdFile(record->path + QStringLiteral(".lock")) : nullptr;
     } catch (...) {
         fail(*failureOf(std::current_exception()));
         return;
@@ -324,9 +342,9 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
     m_worker.start({Worker::Kind::Simulate,
                     [this, record, inputs = m_opened.inputs, previous = m_results, origin, pace = m_pace, outcome,
                      wall](const Execution& execution) {
-                        const auto start = std::chrono::steady_clock::now();
+                        // Also of a run that is cancelled.
+                        const WallClock clock(*wall);
                         *outcome = simulateOnWorker(record, inputs, previous, origin, pace, execution);
-                        *wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
                     },
                     [this, record, outcome, wall](const std::exception_ptr& thrown) { ended(record, *outcome, *wall, thrown); }});
 }
@@ -399,6 +417,10 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
         } catch (...) {
             fail(*failureOf(std::current_exception()));
         }
+    }
+    record->lock.reset();
+    if (outcome == nullptr && (record->reader == nullptr || record->reader->frameCount() == 0)) {
+        QFile::remove(record->path);
     }
     if (const auto failure = failureOf(thrown)) {
         fail(*failure);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLockFile>
 #include <QObject>
 #include <QTemporaryDir>
 #include <functional>
@@ -35,7 +36,8 @@ struct Opened {
 /// A run as the window has it: its file, what it was made from, and its outcome.
 struct RunRecord {
     QString path;
-    bool kept = false;  ///< the file is the user's, and stays
+    bool kept = false;                ///< the file stays when the window is done with it
+    std::shared_ptr<QLockFile> lock;  ///< while the file is written
     bool live = false;
     QString scenarioName;  ///< as it was called when it was simulated
     Scenario scenario;
@@ -87,6 +89,8 @@ public:
     void welcomeBy(std::function<Welcome(const Opened&)> welcome) { m_welcome = std::move(welcome); }
     /// Whether FE results are opened through copies in the cache folder.
     void keepCopies(bool keep) { m_keeping.copies = keep; }
+    /// @param folder  where the files of runs are kept, asked before each; empty or without it: they go with the case
+    void keepRunsIn(std::function<QString()> folder) { m_runFolder = std::move(folder); }
     /// Bytes that states and frames of what is opened from now on may take.
     void useMemory(std::size_t bytes) { m_keeping.bytes = bytes; }
     void clear();
@@ -213,6 +217,8 @@ private:
     double m_fraction = 0.0;
     double m_openFraction = 0.0;
     std::unique_ptr<QTemporaryDir> m_scratch;
+    std::unique_ptr<QLockFile> m_scratchLock;  ///< tells later programs whether this one has died
+    std::function<QString()> m_runFolder;
     int m_runs = 0;
     // Last, so that the workers have ended before anything they use goes.
     Worker m_worker;

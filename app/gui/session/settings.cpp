@@ -16,6 +16,8 @@ constexpr const char* unitsKey = "units";
 constexpr const char* threadsKey = "threads";
 constexpr const char* memoryKey = "memory_mib";
 constexpr const char* autosaveKey = "autosave_seconds";
+constexpr const char* keepRunsKey = "keep_runs_gib";
+constexpr const char* runsFolderKey = "runs_folder";
 constexpr const char* copiesKey = "keep_copies";
 constexpr const char* simplifyKey = "simplify_moving";
 
@@ -85,6 +87,8 @@ widgets::Preferences readPreferences(QSettings& settings, QStringList* complaint
     found.threads = reader.number(threadsKey, 0, widgets::mostThreads, delivered.threads);
     found.memoryMib = reader.number(memoryKey, widgets::leastMemoryMib, widgets::mostMemoryMib, delivered.memoryMib);
     found.autosaveSeconds = reader.number(autosaveKey, 0, widgets::mostAutosaveSeconds, delivered.autosaveSeconds);
+    found.keepRunsGib = reader.number(keepRunsKey, 0, widgets::mostKeptGib, delivered.keepRunsGib);
+    found.runsFolder = settings.value(QLatin1String(runsFolderKey)).toString();
     found.keepCopies = reader.flag(copiesKey, delivered.keepCopies);
     found.simplify = reader.flag(simplifyKey, delivered.simplify);
     return found;
@@ -98,6 +102,8 @@ void writePreferences(QSettings& settings, const widgets::Preferences& preferenc
     settings.setValue(QLatin1String(threadsKey), preferences.threads);
     settings.setValue(QLatin1String(memoryKey), preferences.memoryMib);
     settings.setValue(QLatin1String(autosaveKey), preferences.autosaveSeconds);
+    settings.setValue(QLatin1String(keepRunsKey), preferences.keepRunsGib);
+    settings.setValue(QLatin1String(runsFolderKey), preferences.runsFolder);
     settings.setValue(QLatin1String(copiesKey), preferences.keepCopies);
     settings.setValue(QLatin1String(simplifyKey), preferences.simplify);
 }

@@ -108,7 +108,7 @@ void StatusFeed::showHealth() {
         m_line.setFigureTip(Figure::Health, tr("No limit of the health monitor was passed in this run."));
         return;
     }
-    const QString passed = widgets::limitsPassed(static_cast<std::int64_t>(health.breaches.size()));
+    const QString passed = widgets::limitsPassed(widgets::limitsIn(health));
     const bool acknowledged = record->acknowledged.has_value();
     m_line.setFigure(Figure::Health, acknowledged ? tr("Health") : QStringLiteral("⚠ ") + tr("Health"),
                      acknowledged ? passed : tr("tainted"), acknowledged ? tr("acknowledged") : passed, !acknowledged);

@@ -82,7 +82,14 @@ void NewCaseUnits::buildTable() {
     m_fits->setFocusPolicy(Qt::TabFocus);
     m_fits->setTabKeyNavigation(false);
     m_fits->setAccessibleName(tr("Systems of units, the best fit first"));
-    m_fits->setToolTip(tr("Systems of units, the best fit first: densities, size and free fall judge them"));
+    m_fits->setToolTip(tr("Systems of units, the best fit first: densities, size and free fall judge them. A click takes one"));
+    const auto takeRow = [this](int row) {
+        if (row >= 0 && row < static_cast<int>(m_evidence.fits.size())) {
+            take("units", std::string(m_evidence.fits[static_cast<std::size_t>(row)].system->id));
+        }
+    };
+    connect(m_fits, &QTableWidget::cellClicked, this, takeRow);
+    connect(m_fits, &QTableWidget::cellActivated, this, takeRow);
 }
 
 void NewCaseUnits::take(const char* key, const std::string& choice) {
@@ -112,8 +119,10 @@ void NewCaseUnits::setContent(const FeResult* fe, double mass) {
     m_size->setText(
         QStringLiteral("%1 × %2 × %3").arg(shownIn(size.x(), "m", 4), shownIn(size.y(), "m", 4), shownIn(size.z(), "m", 4)));
     m_mass->setText(shownIn(mass / 1000.0, "t", 4));
-    m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
-                                                  QLocale().toString(fe->times().back(), 'f', 2)));
+    // A blast of microseconds is no row of zeros.
+    const bool brief = fe->times().back() - fe->times().front() < 0.1;
+    const auto instant = [brief](double time) { return brief ? shownNumber(time, 4) : QLocale().toString(time, 'f', 2); };
+    m_span->setText(QStringLiteral("%1 – %2").arg(instant(fe->times().front()), instant(fe->times().back())));
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
     m_format->setText(spokenText(contents.format));

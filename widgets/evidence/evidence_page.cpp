@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/basics/folding_bar.h"
 #include "widgets/basics/theme.h"
@@ -56,8 +57,8 @@ EvidencePage::EvidencePage(QWidget* parent)
     m_splitter->setHandleWidth(3);
     m_splitter->addWidget(m_photo);
     m_splitter->addWidget(m_model);
-    m_splitter->setStretchFactor(0, 3);
-    m_splitter->setStretchFactor(1, 2);
+    m_splitter->setStretchFactor(0, 1);
+    m_splitter->setStretchFactor(1, 1);
     m_model->setAccessibleName(tr("Model beside the photograph"));
     m_model->installEventFilter(this);
     m_model->hide();
@@ -170,6 +171,11 @@ bool EvidencePage::surveyShown() const {
 void EvidencePage::setBeside(bool beside) {
     showSurvey(false);
     m_beside->setChecked(beside);
+    if (beside && m_model->isHidden()) {
+        m_model->show();
+        const int half = std::max(1, m_splitter->width() / 2);
+        m_splitter->setSizes({half, half});
+    }
     m_model->setVisible(beside);
     emit besideChanged(beside);
 }

@@ -195,7 +195,11 @@ void Inspector::addJourney(const FragmentFacts& fragment) {
             const Vec3 way = *fragment.finalPlace - *fragment.birthPlace;
             addRow(journey, tr("moved in plan"), metres(std::hypot(way.x(), way.y())), tr("m"),
                    tr("Level distance from birth to the end"));
-            addRow(journey, tr("fell"), metres(-way.z()), tr("m"), tr("Height of its birth above its end"));
+            if (way.z() > 0.0) {
+                addRow(journey, tr("rose"), metres(way.z()), tr("m"), tr("Height of its end above its birth"));
+            } else {
+                addRow(journey, tr("fell"), metres(-way.z()), tr("m"), tr("Height of its birth above its end"));
+            }
         }
     }
     if (fragment.path) {

@@ -224,12 +224,18 @@ void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
     emit viewChanged(m_view);
 }
 
+double ViewWidget::heightShare(const render::Pane& pane) const {
+    // A caption above, and as much below for legend and scale bar.
+    const double room = (fontMetrics().height() + 20.0) * devicePixelRatioF();
+    return pane.height > 0 ? std::max(0.5, 1.0 - 2.0 * room / pane.height) : 1.0;
+}
+
 ViewWidget::Cameras ViewWidget::fittedCameras() const {
     const QSize size = devicePixels();
     Cameras cameras = m_view.cameras;
     for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
         const std::size_t index = render::cameraIndex(m_view, pane.content);
-        cameras[index] = render::refit(m_view.cameras[index], m_scene.bounds(), pane.aspect());
+        cameras[index] = render::refit(m_view.cameras[index], m_scene.bounds(), pane.aspect(), heightShare(pane));
     }
     return cameras;
 }
@@ -240,7 +246,8 @@ void ViewWidget::fit() {
 }
 
 void ViewWidget::keepFitted() {
-    m_fitted = m_view.cameras;
+    m_fitted = m_view.cameras = fittedCameras();
+    update();
 }
 
 void ViewWidget::resizeEvent(QResizeEvent* event) {
@@ -261,7 +268,7 @@ void ViewWidget::look(render::Preset preset) {
             render::Camera& camera = cameras[render::cameraIndex(m_view, pane.content)];
             const bool parallel = camera.parallel;
             camera = render::withProjection(render::fitCamera(m_scene.bounds(), pane.aspect(), preset), parallel);
-            camera = render::refit(camera, m_scene.bounds(), pane.aspect());
+            camera = render::refit(camera, m_scene.bounds(), pane.aspect(), heightShare(pane));
         }
     }
     m_fitted = cameras;

@@ -11,6 +11,7 @@
 #include "widgets/render/basics/camera.h"
 #include "widgets/render/basics/drawn_resolution.h"
 #include "widgets/render/basics/view.h"
+#include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
 
 class QRubberBand;
@@ -128,6 +129,7 @@ private:
     void setCamera(std::size_t index, const render::Camera& camera);
     using Cameras = std::array<render::Camera, render::paneCameras>;
     void flyTo(const Cameras& cameras);
+    double heightShare(const render::Pane& pane) const;
     Cameras fittedCameras() const;
     void stepFlight();
     void releaseGraphics();

@@ -43,6 +43,8 @@ Playback::Playback(Session& session, widgets::ViewWidget& view, widgets::Timelin
     connect(&m_computation, &Computation::runBegun, this, &Playback::runBegun);
     connect(&m_computation, &Computation::runGrew, this, &Playback::runGrew);
     connect(&m_computation, &Computation::runEnded, this, &Playback::runEnded);
+    // Once all is shown of it.
+    connect(&m_computation, &Computation::runReopened, this, &Playback::runReopened, Qt::QueuedConnection);
     connectActions(actions);
 }
 
@@ -121,6 +123,15 @@ void Playback::refresh(bool runStale) {
     m_timeline.setFeEnd(feEnd);
     m_timeline.setComputed(first, record != nullptr ? record->newest : first, runStale);
     m_transport.setSpan(last, feEnd);
+}
+
+// Where nothing has died yet there is nothing to see of a run.
+void Playback::runReopened() {
+    const RunRecord* record = m_computation.currentRun();
+    const FragmentSet* fragments = record != nullptr ? record->results.fragments.get() : nullptr;
+    if (fragments != nullptr && !fragments->list.empty() && m_clock.time() <= fragments->list.front().handOverTime) {
+        scrub(record->newest);
+    }
 }
 
 void Playback::runBegun() {

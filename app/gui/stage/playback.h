@@ -73,6 +73,7 @@ private:
         bool snapping = false;
         bool fromZero = false;
     };
+    void runReopened();
     void runBegun();
     void runGrew(double time);
     void runEnded();

@@ -3,9 +3,11 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -224,10 +226,13 @@ void MainWindow::showTitle() {
     }
     const CaseScenario* active = document.active();
     const QString name = QString::fromStdString(document.theCase().title);
-    const QString saved = document.modified() ? tr("changed")
-                          : document.path().isEmpty()
-                              ? tr("not saved")
-                              : tr("saved %1").arg(QFileInfo(document.path()).lastModified().toString(QStringLiteral("HH:mm")));
+    const QDateTime when = QFileInfo(document.path()).lastModified();
+    const QLocale locale;
+    const QString at = when.date() == QDate::currentDate() ? locale.toString(when.time(), QLocale::ShortFormat)
+                                                           : locale.toString(when, QLocale::ShortFormat);
+    const QString saved = document.modified()         ? tr("changed")
+                          : document.path().isEmpty() ? tr("not saved")
+                                                      : tr("saved %1").arg(at);
     m_title->setText(QStringLiteral("<span style='color:%1'>%2 · %3 <b>%4</b> · %5</span>&nbsp;&nbsp;")
                          .arg(widgets::tints().muted.name(), name.toHtmlEscaped(), tr("scenario"),
                               active != nullptr ? QString::fromStdString(active->name).toHtmlEscaped() : QString(), saved));

@@ -231,7 +231,8 @@ Options parseOptions(const QStringList& arguments) {
         return options;
     }
     if (parser.isSet(help)) {
-        options.text = parser.helpText();
+        // Without an application Qt does not know its name.
+        options.text = parser.helpText().replace(QStringLiteral("<executable_name>"), QStringLiteral("rubble"));
         return options;
     }
     if (parser.isSet(version)) {

@@ -38,14 +38,14 @@ double halfHeight(const Camera& camera) {
 
 }  // namespace
 
-Camera refit(const Camera& start, const Aabb& bounds, double aspect) {
+Camera refit(const Camera& start, const Aabb& bounds, double aspect, double heightShare) {
     if (bounds.isEmpty() || !bounds.min().allFinite() || !bounds.max().allFinite() || !(aspect > 0)) {
         return start;
     }
     Camera camera = start;
     const Axes axes = axesOf(start);
-    const double tanV = tangent(start);
-    const double tanH = tanV * aspect;
+    const double tanV = tangent(start) * heightShare;
+    const double tanH = tangent(start) * aspect;
     camera.focalPoint = bounds.center();
     double distance = smallestDistance;
     // Two rounds: perspective moves the picture's middle, so centre what was seen and fit again.
@@ -58,7 +58,7 @@ Camera refit(const Camera& start, const Aabb& bounds, double aspect) {
             local[i] = Vec3(d.dot(axes.right), d.dot(axes.up), d.dot(axes.forward));
             distance = std::max({distance, margin * std::abs(local[i].x()) / tanH - local[i].z(),
                                  margin * std::abs(local[i].y()) / tanV - local[i].z()});
-            scale = std::max({scale, margin * std::abs(local[i].x()) / aspect, margin * std::abs(local[i].y())});
+            scale = std::max({scale, margin * std::abs(local[i].x()) / aspect, margin * std::abs(local[i].y()) / heightShare});
         }
         camera.parallelScale = scale;
         for (const Vec3& p : local) {

@@ -16,7 +16,8 @@ enum class Preset : std::uint8_t { Side, Front, Back, Left, Right, Top, Bottom, 
 /// @param aspect  width over height of the pane
 Camera fitCamera(const Aabb& bounds, double aspect, Preset preset = Preset::Side);
 /// The same direction, moved so that the box fits.
-Camera refit(const Camera& camera, const Aabb& bounds, double aspect);
+/// @param heightShare  of the height of the view that the model may take, about its middle: captions take the rest
+Camera refit(const Camera& camera, const Aabb& bounds, double aspect, double heightShare = 1.0);
 
 /// Half-line from the eye (or the parallel picture plane) through a point of a pane.
 struct Ray {

@@ -21,6 +21,8 @@ struct Pose {
     Quat orientation = Quat::Identity();
 
     Vec3 operator*(const Vec3& p) const { return position + orientation * p; }
+    Pose operator*(const Pose& inner) const { return {*this * inner.position, (orientation * inner.orientation).normalized()}; }
+    Pose inverse() const { return {-(orientation.conjugate() * position), orientation.conjugate()}; }
 };
 
 /// Box with its own axes: corners at centre + orientation * (+-halfExtents) [m].

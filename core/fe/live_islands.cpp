@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 namespace rubble {
 
@@ -143,6 +144,32 @@ std::uint32_t NodeGroups::rootOf(std::uint32_t node) {
         node = m_parent[node];
     }
     return node;
+}
+
+std::vector<std::vector<ElementIndex>> partsOf(const Mesh& mesh, std::span<const ElementIndex> elements) {
+    // Few elements of a large mesh: their nodes are numbered anew.
+    std::unordered_map<std::uint32_t, std::uint32_t> number;
+    std::vector<std::vector<std::uint32_t>> corners;
+    for (const ElementIndex e : elements) {
+        std::vector<std::uint32_t>& of = corners.emplace_back();
+        for (const std::uint32_t node : mesh.cornersOf(e)) {
+            of.push_back(number.emplace(node, static_cast<std::uint32_t>(number.size())).first->second);
+        }
+    }
+    NodeGroups groups(number.size());
+    for (const std::vector<std::uint32_t>& of : corners) {
+        groups.join(of);
+    }
+    std::vector<std::vector<ElementIndex>> parts;
+    std::unordered_map<std::uint32_t, std::size_t> partOf;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto [part, first] = partOf.emplace(groups.rootOf(corners[i].front()), parts.size());
+        if (first) {
+            parts.emplace_back();
+        }
+        parts[part->second].push_back(elements[i]);
+    }
+    return parts;
 }
 
 std::vector<LiveIsland> islandsAt(const FeResult& fe, const Activity& activity, const Supports& supports, NodeGroups& groups,

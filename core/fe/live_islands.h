@@ -82,6 +82,10 @@ private:
     std::vector<std::uint32_t> m_parent;
 };
 
+/// The parts of a set of elements that hang together by shared nodes, in the order of their first elements.
+/// @param elements  ascending
+std::vector<std::vector<ElementIndex>> partsOf(const Mesh& mesh, std::span<const ElementIndex> elements);
+
 /// The islands of one state by groups of nodes that its active elements have joined, in the order of their first elements.
 std::vector<LiveIsland> islandsAt(const FeResult& fe, const Activity& activity, const Supports& supports, NodeGroups& groups,
                                   std::size_t state);

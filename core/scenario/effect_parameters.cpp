@@ -65,7 +65,11 @@ void addSteelAndStone(ParameterRows& table) {
                 "Impulse over mass of a hit above which a cluster of stone or masonry falls apart. An assumption.")
         .choice("live_islands", {"released", "held"}, RUBBLE_AT(effects.islands), "Fallen live structure",
                 "Parts alive at the end of the FE result without a path to a support. released: they go on as rigid bodies. held: "
-                "they stay where they are.");
+                "they stay where they are.")
+        .choice("loose_structure", {"fe", "touch", "at_once"}, RUBBLE_AT(effects.loose), "Loose structure",
+                "Who moves live structure without a path to a support. fe: the FE result, to its end. touch: the engine, from its "
+                "first "
+                "touch with debris. at_once: the engine, from when it comes loose.");
 }
 
 void addMaterials(ParameterRows& table) {

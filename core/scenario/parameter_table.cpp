@@ -134,10 +134,12 @@ std::vector<Parameter> simulationRows() {
             "substeps", 1, 64, RUBBLE_AT(simulation.substeps), "Substeps",
             "Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin "
             "bodies would sink into each other under their load.")
-        .choice("cluster_shape", {"axis_box", "oriented_box", "hull", "compound"}, RUBBLE_AT(simulation.shape), "Cluster shape",
+        .choice("cluster_shape", {"axis_box", "oriented_box", "hull", "compound", "bricks", "auto"}, RUBBLE_AT(simulation.shape),
+                "Cluster shape",
                 "Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, "
-                "slower. "
-                "compound: a box for every fragment, slowest.")
+                "slower. compound: a box for every fragment, slowest. bricks: boxes of the volume of the fragments, joined where "
+                "they leave next to no space between them. auto: bricks where the engine moves loose structure, oriented_box where "
+                "the FE result does (loose_structure).")
         .number("box_bulking", "", 1, 1000, RUBBLE_AT(simulation.boxBulking), "Bulking of a box",
                 "Largest volume of a cluster's box over that of its fragments. A box around scattered fragments holds mostly what "
                 "is not "

@@ -288,6 +288,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
             scenario.effects.of(kind) = defaults.effects.of(kind);
         }
         scenario.effects.islands = defaults.effects.islands;
+        scenario.effects.loose = defaults.effects.loose;
     };
     if (name == "default") {
         method();
@@ -295,7 +296,6 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         method();
         scenario.fragments.birthWindow = 0.0;
         scenario.grid.oneBodyPerFragment = true;
-        scenario.simulation.shape = ClusterShape::OrientedBox;
     } else if (name == "paper") {
         method();
         scenario.fragments.birthVelocity = BirthVelocity::Rest;
@@ -312,6 +312,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
             scenario.effects.of(kind) = EffectSwitch::Off;
         }
         scenario.effects.islands = LiveIslandPolicy::Held;
+        scenario.effects.loose = LooseStructurePolicy::Fe;
     } else {
         throw UsageError({"preset.unknown", "There is no preset \"{0}\".", {name}},
                          {"preset.names", "Choose one of default, paper, reference.", {}});

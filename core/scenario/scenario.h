@@ -19,11 +19,14 @@ enum class Revival { Latch, Follow, Refuse };
 enum class BirthVelocity { Fe, Rest };
 /// How the fragments of one birth become clusters.
 enum class Grouping { Nested, Axes };
-enum class ClusterShape { AxisBox, OrientedBox, Hull, Compound };
+/// Auto is settled by shapeOfClusters().
+enum class ClusterShape { AxisBox, OrientedBox, Hull, Compound, Bricks, Auto };
 enum class PieceKind { None, ComponentBox, GridBoxes, Surface };
 enum class SolverKind { SoftStep, Bullet };
 enum class EffectSwitch { Off, On, Auto };
 enum class LiveIslandPolicy { Released, Held };
+/// Who moves live structure that has come loose: the FE result to its end, the engine from its first touch, or at once.
+enum class LooseStructurePolicy { Fe, Touch, AtOnce };
 
 /// The optional physics of a scene, in the order in which it is listed everywhere.
 enum class EffectKind : std::uint8_t { Ground, Terrain, StructureContact, FragmentContact, Water, AirDrag, Ties, BreakUp };
@@ -73,7 +76,7 @@ struct SimulationSettings {
     std::optional<double> stepRate;  ///< steps per second at least; unset: by the size of the bodies
     int substeps = 4;                ///< of a step, soft-step solver
     int iterations = 10;             ///< solver iterations per step, Bullet's solver
-    ClusterShape shape = ClusterShape::OrientedBox;
+    ClusterShape shape = ClusterShape::Auto;
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;
     double pieceSize = 4.0;             ///< m, cells of the grid boxes
@@ -115,6 +118,7 @@ struct EffectSettings {
     double tieElongation = 0.15;       ///< of the length of the tie, at which it breaks
     double breakUpSpeed = 6.0;         ///< m/s, impulse per mass above which a cluster of stone or masonry breaks up
     LiveIslandPolicy islands = LiveIslandPolicy::Released;
+    LooseStructurePolicy loose = LooseStructurePolicy::Fe;
     friend bool operator==(const EffectSettings&, const EffectSettings&) = default;
 };
 
@@ -132,5 +136,13 @@ struct Scenario {
 
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
+
+/// The collision shape that clusters take, settled where it is left to the program.
+inline ClusterShape shapeOfClusters(const Scenario& scenario) {
+    if (scenario.simulation.shape != ClusterShape::Auto) {
+        return scenario.simulation.shape;
+    }
+    return scenario.effects.loose == LooseStructurePolicy::Fe ? ClusterShape::OrientedBox : ClusterShape::Bricks;
+}
 
 }  // namespace rubble

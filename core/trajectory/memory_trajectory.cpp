@@ -12,7 +12,8 @@ struct MemoryTrajectory::Store {
     std::vector<Carrier> carriers;
     std::vector<LedgerRow> ledger;
     std::vector<IslandRecord> islands;
-    LedgerRow islandLedger;
+    std::vector<LedgerRow> islandLedger;
+    std::vector<IslandLoss> islandLosses;
     bool complete = false;
 
     void keep(Archive& archive) {
@@ -24,7 +25,7 @@ struct MemoryTrajectory::Store {
                 frames.push_back(std::make_shared<const TrajectoryFrame>(std::move(frame)));
             }
         }
-        archive(bodies, carriers, ledger, islands, islandLedger);
+        archive(bodies, carriers, ledger, islands, islandLedger, islandLosses);
     }
 };
 
@@ -38,7 +39,8 @@ void MemoryTrajectory::begin(const RunDescription&) {
     m_store->carriers.clear();
     m_store->ledger.clear();
     m_store->islands.clear();
-    m_store->islandLedger = {};
+    m_store->islandLedger.clear();
+    m_store->islandLosses.clear();
     m_store->complete = false;
 }
 
@@ -51,8 +53,13 @@ void MemoryTrajectory::addBodies(std::span<const BodyRecord> bodies, std::span<c
 
 void MemoryTrajectory::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
     const std::scoped_lock lock(m_store->mutex);
-    m_store->islands.assign(islands.begin(), islands.end());
-    m_store->islandLedger = ledger;
+    m_store->islands.insert(m_store->islands.end(), islands.begin(), islands.end());
+    m_store->islandLedger.push_back(ledger);
+}
+
+void MemoryTrajectory::addIslandLoss(const IslandLoss& loss) {
+    const std::scoped_lock lock(m_store->mutex);
+    m_store->islandLosses.push_back(loss);
 }
 
 void MemoryTrajectory::commit(const TrajectoryFrame& frame) {
@@ -135,9 +142,14 @@ std::vector<LedgerRow> MemoryTrajectory::ledger() const {
     return m_store->ledger;
 }
 
-LedgerRow MemoryTrajectory::islandLedger() const {
+std::vector<LedgerRow> MemoryTrajectory::islandLedger() const {
     const std::scoped_lock lock(m_store->mutex);
     return m_store->islandLedger;
+}
+
+std::vector<IslandLoss> MemoryTrajectory::islandLosses() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->islandLosses;
 }
 
 }  // namespace rubble

@@ -10,11 +10,11 @@ inline void keep(Archive& archive, Momenta& of) {
 }
 
 inline void keep(Archive& archive, BodyRecord& of) {
-    archive(of.body, of.cluster, of.from, of.to, of.mass, of.atBirth);
+    archive(of.body, of.cluster, of.from, of.to, of.mass, of.atBirth, of.inFe, of.part);
 }
 
 inline void keep(Archive& archive, IslandRecord& of) {
-    archive(of.body, of.elements);
+    archive(of.body, of.state, of.inFe, of.elements);
 }
 
 inline void keep(Archive& archive, Carrier& of) {
@@ -28,6 +28,10 @@ inline void keep(Archive& archive, TrajectoryFrame& of) {
 inline void keep(Archive& archive, LedgerRow& of) {
     archive(of.time, of.state, of.fe, of.fragments, of.clusters, of.bodies, of.droppedKineticEnergy, of.all, of.potentialEnergy,
             of.pieceWork, of.overlapWork);
+}
+
+inline void keep(Archive& archive, IslandLoss& of) {
+    archive(of.time, of.state, of.before, of.born, of.left);
 }
 
 }  // namespace rubble

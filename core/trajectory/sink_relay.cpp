@@ -22,6 +22,12 @@ void SinkRelay::addIslands(std::span<const IslandRecord> islands, const LedgerRo
     }
 }
 
+void SinkRelay::addIslandLoss(const IslandLoss& loss) {
+    if (m_next != nullptr) {
+        m_next->addIslandLoss(loss);
+    }
+}
+
 void SinkRelay::commit(const TrajectoryFrame& frame) {
     if (m_next != nullptr) {
         m_next->commit(frame);

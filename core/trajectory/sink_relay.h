@@ -16,6 +16,7 @@ public:
     void begin(const RunDescription& description) override;
     void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
     void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
+    void addIslandLoss(const IslandLoss& loss) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void addBreaches(const std::vector<HealthBreach>& breaches) override;

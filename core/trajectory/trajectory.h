@@ -33,19 +33,26 @@ inline constexpr ClusterId noCluster = idAt<ClusterId>(0xffffffffu);
 /// A rigid body as it entered the engine.
 struct BodyRecord {
     BodyId body{};
-    ClusterId cluster{};                                  ///< noCluster for a released island
+    ClusterId cluster{};                                  ///< noCluster for an island
     double from = 0.0;                                    ///< s, hand-over
     double to = std::numeric_limits<double>::infinity();  ///< s, when it left again
     double mass = 0.0;                                    ///< kg
     Pose atBirth;                                         ///< centre of mass and axes at `from`
+    Pose inFe;          ///< the same among the places of the FE result then; not in files, readers have it by carriers and islands
+    bool part = false;  ///< it carries only some fragments of its cluster, for islands had moved the others elsewhere; not in files
 
     bool isIsland() const { return cluster == noCluster; }
 };
 
-/// The live elements that a released island is made of. A node of theirs that lay at p at the last FE state lies at
-/// body pose * (atBirth^-1 * p) from then on.
+/// In place of an FE state: the last one, whatever its number.
+inline constexpr std::uint32_t atLastState = 0xffffffffu;
+
+/// The live elements that an island is made of, for as long as its body is there. A node of theirs that lay at p at an FE state
+/// lies at body pose * (inFe^-1 * p). What is left of an island that lost elements is another record with the same state.
 struct IslandRecord {
     BodyId body{};
+    std::uint32_t state = 0;             ///< FE state at which the engine took it over, or atLastState
+    Pose inFe;                           ///< of the body's frame, among the places of that state
     std::vector<ElementIndex> elements;  ///< ascending
 };
 
@@ -101,19 +108,30 @@ struct RunDescription {
 struct SimulationResult;
 struct HealthBreach;
 
+/// What islands lost at one FE state: elements that died, or the parts they fell into.
+struct IslandLoss {
+    double time = 0.0;  ///< s
+    std::uint32_t state = 0;
+    Momenta before;  ///< of the islands that lost something
+    Momenta born;    ///< of the bodies of fragments that were born from them
+    Momenta left;    ///< of the islands that are left
+};
+
 /// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit, addLedger and
-/// addBreaches and at most one addIslands right after the addBodies of its bodies, then finish (not after a cancel or an error).
-/// What was committed stays readable whatever happens next. A run that goes on from a checkpoint calls resume in place of begin.
+/// addBreaches, addIslands and addIslandLoss right after the addBodies of their bodies, then finish (not after a cancel or an
+/// error). What was committed stays readable whatever happens next. A run that goes on from a checkpoint calls resume in place of
+/// begin.
 class TrajectorySink {
 public:
     virtual ~TrajectorySink() = default;
     virtual void begin(const RunDescription& description) = 0;
     virtual void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) = 0;
-    /// Islands of live structure were released, as bodies that were added just before.
-    /// @param ledger  of all of them: `fe` by quadrature, `fragments` as rigid elements, `clusters` as the islands, `bodies` as
-    /// read
-    ///                back; they are in no row of addLedger but in its `all`
+    /// Islands of live structure are carried by bodies that were added just before.
+    /// @param ledger  of those that the FE result handed over: `fe` by quadrature, `fragments` as rigid elements, `clusters` as the
+    ///                islands, `bodies` as read back; they are in no row of addLedger but in its `all`. All zero where every one is
+    ///                what was left of another
     virtual void addIslands(std::span<const IslandRecord> /*islands*/, const LedgerRow& /*ledger*/) {}
+    virtual void addIslandLoss(const IslandLoss& /*loss*/) {}
     virtual void commit(const TrajectoryFrame& frame) = 0;
     virtual void addLedger(const LedgerRow& row) = 0;
     /// Breaches of health that have begun, or have grown longer or worse: one with the same check and beginning takes the place of
@@ -138,7 +156,7 @@ public:
     virtual std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const = 0;
     virtual std::vector<BodyRecord> bodies() const = 0;               ///< those that entered up to now
     virtual std::vector<Carrier> carriers() const = 0;                ///< in the order in which they were added
-    virtual std::vector<IslandRecord> islands() const { return {}; }  ///< released up to now
+    virtual std::vector<IslandRecord> islands() const { return {}; }  ///< up to now, in the order in which they were added
     virtual bool complete() const = 0;                                ///< finish() was called
 
     /// Index of the last frame at or before a time; 0 if there is none.
@@ -163,6 +181,7 @@ public:
     void begin(const RunDescription& description) override;
     void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
     void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
+    void addIslandLoss(const IslandLoss& loss) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void finish(const SimulationResult& result) override;
@@ -177,7 +196,8 @@ public:
     std::vector<IslandRecord> islands() const override;
     bool complete() const override;
     std::vector<LedgerRow> ledger() const;
-    LedgerRow islandLedger() const;
+    std::vector<LedgerRow> islandLedger() const;
+    std::vector<IslandLoss> islandLosses() const;
 
 private:
     struct Store;

@@ -138,7 +138,7 @@ void writeInstants(const RunGrids& grids, const fs::path& folder, const std::str
         // The structure stands still after the last state: one file serves all these instants.
         if (!lastStructure || lastStructure->first != instant.state) {
             lastStructure = {instant.state, numberedName("structure", instant.state)};
-            writeText(folder / lastStructure->second, gridText(grids.structure(instant.state, places), grids));
+            writeText(folder / lastStructure->second, gridText(grids.structure(instant, places), grids));
         }
         add(0, fragments);
         add(1, lastStructure->second);

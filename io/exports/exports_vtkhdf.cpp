@@ -266,7 +266,7 @@ void exportVtkHdf(const std::string& path, const RunReader& run, const FeResult&
             const std::vector<FragmentPlaces::Place> places = grids.places(instant);
             const CellGrid fragments = grids.fragments(places);
             if (!structure || structure->first != instant.state) {
-                structure = {instant.state, grids.structure(instant.state, places)};
+                structure = {instant.state, grids.structure(instant, places)};
             }
             const std::optional<CellGrid> released =
                 grids.hasReleased(instant) ? std::optional(grids.released(instant)) : std::nullopt;

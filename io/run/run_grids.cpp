@@ -115,24 +115,30 @@ CellGrid RunGrids::fragments(const std::vector<FragmentPlaces::Place>& shown) co
     return grid;
 }
 
-CellGrid RunGrids::structure(std::size_t state, const std::vector<FragmentPlaces::Place>& shown) const {
+std::vector<CarriedIsland> RunGrids::carriedAt(double time) const {
+    if (m_islands.empty() || m_run.frameCount() == 0) {
+        return {};
+    }
+    return carriedIslands(m_islands, m_bodies, frameAtTime(m_run, time));
+}
+
+CellGrid RunGrids::structure(const RunInstant& instant, const std::vector<FragmentPlaces::Place>& shown) const {
     const Mesh& mesh = m_fe.mesh();
     std::vector<bool> left(mesh.elementCount(), false);
     for (const FragmentPlaces::Place& place : shown) {
         left[at(m_places.fragments().list[at(place.fragment)].element)] = true;
     }
-    // Loose parts of it leave with the last state.
-    for (std::size_t i = 0; state + 1 == m_fe.stateCount() && i < m_islands.size(); ++i) {
-        for (const ElementIndex e : m_islands[i].elements) {
+    for (const CarriedIsland& island : carriedAt(instant.time)) {
+        for (const ElementIndex e : island.elements) {
             left[at(e)] = true;
         }
     }
-    const std::shared_ptr<const FeState> positions = m_fe.state(state);
+    const std::shared_ptr<const FeState> positions = m_fe.state(instant.state);
     CellGrid grid;
     NodePoints nodes(grid, mesh.nodeCount());
     for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
         const ElementIndex element = idAt<ElementIndex>(e);
-        if (left[e] || !m_fe.activity().active(state, element)) {
+        if (left[e] || !m_fe.activity().active(instant.state, element)) {
             continue;
         }
         for (const std::uint32_t node : mesh.cornersOf(element)) {
@@ -144,27 +150,22 @@ CellGrid RunGrids::structure(std::size_t state, const std::vector<FragmentPlaces
 }
 
 bool RunGrids::hasReleased(const RunInstant& instant) const {
-    return !m_islands.empty() && instant.state + 1 == m_fe.stateCount();
+    return std::ranges::any_of(m_islands, [&](const IslandRecord& island) {
+        const BodyRecord& body = m_bodies[at(island.body)];
+        return body.from <= instant.time && instant.time < body.to;
+    });
 }
 
-// The released islands where their bodies are.
+// The islands where their bodies are. No two share a node.
 CellGrid RunGrids::released(const RunInstant& instant) const {
     const Mesh& mesh = m_fe.mesh();
-    const TrajectoryFrame frame = frameAtTime(m_run, instant.time);
-    const std::shared_ptr<const FeState> positions = m_fe.state(m_fe.stateCount() - 1);
     CellGrid grid;
     NodePoints nodes(grid, mesh.nodeCount());
-    for (const IslandRecord& island : m_islands) {
-        const std::size_t body = at(island.body);
-        if (body >= frame.bodies()) {
-            continue;
-        }
-        const Pose& birth = m_bodies[body].atBirth;
-        const Quat turn = frame.orientations[body].cast<double>().normalized() * birth.orientation.conjugate();
-        const Vec3 place = frame.positions[body].cast<double>();
+    for (const CarriedIsland& island : carriedAt(instant.time)) {
+        const auto then = m_fe.state(std::min<std::size_t>(island.state, m_fe.stateCount() - 1));
         for (const ElementIndex e : island.elements) {
             for (const std::uint32_t node : mesh.cornersOf(e)) {
-                nodes.addCorner(node, [&] { return m_site.toWorld(place + turn * (positions->positions[node] - birth.position)); });
+                nodes.addCorner(node, [&] { return m_site.toWorld(island.moved * then->positions[node]); });
             }
             addCell(grid, mesh.shapes[at(e)], mesh.elementIds[at(e)], m_componentOf[at(e)]);
         }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/accuracy/settled_world.h"
 #include "core/fe/fe_result.h"
 #include "io/run/fragment_places.h"
 #include "io/run/run_file.h"
@@ -50,13 +51,15 @@ public:
 
     std::vector<FragmentPlaces::Place> places(const RunInstant& instant) const { return m_places.at(instant.time); }
     CellGrid fragments(const std::vector<FragmentPlaces::Place>& shown) const;
-    /// Active structure of an FE state, without the elements of the fragments shown.
-    CellGrid structure(std::size_t state, const std::vector<FragmentPlaces::Place>& shown) const;
-    /// Live structure was released, and is a part of its own at this instant.
+    /// Active structure as the FE result has it, without the elements of the fragments shown and of islands that bodies carry.
+    CellGrid structure(const RunInstant& instant, const std::vector<FragmentPlaces::Place>& shown) const;
+    /// Bodies carry live structure at this instant, which is a part of its own.
     bool hasReleased(const RunInstant& instant) const;
     CellGrid released(const RunInstant& instant) const;
 
 private:
+    std::vector<CarriedIsland> carriedAt(double time) const;
+
     const RunReader& m_run;
     const FeResult& m_fe;
     FragmentPlaces m_places;
@@ -65,7 +68,7 @@ private:
     std::vector<ComponentId> m_componentOf;  ///< of each element
     std::vector<std::int64_t> m_elementIds;  ///< of each fragment
     std::shared_ptr<const Clustering> m_clustering;
-    std::vector<IslandRecord> m_islands;  ///< released when the FE result ends
+    std::vector<IslandRecord> m_islands;
     std::vector<BodyRecord> m_bodies;
 };
 

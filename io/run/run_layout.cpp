@@ -48,6 +48,8 @@ std::array<RunDatasetLayout, runDatasetCount> makeLayouts() {
         {D::IslandElements, "/islands/elements", 1, listChunk, 4, {"element"}},
         tableOf<LedgerRow>(D::IslandLedger, "/islands/ledger"),
         {D::Breaches, "/breaches", 1, textChunk, 1, {"json"}},
+        tableOf<IslandPlaceRow>(D::IslandPlaces, "/islands/places"),
+        tableOf<IslandLoss>(D::IslandLosses, "/islands/losses"),
     }};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/geometry.h"
 #include "io/base/hdf5_handle.h"
 
 namespace rubble::io {
@@ -38,16 +39,18 @@ enum class RunDataset {
     Description,     ///< JSON text: component names, sizing, findings; there once everything before the first step is
     Result,          ///< JSON text
     Digests,         ///< JSON text: row count and hash of every other dataset; there once the run is complete
-    Islands,         ///< released islands of live structure: body, and where its elements are; runs before these have none
+    Islands,         ///< islands of live structure: body, and where its elements are; runs before these have none
     IslandElements,  ///< indices of elements, island by island
-    IslandLedger,    ///< one row, of all released islands
+    IslandLedger,    ///< a row each time that islands came
     Breaches,        ///< JSON text, a line for each breach that began, or grew, while the run went on; runs before these have none
+    IslandPlaces,    ///< of each island; runs before these released all at the last state
+    IslandLosses,    ///< a row for each state at which islands lost elements
 };
-inline constexpr std::size_t runDatasetCount = 25;
+inline constexpr std::size_t runDatasetCount = 27;
 /// Files that were written before a dataset came up lack it, and read as if it were empty.
 constexpr bool mayBeMissing(RunDataset dataset) {
     return dataset == RunDataset::Islands || dataset == RunDataset::IslandElements || dataset == RunDataset::IslandLedger ||
-           dataset == RunDataset::Breaches;
+           dataset == RunDataset::Breaches || dataset == RunDataset::IslandPlaces || dataset == RunDataset::IslandLosses;
 }
 
 /// One of the lists that every frame adds as many rows to as it has bodies.
@@ -56,11 +59,17 @@ constexpr bool growsWithFrames(RunDataset dataset) {
            dataset == RunDataset::States;
 }
 
-/// A released island; its elements are a part of IslandElements.
+/// An island; its elements are a part of IslandElements.
 struct IslandRow {
     std::uint32_t body = 0;
     std::uint32_t firstElement = 0;
     std::uint32_t elementCount = 0;
+};
+
+/// The FE state whose places the elements of an island have, and its body's frame among them.
+struct IslandPlaceRow {
+    std::uint32_t state = 0;
+    Pose inFe;
 };
 
 /// One committed frame.

@@ -119,6 +119,27 @@ struct Members<IslandRow> {
 };
 
 template <>
+struct Members<IslandPlaceRow> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& i) {
+        visit("state", i.state);
+        visit("in_fe", i.inFe);
+    }
+};
+
+template <>
+struct Members<IslandLoss> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& l) {
+        visit("time", l.time);
+        visit("state", l.state);
+        visit("before", l.before);
+        visit("born", l.born);
+        visit("left", l.left);
+    }
+};
+
+template <>
 struct Members<Carrier> {
     template <class Visitor, class Value>
     static void each(Visitor& visit, Value& c) {

@@ -211,15 +211,21 @@ std::vector<Carrier> RunFileReader::carriers() const {
 
 std::vector<IslandRecord> RunFileReader::islands() const {
     const std::scoped_lock lock(m_mutex);
+    // What rows refer to is written before them, so they are read first.
+    const std::vector<IslandRow> rows = m_columns.table<IslandRow>(RunDataset::Islands);
+    const std::vector<IslandPlaceRow> places = m_columns.table<IslandPlaceRow>(RunDataset::IslandPlaces);
     const std::vector<ElementIndex> elements = m_columns.list<ElementIndex>(RunDataset::IslandElements);
-    const std::size_t bodyCount = m_columns.rows(RunDataset::Bodies);
+    takeNewBodies();
     std::vector<IslandRecord> islands;
-    for (const IslandRow& row : m_columns.table<IslandRow>(RunDataset::Islands)) {
-        if (row.body >= bodyCount || row.firstElement > elements.size() || row.elementCount > elements.size() - row.firstElement) {
+    for (const IslandRow& row : rows) {
+        if (row.body >= m_bodies.size() || row.firstElement > elements.size() ||
+            row.elementCount > elements.size() - row.firstElement) {
             m_columns.failContent(RunDataset::Islands, "it names a body or elements that do not exist");
         }
         const auto first = elements.begin() + row.firstElement;
-        islands.push_back({idAt<BodyId>(row.body), {first, first + row.elementCount}});
+        const std::size_t i = islands.size();
+        const IslandPlaceRow place = i < places.size() ? places[i] : IslandPlaceRow{atLastState, m_bodies[row.body].atBirth};
+        islands.push_back({idAt<BodyId>(row.body), place.state, place.inFe, {first, first + row.elementCount}});
     }
     return islands;
 }

@@ -144,6 +144,7 @@ public:
     void begin(const RunDescription& description) override;
     void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
     void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
+    void addIslandLoss(const IslandLoss& loss) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void addBreaches(const std::vector<HealthBreach>& breaches) override;
@@ -171,6 +172,7 @@ private:
     std::uint64_t m_rows = 0;         // of all committed frames
     std::uint64_t m_flushedRows = 0;  // of these, handed to the operating system
     std::size_t m_bodies = 0;
+    std::size_t m_islandElements = 0;  // of all islands so far
     double m_lastTime = -std::numeric_limits<double>::infinity();
     bool m_finished = false;
     std::chrono::steady_clock::time_point m_flushed = std::chrono::steady_clock::now();
@@ -269,17 +271,26 @@ void RunWriter::addBodies(std::span<const BodyRecord> bodies, std::span<const Ca
 
 void RunWriter::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
     std::vector<IslandRow> rows;
+    std::vector<IslandPlaceRow> places;
     std::vector<ElementIndex> elements;
     for (const IslandRecord& island : islands) {
-        rows.push_back({static_cast<std::uint32_t>(island.body), static_cast<std::uint32_t>(elements.size()),
+        rows.push_back({static_cast<std::uint32_t>(island.body), static_cast<std::uint32_t>(m_islandElements + elements.size()),
                         static_cast<std::uint32_t>(island.elements.size())});
+        places.push_back({island.state, island.inFe});
         elements.insert(elements.end(), island.elements.begin(), island.elements.end());
     }
-    m_jobs.add(0, [this, rows = std::move(rows), elements = std::move(elements), ledger] {
+    m_islandElements += elements.size();
+    const std::size_t bytes = elements.size() * sizeof(ElementIndex);
+    m_jobs.add(bytes, [this, rows = std::move(rows), places = std::move(places), elements = std::move(elements), ledger] {
         writeList<ElementIndex>(RunDataset::IslandElements, elements);
+        writeTable<IslandPlaceRow>(RunDataset::IslandPlaces, places);
         writeTable<IslandRow>(RunDataset::Islands, rows);
         writeTable<LedgerRow>(RunDataset::IslandLedger, std::span(&ledger, 1));
     });
+}
+
+void RunWriter::addIslandLoss(const IslandLoss& loss) {
+    m_jobs.add(0, [this, loss] { writeTable<IslandLoss>(RunDataset::IslandLosses, std::span(&loss, 1)); });
 }
 
 void RunWriter::commit(const TrajectoryFrame& frame) {
@@ -308,9 +319,10 @@ void RunWriter::writeFrame(const TrajectoryFrame& frame) {
 
 void RunWriter::flushFrames() {
     // The index goes last: whoever finds a row in it finds the frame as well.
-    for (const RunDataset dataset : {RunDataset::Bodies, RunDataset::Carriers, RunDataset::IslandElements, RunDataset::Islands,
-                                     RunDataset::IslandLedger, RunDataset::Ledger, RunDataset::Breaches, RunDataset::Positions,
-                                     RunDataset::Orientations, RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
+    for (const RunDataset dataset :
+         {RunDataset::Bodies, RunDataset::Carriers, RunDataset::IslandElements, RunDataset::IslandPlaces, RunDataset::Islands,
+          RunDataset::IslandLedger, RunDataset::IslandLosses, RunDataset::Ledger, RunDataset::Breaches, RunDataset::Positions,
+          RunDataset::Orientations, RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
         m_store->flush(dataset);
     }
     m_flushed = std::chrono::steady_clock::now();
@@ -357,7 +369,7 @@ void RunWriter::dropInterrupted() {
 
 /// How far the run is, beside its datasets.
 void RunWriter::keepMark(Archive& archive) {
-    archive(m_rows, m_bodies, m_lastTime);
+    archive(m_rows, m_bodies, m_islandElements, m_lastTime);
 }
 
 std::optional<std::string> RunWriter::mark() {
@@ -392,7 +404,7 @@ bool RunWriter::resume(const RunDescription&, std::string_view mark) {
     if (!taken) {
         m_store.reset();
         m_store.emplace(m_path, m_origin);
-        m_rows = m_bodies = 0;
+        m_rows = m_bodies = m_islandElements = 0;
         m_lastTime = -std::numeric_limits<double>::infinity();
         return false;
     }

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;
 
 json islandsJson(const WorldOrigin& origin, const SettledWorld& settled) {
     json list = json::array();
@@ -28,6 +28,7 @@ json islandsJson(const WorldOrigin& origin, const SettledWorld& settled) {
         const Quat& turn = island.moved.orientation;
         list.push_back({{"position", jsonVector(island.moved.position)},
                         {"turn", {jsonNumber(turn.w()), jsonNumber(turn.x()), jsonNumber(turn.y()), jsonNumber(turn.z())}},
+                        {"state", island.state},
                         {"elements", std::move(elements)}});
     }
     return {{"version", formatVersion},
@@ -50,6 +51,11 @@ std::vector<CarriedIsland> islandsFrom(const JsonCursor& cursor, const WorldOrig
             each["turn"].fail("four numbers");
         }
         island.moved.orientation = Quat(turn[0].number(), turn[1].number(), turn[2].number(), turn[3].number());
+        const std::int64_t state = each["state"].integer();
+        if (state < 0 || state > 0xffffffff) {
+            each["state"].fail("the index of a state");
+        }
+        island.state = static_cast<std::uint32_t>(state);
         for (const JsonCursor& element : each["elements"].elements()) {
             const std::int64_t index = element.integer();
             if (index < 0 || index > 0xffffffff) {

@@ -105,6 +105,8 @@ std::vector<AccuracySetting> sweepSettings(const Scenario& scenario, std::span<c
 Scenario referenceScenario(const Scenario& scenario) {
     Scenario reference = scenario;
     applyPreset(reference, "reference");
+    // Who moves loose structure is part of the scene: an error of clusters says nothing of it.
+    reference.effects.loose = scenario.effects.loose;
     // The grid is not read with a body per fragment: whatever is set there, the reference is the same one.
     const GridSettings defaults;
     reference.grid.multiple = defaults.multiple;

@@ -61,7 +61,7 @@ public:
         m_newCarriers.insert(m_newCarriers.end(), carriers.begin(), carriers.end());
     }
     void addIslands(std::span<const IslandRecord> islands, const LedgerRow&) override {
-        m_newIslands.assign(islands.begin(), islands.end());
+        m_newIslands.insert(m_newIslands.end(), islands.begin(), islands.end());
     }
     void commit(const TrajectoryFrame& frame) override {
         if (!m_grid.isNext(frame.time)) {

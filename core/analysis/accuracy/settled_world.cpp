@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <unordered_map>
 
 #include "core/analysis/accuracy/machine_load.h"
 #include "core/base/elapsed.h"
@@ -13,7 +14,7 @@ namespace rubble {
 
 namespace {
 
-/// Notes the released islands and where they are in the last frame, and hands everything on.
+/// Notes the islands and the last frame, and hands everything on.
 class IslandRecorder : public SinkRelay {
 public:
     using SinkRelay::SinkRelay;
@@ -29,40 +30,45 @@ public:
     }
     void commit(const TrajectoryFrame& frame) override {
         if (!m_islands.empty()) {
-            carried = carriedIslands(m_islands, m_bodies, frame);
+            m_last = frame;
         }
         SinkRelay::commit(frame);
     }
-
-    std::vector<CarriedIsland> carried;
+    /// In the last frame.
+    std::vector<CarriedIsland> carried() const { return carriedIslands(m_islands, m_bodies, m_last); }
 
 private:
-    void keep(Archive& archive) override { archive(m_bodies, m_islands, carried); }
+    void keep(Archive& archive) override { archive(m_bodies, m_islands, m_last); }
 
     std::vector<BodyRecord> m_bodies;
     std::vector<IslandRecord> m_islands;
+    TrajectoryFrame m_last;
 };
 
 }  // namespace
 
 std::vector<CarriedIsland> carriedIslands(std::span<const IslandRecord> islands, std::span<const BodyRecord> bodies,
                                           const TrajectoryFrame& frame) {
+    std::unordered_map<std::size_t, const BodyRecord*> there;
+    for (const BodyRecord& body : bodies) {
+        if (body.isIsland() && at(body.body) < frame.bodies() && body.from <= frame.time && frame.time < body.to) {
+            there.emplace(at(body.body), &body);
+        }
+    }
     std::vector<CarriedIsland> carried;
     for (const IslandRecord& island : islands) {
         const std::size_t b = at(island.body);
-        const auto record =
-            std::find_if(bodies.begin(), bodies.end(), [&](const BodyRecord& body) { return body.body == island.body; });
-        if (b >= frame.bodies() || record == bodies.end()) {
-            continue;
+        if (there.contains(b)) {
+            const Quat turn = frame.orientations[b].cast<double>().normalized() * island.inFe.orientation.conjugate();
+            carried.push_back(
+                {island.elements, island.state, {frame.positions[b].cast<double>() - turn * island.inFe.position, turn}});
         }
-        const Quat turn = frame.orientations[b].cast<double>().normalized() * record->atBirth.orientation.conjugate();
-        carried.push_back({island.elements, {frame.positions[b].cast<double>() - turn * record->atBirth.position, turn}});
     }
     return carried;
 }
 
 void CarriedIsland::keep(Archive& archive) {
-    archive(elements, moved);
+    archive(elements, state, moved);
 }
 
 SettledWorld simulateSettled(const RunDescription& description, const Execution& execution, CheckpointStore* checkpoints) {
@@ -84,7 +90,7 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     world.atRest = recorder.debris(DebrisInstant::AtRest);
     world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);
     world.checkpoints = result.checkpoints;
-    settled.islands = std::move(islands.carried);
+    settled.islands = islands.carried();
     return settled;
 }
 

@@ -10,15 +10,17 @@ namespace rubble {
 
 class Archive;
 
-/// Live elements of a released island and how they were carried since the last FE state.
+/// Live elements of an island and how they were carried since the engine took them over.
 struct CarriedIsland {
     std::vector<ElementIndex> elements;  ///< ascending
-    Pose moved;                          ///< a point that lay at p at the last FE state lies at moved * p
+    std::uint32_t state = atLastState;   ///< FE state at which it did
+    Pose moved;                          ///< a point that lay at p at that state lies at moved * p
 
     void keep(Archive& archive);
 };
 
-/// Where the islands of a run are in one of its frames, those that have bodies there.
+/// Where the islands of a run are in one of its frames: those that bodies carry then.
+/// @param bodies  of the islands at least, in any order
 std::vector<CarriedIsland> carriedIslands(std::span<const IslandRecord> islands, std::span<const BodyRecord> bodies,
                                           const TrajectoryFrame& frame);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/engine/world/bricks.h"
 #include "core/engine/world/tight_box.h"
 
 namespace rubble {
@@ -105,6 +106,20 @@ std::vector<Vec3> hullVertices(std::span<const Vec3> points, double shrink) {
 
 }  // namespace
 
+OrientedBox boxIn(const Pose& frame, OrientedBox box) {
+    box.centre = frame.orientation.conjugate() * (box.centre - frame.position);
+    box.orientation = frame.orientation.conjugate() * box.orientation;
+    return box;
+}
+
+CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings) {
+    CollisionShape parts;
+    for (const OrientedBox& box : joinedBricks(bricks, {})) {
+        parts.push_back(boxPart(box, settings));
+    }
+    return parts;
+}
+
 BodyFrame bodyFrame(const Cluster& cluster) {
     return bodyFrame(cluster.centre, cluster.inertia);
 }
@@ -140,12 +155,16 @@ CollisionShape clusterShape(const FragmentSet& fragments, std::span<const Fragme
     if (kind == ClusterShape::Compound || (kind == ClusterShape::OrientedBox && members.size() == 1)) {
         CollisionShape parts;
         for (const FragmentId f : members) {
-            OrientedBox box = fragments.list[at(f)].box;
-            box.centre = frame.orientation.conjugate() * (box.centre - frame.position);
-            box.orientation = frame.orientation.conjugate() * box.orientation;
-            parts.push_back(boxPart(box, settings));
+            parts.push_back(boxPart(boxIn(frame, fragments.list[at(f)].box), settings));
         }
         return parts;
+    }
+    if (kind == ClusterShape::Bricks) {
+        std::vector<OrientedBox> bricks;
+        for (const FragmentId f : members) {
+            bricks.push_back(boxIn(frame, brickOf(fragments.solid[at(f)], fragments.verticesOf(f))));
+        }
+        return bricksShape(bricks, settings);
     }
     const std::vector<Vec3> points = verticesIn(fragments, members, frame);
     if (kind == ClusterShape::AxisBox) {

@@ -20,6 +20,13 @@ BodyFrame bodyFrame(const Cluster& cluster);
 /// @param inertia  kg m2 about the centre, world axes; all finite
 BodyFrame bodyFrame(const Vec3& centre, const Mat3& inertia);
 
+/// A box in world axes, as it lies in a frame.
+OrientedBox boxIn(const Pose& frame, OrientedBox box);
+
+/// Bricks (bricks.h), joined, as the parts of a collision shape.
+/// @param settings  least half extents
+CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings);
+
 /// Collision shape of a cluster in the frame of its body.
 /// @param boxBulking  a box is drawn in until it holds at most this many times its fragments' boxes (SimulationSettings)
 /// @param settings  least half extents, for flat and needle-like clusters

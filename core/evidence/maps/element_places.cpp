@@ -6,26 +6,29 @@ namespace rubble {
 
 namespace {
 
-/// Where the released islands are at a time; none before the last FE state.
-std::vector<CarriedIsland> islandsAt(const FeResult& fe, const TrajectoryReader& trajectory, double time) {
-    if (!(time > fe.times().back())) {
+std::vector<CarriedIsland> islandsAt(const TrajectoryReader& trajectory, double time) {
+    const std::vector<IslandRecord> islands = trajectory.islands();
+    if (islands.empty() || trajectory.frameCount() == 0) {
         return {};
     }
-    const std::vector<BodyRecord> bodies = trajectory.bodies();
-    return carriedIslands(trajectory.islands(), bodies, frameAtTime(trajectory, time));
+    return carriedIslands(islands, trajectory.bodies(), frameAtTime(trajectory, time));
 }
 
 }  // namespace
 
 ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, const TrajectoryReader& trajectory, double time)
-    : ElementPlaces(fe, activity, islandsAt(fe, trajectory, time), time) {}
+    : ElementPlaces(fe, activity, islandsAt(trajectory, time), time) {}
 
 ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, std::span<const CarriedIsland> islands, double time)
-    : m_activity(activity), m_carried(fe.mesh().elementCount()) {
+    : m_activity(activity), m_carried(fe.mesh().elementCount(), -1), m_mesh(fe.mesh()) {
     for (const CarriedIsland& island : islands) {
+        const auto then = fe.state(std::min<std::size_t>(island.state, fe.stateCount() - 1));
         for (const ElementIndex e : island.elements) {
             if (at(e) < m_carried.size()) {
-                m_carried[at(e)] = island.moved;
+                m_carried[at(e)] = static_cast<std::int32_t>(m_corners.size());
+                for (const std::uint32_t node : m_mesh.cornersOf(e)) {
+                    m_corners.push_back(island.moved * then->positions[node]);
+                }
             }
         }
     }
@@ -40,12 +43,17 @@ ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, std::
 }
 
 Vec3 ElementPlaces::place(ElementIndex e, std::uint32_t node) const {
+    if (m_carried[at(e)] >= 0) {
+        const auto corners = m_mesh.cornersOf(e);
+        const auto corner = std::ranges::find(corners, node) - corners.begin();
+        return m_corners[static_cast<std::size_t>(m_carried[at(e)] + corner)];
+    }
     Vec3 place = m_now->positions[node];
     // What dies on the way has no place after.
     if (m_next && m_activity.active(m_state + 1, e)) {
         place += m_share * (m_next->positions[node] - place);
     }
-    return m_carried[at(e)] ? *m_carried[at(e)] * place : place;
+    return place;
 }
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,8 +13,8 @@
 
 namespace rubble {
 
-/// Where the corners of live elements are at one instant: interpolated between two FE states for elements alive at both; after the
-/// last one, elements of released islands are where their bodies are and all others stay.
+/// Where the corners of live elements are at one instant: those of islands that bodies carry are where their bodies are; others are
+/// interpolated between two FE states where alive at both, and stay after the last one.
 class ElementPlaces {
 public:
     /// @param activity  as the policy sees it; must outlive this
@@ -32,7 +32,9 @@ private:
     double m_share = 0.0;
     std::shared_ptr<const FeState> m_now;
     std::shared_ptr<const FeState> m_next;
-    std::vector<std::optional<Pose>> m_carried;  ///< [elements], of released islands since the last FE state
+    std::vector<std::int32_t> m_carried;  ///< [elements], first corner in m_corners; -1: the FE result moves it
+    std::vector<Vec3> m_corners;          ///< m, of carried elements, in the order of their nodes
+    const Mesh& m_mesh;
 };
 
 }  // namespace rubble

@@ -1,5 +1,8 @@
 #include "core/simulation/bodies/hand_over.h"
 
+#include <map>
+
+#include "core/clusters/rigid_motion.h"
 #include "core/engine/world/body_shapes.h"
 
 namespace rubble {
@@ -43,11 +46,11 @@ void fillOut(NewBody& body) {
 }
 
 /// Nothing if it is none that the engine can take.
-std::optional<NewBody> soundBody(const RunDescription& description, const Cluster& cluster, std::span<const FragmentId> members) {
-    if (!cluster.inertia.allFinite()) {
-        return std::nullopt;
-    }
-    const BodyFrame frame = bodyFrame(cluster);
+/// @param shapes      solids of the members; @param inShapes  their ids there
+/// @param shapeFrame  where the body's frame lies among them
+std::optional<NewBody> soundBody(const RunDescription& description, const Cluster& cluster, const BodyFrame& frame,
+                                 std::span<const FragmentId> members, const FragmentSet& shapes,
+                                 std::span<const FragmentId> inShapes, const Pose& shapeFrame) {
     if (!sound(cluster, frame)) {
         return std::nullopt;
     }
@@ -58,13 +61,97 @@ std::optional<NewBody> soundBody(const RunDescription& description, const Cluste
     body.pose = frame.pose;
     body.velocity = cluster.velocity;
     body.angularVelocity = cluster.angularVelocity;
-    body.shape = clusterShape(*description.fragments, members, frame.pose, scenario.simulation.shape,
-                              scenario.simulation.boxBulking, scenario.fragments);
+    body.shape =
+        clusterShape(shapes, inShapes, shapeFrame, shapeOfClusters(scenario), scenario.simulation.boxBulking, scenario.fragments);
     body.smallestSide = smallestSide(body.shape);
     fillOut(body);
     body.volume = volumeOf(description, members);
     body.material = description.components->list[at(cluster.component)].material;
     return sound(body.shape) ? std::optional(body) : std::nullopt;
+}
+
+std::optional<NewBody> soundBody(const RunDescription& description, const Cluster& cluster, std::span<const FragmentId> members) {
+    if (!cluster.inertia.allFinite()) {
+        return std::nullopt;
+    }
+    const BodyFrame frame = bodyFrame(cluster);
+    return soundBody(description, cluster, frame, members, *description.fragments, members, frame.pose);
+}
+
+MovingMass movingMass(const Fragment& f) {
+    return {f.mass, f.centre, f.inertia, f.velocity, f.angularVelocity};
+}
+
+/// Some members of a cluster as the FE result moves them.
+Cluster partOf(const RunDescription& description, ClusterId whole, std::span<const FragmentId> members) {
+    std::vector<MovingMass> masses;
+    std::vector<std::uint32_t> all;
+    for (const FragmentId f : members) {
+        all.push_back(static_cast<std::uint32_t>(masses.size()));
+        masses.push_back(movingMass(description.fragments->list[at(f)]));
+    }
+    const MovingMass joined = joinRigidly(masses, all);
+    Cluster part = description.clustering->list[at(whole)];
+    part.mass = joined.mass;
+    part.centre = joined.centre;
+    part.inertia = joined.inertia;
+    part.velocity = joined.velocity;
+    part.angularVelocity = joined.angularVelocity;
+    return part;
+}
+
+/// A cluster, or what one carrier has of it.
+struct Entry {
+    ClusterId cluster{};
+    std::optional<std::int32_t> carrier;
+    std::vector<FragmentId> members;
+    bool part = false;
+    std::optional<NewBody> body;
+    Pose inFe;  ///< where the body's frame lies among the places of the FE result
+};
+
+Momenta momentaOf(const Cluster& c) {
+    return rigidMomenta(c.mass, c.centre, c.inertia, c.velocity, c.angularVelocity);
+}
+
+void makeBody(Entry& entry, const RunDescription& description, const IslandBirths& islands, const RigidWorld& world) {
+    const Cluster& cluster = description.clustering->list[at(entry.cluster)];
+    if (!entry.carrier) {
+        entry.body = entry.part ? soundBody(description, partOf(description, entry.cluster, entry.members), entry.members)
+                                : bodyOf(description, entry.cluster);
+        if (entry.body) {
+            entry.inFe = entry.body->pose;
+        }
+        return;
+    }
+    std::optional<IslandBirth> born = islands.born(*entry.carrier, entry.members, cluster.handOverState, world);
+    if (!born) {
+        return;
+    }
+    born->cluster.component = cluster.component;
+    std::vector<FragmentId> inShapes;
+    for (std::size_t i = 0; i < entry.members.size(); ++i) {
+        inShapes.push_back(idAt<FragmentId>(i));
+    }
+    entry.body = soundBody(description, born->cluster, born->frame, entry.members, born->shapes, inShapes, born->shapeFrame);
+    entry.inFe = born->feFrame;
+}
+
+/// Those that the FE result moves first, for a world numbers its bodies as they come.
+std::vector<Entry> entriesOf(const RunDescription& description, std::size_t first, std::size_t last, const IslandBirths& islands) {
+    std::vector<Entry> fromFe, fromIslands;
+    for (std::size_t c = first; c < last; ++c) {
+        const ClusterId id = idAt<ClusterId>(c);
+        std::map<std::optional<std::int32_t>, std::vector<FragmentId>> parts;
+        for (const FragmentId fragment : description.clustering->membersOf(id)) {
+            parts[islands.carrierOf(description.fragments->list[at(fragment)].element)].push_back(fragment);
+        }
+        for (auto& [carrier, members] : parts) {
+            (carrier ? fromIslands : fromFe).push_back({id, carrier, std::move(members), parts.size() > 1, {}, {}});
+        }
+    }
+    std::ranges::move(fromIslands, std::back_inserter(fromFe));
+    return fromFe;
 }
 
 void refuse(const RunDescription& description, ClusterId cluster, Findings& findings) {
@@ -96,32 +183,35 @@ std::optional<NewBody> bodyOfFragment(const RunDescription& description, Fragmen
     return soundBody(description, alone, {&id, 1});
 }
 
-HandOver handOver(const RunDescription& description, std::size_t first, std::size_t last, RigidWorld& world, Findings& findings) {
-    std::vector<std::optional<NewBody>> bodies(last - first);
-    world.onThreads(bodies.size(), entryGrain, [&](std::size_t from, std::size_t to) {
+Births handOver(const RunDescription& description, std::size_t first, std::size_t last, const IslandBirths& islands,
+                RigidWorld& world, Findings& findings) {
+    std::vector<Entry> entries = entriesOf(description, first, last, islands);
+    world.onThreads(entries.size(), entryGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            bodies[i] = bodyOf(description, idAt<ClusterId>(first + i));
+            makeBody(entries[i], description, islands, world);
         }
     });
-    HandOver made;
-    for (std::size_t c = first; c < last; ++c) {
-        const ClusterId id = idAt<ClusterId>(c);
-        const std::optional<NewBody>& body = bodies[c - first];
-        if (!body) {
-            refuse(description, id, findings);
+    Births births;
+    for (const Entry& entry : entries) {
+        if (!entry.body) {
+            refuse(description, entry.cluster, findings);
             continue;
         }
-        const Cluster& cluster = description.clustering->list[c];
-        const BodyId entered = world.addBody(*body);
-        made.bodies.push_back({entered, id, cluster.handOverTime, cluster.endTime, cluster.mass, body->pose});
-        made.clusters.push_back(id);
-        const Quat inverse = body->pose.orientation.conjugate();
-        const Pose toBody{-(inverse * body->pose.position), inverse};
-        for (const FragmentId fragment : description.clustering->membersOf(id)) {
+        HandOver& made = entry.carrier ? births.fromIslands : births.fromFe;
+        const Cluster& cluster = description.clustering->list[at(entry.cluster)];
+        const BodyId entered = world.addBody(*entry.body);
+        made.bodies.push_back({entered, entry.cluster, cluster.handOverTime, cluster.endTime,
+                               entry.part || entry.carrier ? entry.body->mass : cluster.mass, entry.body->pose, entry.inFe,
+                               entry.part});
+        const Momenta together = entry.part || entry.carrier ? world.momenta(entered) : momentaOf(cluster);
+        made.clusters += together;
+        const Quat inverse = entry.inFe.orientation.conjugate();
+        const Pose toBody{-(inverse * entry.inFe.position), inverse};
+        for (const FragmentId fragment : entry.members) {
             made.carriers.push_back({fragment, entered, cluster.handOverTime, cluster.endTime, toBody});
         }
     }
-    return made;
+    return births;
 }
 
 }  // namespace rubble

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/engine/world/body_shapes.h"
+#include "core/engine/world/bricks.h"
 #include "core/engine/world/constants.h"
 #include "core/engine/world/tight_box.h"
 #include "core/fragments/solids.h"
@@ -22,13 +23,13 @@ constexpr double leastPieceHalfExtent = 0.005;
 constexpr std::size_t groupGrain = 4;
 
 /// Corners of an element's solid at rest: shells and beams with their section.
-void appendSolid(const Mesh& mesh, ElementIndex e, double section, std::vector<Vec3>& points) {
+ElementShape appendSolid(const Mesh& mesh, ElementIndex e, double section, std::vector<Vec3>& points) {
     const auto corners = mesh.cornersOf(e);
     if (isSolid(mesh.shapes[at(e)])) {
         for (const std::uint32_t node : corners) {
             points.push_back(mesh.nodes[node]);
         }
-        return;
+        return mesh.shapes[at(e)];
     }
     Corners positions = Corners::Zero();
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -38,6 +39,7 @@ void appendSolid(const Mesh& mesh, ElementIndex e, double section, std::vector<V
     for (int i = 0; i < cornerCount(solid.shape); ++i) {
         points.emplace_back(solid.positions.col(i));
     }
+    return solid.shape;
 }
 
 /// How far the farthest corner of a box goes from one pose to another, m.
@@ -75,9 +77,14 @@ std::optional<Pose> fittedMotion(const std::vector<std::uint32_t>& nodes, const 
 
 }  // namespace
 
-Pieces::Pieces(const FeResult& fe, const Components& components, const Activity& activity, const SimulationSettings& settings)
-    : m_fe(fe), m_components(components), m_activity(activity), m_kind(settings.pieces), m_leastHalfExtent(leastPieceHalfExtent) {
-    makeGroups(settings);
+Pieces::Pieces(const FeResult& fe, const Components& components, const Activity& activity, const Scenario& scenario)
+    : m_fe(fe),
+      m_components(components),
+      m_activity(activity),
+      m_kind(scenario.simulation.pieces),
+      m_bricks(m_kind == PieceKind::GridBoxes && shapeOfClusters(scenario) == ClusterShape::Bricks),
+      m_leastHalfExtent(leastPieceHalfExtent) {
+    makeGroups(scenario.simulation);
     if (m_kind == PieceKind::Surface) {
         findNeighbours();
     }
@@ -153,7 +160,7 @@ void Pieces::findNeighbours() {
 }
 
 bool Pieces::activeThrough(ElementIndex e, std::size_t k) const {
-    return m_activity.active(k, e) && m_activity.active(k + 1, e);
+    return m_activity.active(k, e) && m_activity.active(k + 1, e) && (m_gone.empty() || !m_gone[at(e)]);
 }
 
 bool Pieces::exposed(ElementIndex e, std::size_t k) const {
@@ -195,7 +202,27 @@ std::optional<Pose> Pieces::follow(const Group& group, const FeState& from, cons
     return motion;
 }
 
+CollisionShape Pieces::bricksOf(const Group& group) const {
+    std::vector<OrientedBox> bricks;
+    for (const ElementIndex e : group.members) {
+        std::vector<Vec3> points;
+        const ElementShape solid = appendSolid(m_fe.mesh(), e, m_components.section[at(e)], points);
+        bricks.push_back(brickOf(solid, points));
+    }
+    CollisionShape parts;
+    for (const OrientedBox& box : joinedBricks(bricks, {})) {
+        ConvexPart& part = parts.emplace_back();
+        part.box = box;
+        part.box.centre -= group.restCentre;
+        part.box.halfExtents = part.box.halfExtents.cwiseMax(m_leastHalfExtent);
+    }
+    return parts;
+}
+
 CollisionShape Pieces::shapeOf(const Group& group) const {
+    if (m_bricks) {
+        return bricksOf(group);
+    }
     std::vector<Vec3> points;
     for (const ElementIndex e : group.members) {
         appendSolid(m_fe.mesh(), e, m_components.section[at(e)], points);
@@ -314,6 +341,12 @@ void Pieces::standAt(RigidWorld& world, std::size_t k) {
 
 void Pieces::release(RigidWorld& world, const std::vector<bool>& gone, std::size_t k) {
     m_moving.clear();
+    if (m_gone.empty()) {
+        m_gone = gone;
+    }
+    for (std::size_t i = 0; i < gone.size(); ++i) {
+        m_gone[i] = m_gone[i] || gone[i];
+    }
     const std::shared_ptr<const FeState> state = m_fe.state(k);
     for (Group& group : m_groups) {
         if (std::erase_if(group.members, [&](ElementIndex e) { return gone[at(e)]; }) > 0) {
@@ -340,7 +373,7 @@ void Pieces::keep(Archive& archive) {
         }
         moving = &m_groups[index];
     }
-    archive(m_present);
+    archive(m_present, m_gone);
 }
 
 void Pieces::moveTo(RigidWorld& world, double share) {

@@ -20,7 +20,7 @@ namespace rubble {
 class Pieces {
 public:
     /// @param activity  under the revival policy; must outlive the pieces
-    Pieces(const FeResult& fe, const Components& components, const Activity& activity, const SimulationSettings& settings);
+    Pieces(const FeResult& fe, const Components& components, const Activity& activity, const Scenario& scenario);
 
     /// Sets up the interval from state k to k + 1: takes out what lost elements, puts in what is left of it, fits the motion.
     void beginInterval(RigidWorld& world, std::size_t k);
@@ -65,6 +65,7 @@ private:
     void replace(RigidWorld& world, Group& group, const std::optional<CollisionShape>& shape);
     void rebuild(RigidWorld& world, Group& group, const FeState& from);
     CollisionShape shapeOf(const Group& group) const;
+    CollisionShape bricksOf(const Group& group) const;
     /// Where the nodes at rest have gone.
     std::optional<Pose> fit(const Group& group, const FeState& state) const;
     /// Where the piece goes with its nodes in an interval. Following their motion, not their shape at rest, its corners move no
@@ -75,12 +76,14 @@ private:
     const Components& m_components;
     const Activity& m_activity;
     PieceKind m_kind;
+    bool m_bricks;  ///< grid boxes are made of joined bricks
     double m_leastHalfExtent;
     std::vector<Group> m_groups;
     std::vector<Group*> m_moving;
     std::vector<std::uint32_t> m_faceOffsets;  ///< first face of each element [elements + 1]; surface pieces only
     std::vector<std::int64_t> m_neighbour;     ///< element behind each face, -1 for none
     std::size_t m_present = 0;
+    std::vector<bool> m_gone;  ///< [elements] taken out for good; empty: none
 };
 
 }  // namespace rubble

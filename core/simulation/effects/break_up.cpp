@@ -81,17 +81,18 @@ std::vector<BodyRecord> BreakUp::brokenBy(const RigidWorld& world, double dt, st
 }
 
 std::optional<std::vector<FreedFragment>> freeFragments(const RunDescription& description, const BodyRecord& record,
-                                                        const BodyMotion& motion) {
-    const Quat turn = motion.pose.orientation * record.atBirth.orientation.conjugate();
+                                                        std::span<const Carrier> carried, const BodyMotion& motion) {
+    const Quat turn = motion.pose.orientation * record.inFe.orientation.conjugate();
     std::vector<FreedFragment> freed;
-    for (const FragmentId f : description.clustering->membersOf(record.cluster)) {
+    for (const Carrier& carrier : carried) {
+        const FragmentId f = carrier.fragment;
         std::optional<NewBody> body = bodyOfFragment(description, f);
         if (!body) {
             return std::nullopt;
         }
         const Pose atHandOver = body->pose;
         const Quat inverse = atHandOver.orientation.conjugate();
-        body->pose.position = motion.pose.position + turn * (atHandOver.position - record.atBirth.position);
+        body->pose.position = motion.pose.position + turn * (atHandOver.position - record.inFe.position);
         body->pose.orientation = (turn * atHandOver.orientation).normalized();
         body->velocity = motion.velocity + motion.angularVelocity.cross(body->pose.position - motion.pose.position);
         body->angularVelocity = motion.angularVelocity;

@@ -70,8 +70,9 @@ struct FreedFragment {
 
 /// The fragments of a cluster as bodies of their own, in their order, where the body of the cluster is now and moving with it.
 /// Nothing if one of them cannot be a body.
-/// @param record  of the body that carries the whole cluster
+/// @param record   of the body that carries them, from its hand-over
+/// @param carried  its fragments
 std::optional<std::vector<FreedFragment>> freeFragments(const RunDescription& description, const BodyRecord& record,
-                                                        const BodyMotion& motion);
+                                                        std::span<const Carrier> carried, const BodyMotion& motion);
 
 }  // namespace rubble

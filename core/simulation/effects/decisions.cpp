@@ -391,7 +391,7 @@ std::optional<double> Decider::weightOverDrag(ClusterId c) const {
     }
     const Scenario& scenario = m_scene.scenario;
     const OrientedBox box = boxAround(clusterShape(m_scene.fragments, m_scene.clustering.membersOf(c), bodyFrame(cluster).pose,
-                                                   scenario.simulation.shape, scenario.simulation.boxBulking, scenario.fragments));
+                                                   shapeOfClusters(scenario), scenario.simulation.boxBulking, scenario.fragments));
     const Vec3 side = 2.0 * box.halfExtents;
     const double face = side.prod() / side.minCoeff();
     const double v = m_reach[at(c)].speed;

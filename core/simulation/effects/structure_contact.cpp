@@ -6,18 +6,18 @@ namespace rubble {
 
 namespace {
 
-SimulationSettings pieceSettings(const RunDescription& description, bool on) {
-    SimulationSettings settings = description.scenario.simulation;
+Scenario withPieces(const RunDescription& description, bool on) {
+    Scenario scenario = description.scenario;
     if (!on) {
-        settings.pieces = PieceKind::None;
+        scenario.simulation.pieces = PieceKind::None;
     }
-    return settings;
+    return scenario;
 }
 
 }  // namespace
 
 StructureContact::StructureContact(const RunDescription& description, const Activity& activity, bool on)
-    : m_pieces(*description.fe, *description.components, activity, pieceSettings(description, on)) {}
+    : m_pieces(*description.fe, *description.components, activity, withPieces(description, on)) {}
 
 void StructureContact::beginInterval(RigidWorld& world, std::size_t k) {
     const Stopwatch watch(m_seconds);

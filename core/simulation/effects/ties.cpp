@@ -75,7 +75,7 @@ Ties::~Ties() = default;
 
 void Ties::entered(std::span<const BodyRecord> bodies, RigidWorld& world) {
     for (const BodyRecord& record : bodies) {
-        if (record.isIsland() || m_sitesOf[at(record.cluster)].empty()) {
+        if (record.isIsland() || record.part || m_sitesOf[at(record.cluster)].empty()) {
             continue;
         }
         const Cluster& cluster = m_description.clustering->list[at(record.cluster)];
@@ -83,7 +83,7 @@ void Ties::entered(std::span<const BodyRecord> bodies, RigidWorld& world) {
         for (const std::uint32_t s : m_sitesOf[at(record.cluster)]) {
             const TieSite& site = m_sites[s];
             const Vec3 centre = site.centre(state->positions);
-            const Vec3 inBody = record.atBirth.orientation.conjugate() * (centre - record.atBirth.position);
+            const Vec3 inBody = record.inFe.orientation.conjugate() * (centre - record.inFe.position);
             Ends& ends = m_ends[s];
             const bool first = site.first == record.cluster;
             (first ? ends.first : ends.second) = static_cast<std::int64_t>(at(record.body));

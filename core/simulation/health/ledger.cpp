@@ -39,10 +39,7 @@ LedgerRow Ledger::handedOver(std::size_t state, double time, const HandOver& han
         scale.linear += f.mass * f.velocity.norm();
         scale.angular += f.centre.norm() * f.mass * f.velocity.norm();
     }
-    for (const ClusterId c : handOver.clusters) {
-        const Cluster& cluster = m_description.clustering->list[at(c)];
-        row.clusters += rigidMomenta(cluster.mass, cluster.centre, cluster.inertia, cluster.velocity, cluster.angularVelocity);
-    }
+    row.clusters = handOver.clusters;
     for (const BodyRecord& body : handOver.bodies) {
         row.bodies += world.momenta(body.body);
     }

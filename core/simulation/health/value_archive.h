@@ -27,6 +27,11 @@ inline void keep(Archive& archive, LiveIslands& of) {
             of.stillMoving, of.droppedKineticEnergy, of.ledger);
 }
 
+inline void keep(Archive& archive, CarriedStructure& of) {
+    archive(of.islands, of.elements, of.mass, of.refused, of.bodies, of.born, of.bornMass, of.bornAtRestMass, of.left, of.leftMass,
+            of.stillMoving, of.droppedKineticEnergy, of.handOvers, of.losses);
+}
+
 inline void keep(Archive& archive, LiveIsland& of) {
     archive(of.elements, of.supported);
 }
@@ -35,8 +40,12 @@ inline void keep(Archive& archive, MovingMass& of) {
     archive(of.mass, of.centre, of.inertia, of.velocity, of.angularVelocity);
 }
 
+inline void keep(Archive& archive, IslandElement& of) {
+    archive(of.element, of.component, of.motion, of.rest, of.box, of.solid, of.vertices);
+}
+
 inline void keep(Archive& archive, IslandBody& of) {
-    archive(of.elements, of.motion, of.fe, of.rigid, of.volume, of.component, of.boxes, of.shape, of.pose, of.inertia);
+    archive(of.elements, of.parts, of.motion, of.fe, of.rigid, of.volume, of.component, of.shape, of.pose, of.inertia);
 }
 
 inline void keep(Archive& archive, TrackedBody& of) {

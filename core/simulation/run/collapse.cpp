@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/engine/world/constants.h"
 #include "core/fe/site_surface.h"
@@ -73,12 +74,15 @@ Collapse::Collapse(const WorldFactory& makeWorld, const RunDescription& descript
       m_structure(description, m_activity, isOn(m_decisions, EffectKind::StructureContact)),
       m_effects(m_decisions, description, *m_world),
       m_islands(description, m_activity, m_surface),
+      m_carried(description, m_activity, m_surface),
       m_recorder(sink, m_settings.frameRate),
       m_energy(m_settings.gravity),
       m_ledger(description),
       m_outcomes(description, m_settings.gravity),
       m_health(healthSite(description, m_decisions, m_worldSettings)),
-      m_checkpoints(checkpoints) {}
+      m_checkpoints(checkpoints) {
+    m_islands.leaveOut([this](ElementIndex e) { return m_carried.carries(e); });
+}
 
 void Collapse::report(double time) const {
     const double from = m_result.firstTime;
@@ -94,7 +98,8 @@ void Collapse::updateEnergy() {
 void Collapse::removeEnded(double time) {
     for (std::size_t i = 0; i < m_records.size(); ++i) {
         const BodyId id = idAt<BodyId>(i);
-        if (m_records[i].to <= time && m_world->state(id) != BodyState::Removed) {
+        // Islands leave once what is left of them is there.
+        if (!m_records[i].isIsland() && m_records[i].to <= time && m_world->state(id) != BodyState::Removed) {
             m_energy.leaving(m_world->momenta(id), m_world->motion(id).pose.position.z());
             m_effects.leaving(id);
             m_world->removeBody(id);
@@ -103,16 +108,8 @@ void Collapse::removeEnded(double time) {
     }
 }
 
-void Collapse::handOverAt(std::size_t k, LedgerRow& row) {
-    const auto& clusters = m_description.clustering->list;
-    std::size_t end = m_nextCluster;
-    while (end < clusters.size() && clusters[end].handOverState == k) {
-        ++end;
-    }
-    const HandOver entered = handOver(m_description, m_nextCluster, end, *m_world, m_result.findings);
-    m_nextCluster = end;
+void Collapse::enter(const HandOver& entered) {
     m_outcomes.entered(entered, *m_world);
-    row = m_ledger.handedOver(k, m_times[k], entered, *m_world);
     for (const BodyRecord& body : entered.bodies) {
         m_records.push_back(body);
         m_energy.entered(m_world->momenta(body.body), m_world->motion(body.body).pose.position.z());
@@ -121,7 +118,22 @@ void Collapse::handOverAt(std::size_t k, LedgerRow& row) {
         m_effects.entered(entered.bodies);
         m_sink.addBodies(entered.bodies, entered.carriers);
     }
+}
+
+/// What was born from islands; the row is of what the FE result handed over.
+HandOver Collapse::handOverAt(std::size_t k, LedgerRow& row) {
+    const auto& clusters = m_description.clustering->list;
+    std::size_t end = m_nextCluster;
+    while (end < clusters.size() && clusters[end].handOverState == k) {
+        ++end;
+    }
+    Births births = handOver(m_description, m_nextCluster, end, m_carried, *m_world, m_result.findings);
+    m_nextCluster = end;
+    row = m_ledger.handedOver(k, m_times[k], births.fromFe, *m_world);
+    enter(births.fromFe);
+    enter(births.fromIslands);
     m_result.bodiesPeak = std::max(m_result.bodiesPeak, present());
+    return std::move(births.fromIslands);
 }
 
 void Collapse::releaseIslands() {
@@ -129,14 +141,25 @@ void Collapse::releaseIslands() {
     if (release.bodies.empty()) {
         return;
     }
-    m_outcomes.entered({release.bodies, {}, {}}, *m_world);
-    m_effects.entered(release.bodies);
-    for (const BodyRecord& body : release.bodies) {
-        m_records.push_back(body);
-        m_energy.entered(m_world->momenta(body.body), m_world->motion(body.body).pose.position.z());
-    }
-    m_sink.addBodies(release.bodies, {});
+    enter({release.bodies, {}, {}});
     m_sink.addIslands(release.islands, release.ledger);
+}
+
+void Collapse::carryIslands(std::size_t k, const HandOver& born) {
+    const CarriedIslands::Change change =
+        m_carried.atState(k, born, *m_world, m_structure.pieces(), m_execution, m_result.findings);
+    for (const BodyId id : change.ended) {
+        m_energy.leaving(m_world->momenta(id), m_world->motion(id).pose.position.z());
+        m_effects.leaving(id);
+        m_world->removeBody(id);
+    }
+    if (!change.bodies.empty()) {
+        enter({change.bodies, {}, {}});
+        m_sink.addIslands(change.islands, change.ledger);
+    }
+    if (change.loss) {
+        m_sink.addIslandLoss(*change.loss);
+    }
 }
 
 void Collapse::atState(std::size_t k) {
@@ -144,7 +167,8 @@ void Collapse::atState(std::size_t k) {
     {
         const Stopwatch watch(m_seconds.births);
         removeEnded(m_times[k]);
-        handOverAt(k, row);
+        const HandOver fromIslands = handOverAt(k, row);
+        carryIslands(k, fromIslands);
         if (k + 1 == m_times.size()) {
             releaseIslands();
         }
@@ -244,7 +268,9 @@ void Collapse::breakUp(double dt, double time) {
 
 void Collapse::replace(const BodyRecord& whole, double time) {
     const BodyMotion motion = m_world->motion(whole.body);
-    const auto freed = freeFragments(m_description, whole, motion);
+    const TrackedBody& tracked = m_outcomes.bodies()[at(whole.body)];
+    const std::span<const Carrier> carried(m_outcomes.carriers().data() + tracked.firstCarrier, tracked.carriers);
+    const auto freed = freeFragments(m_description, whole, carried, motion);
     m_effects.replaced(freed.has_value());
     if (!freed) {
         return;
@@ -258,7 +284,7 @@ void Collapse::replace(const BodyRecord& whole, double time) {
     HandOver parts;
     for (const FreedFragment& part : *freed) {
         const BodyId body = m_world->addBody(part.body);
-        parts.bodies.push_back({body, whole.cluster, time, whole.to, part.body.mass, part.body.pose});
+        parts.bodies.push_back({body, whole.cluster, time, whole.to, part.body.mass, part.body.pose, part.toBody.inverse(), false});
         parts.carriers.push_back({part.fragment, body, time, whole.to, part.toBody});
         kinetic -= m_world->kineticEnergy(body);
         massHeight -= part.body.mass * part.body.pose.position.z();
@@ -320,7 +346,7 @@ void Collapse::settle() {
         m_place = {true, m_times.size() - 1, 0, from + 1.0};
         m_structure.hold();
     }
-    const auto atRest = [this] { return asleep() >= asleepShare && m_islands.atRest(*m_world); };
+    const auto atRest = [this] { return asleep() >= asleepShare && m_islands.atRest(*m_world) && m_carried.atRest(*m_world); };
     while (!atRest() && m_place.steps < steps) {
         const std::int64_t i = ++m_place.steps;
         const double dt = m_settings.settleTime / static_cast<double>(steps);
@@ -380,9 +406,10 @@ PileMeasure Collapse::pile() const {
     const Mesh& mesh = m_description.fe->mesh();
     const auto last = m_description.fe->state(m_times.size() - 1);
     std::vector<Aabb> structure = m_islands.outlines(*m_world);
+    std::ranges::copy(m_carried.outlines(*m_world), std::back_inserter(structure));
     for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
         const ElementIndex e = idAt<ElementIndex>(i);
-        if (m_activity.active(m_times.size() - 1, e) && !m_islands.released(e)) {
+        if (m_activity.active(m_times.size() - 1, e) && !m_islands.released(e) && !m_carried.carries(e)) {
             Aabb box;
             for (const std::uint32_t node : mesh.cornersOf(e)) {
                 box.extend(last->positions[node]);
@@ -470,6 +497,7 @@ void Collapse::finish() {
     m_result.ledger = m_ledger.errors();
     measureBirths(m_result.births);
     m_result.islands = m_islands.outcome(*m_world, m_result.findings);
+    m_result.carried = m_carried.outcome(*m_world);
     m_result.penetrationMax = m_world->contacts().penetrationMax;
     m_result.asleepAtEnd = asleep();
     m_result.stillMoving = awake();

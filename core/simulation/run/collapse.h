@@ -15,6 +15,7 @@
 #include "core/simulation/health/ledger.h"
 #include "core/simulation/health/outcomes.h"
 #include "core/simulation/run/bulking.h"
+#include "core/simulation/run/carried_islands.h"
 #include "core/simulation/run/collapse_run.h"
 #include "core/simulation/run/frame_recorder.h"
 #include "core/simulation/run/islands.h"
@@ -55,8 +56,10 @@ private:
     void atState(std::size_t k);
     void record(FrameKind kind);
     void releaseIslands();
+    void enter(const HandOver& entered);
+    void carryIslands(std::size_t k, const HandOver& born);
     void removeEnded(double time);
-    void handOverAt(std::size_t k, LedgerRow& row);
+    HandOver handOverAt(std::size_t k, LedgerRow& row);
     void advance(double dt, double time, const std::function<void(double)>& movePieces);
     void step(double dt, double time);
     void removeLost(double time);
@@ -68,7 +71,9 @@ private:
     std::int64_t awake() const;
     double asleep() const;
     /// Bodies of clusters; islands are counted apart.
-    std::int64_t present() const { return static_cast<std::int64_t>(m_records.size()) - m_removed - m_islands.bodies(); }
+    std::int64_t present() const {
+        return static_cast<std::int64_t>(m_records.size()) - m_removed - m_islands.bodies() - m_carried.bodies();
+    }
     void report(double time) const;
     /// Handed over by the FE result: neither an island nor freed by breaking up.
     bool bornHere(const BodyRecord& record) const {
@@ -110,6 +115,7 @@ private:
     StructureContact m_structure;
     EffectRun m_effects;
     Islands m_islands;
+    CarriedIslands m_carried;
     FrameRecorder m_recorder;
     EnergyAccount m_energy;
     Ledger m_ledger;

@@ -20,7 +20,7 @@ bool Collapse::keep(Archive& archive) {
     if (!m_world->keep(archive)) {
         return false;
     }
-    archive(m_structure, m_effects, m_islands, m_recorder, m_energy, m_ledger, m_outcomes, m_health, m_clock);
+    archive(m_structure, m_effects, m_islands, m_carried, m_recorder, m_energy, m_ledger, m_outcomes, m_health, m_clock);
     archive(m_records, m_nextCluster, m_removed, m_time, m_clockRuns, m_seconds, m_place);
     archive(m_result.bodiesPeak, m_result.awakePeak, m_result.steps, m_result.findings);
     return true;

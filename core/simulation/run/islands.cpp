@@ -1,6 +1,7 @@
 #include "core/simulation/run/islands.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/engine/world/constants.h"
 #include "core/simulation/bodies/loose_count.h"
@@ -24,6 +25,10 @@ void Islands::find() {
     if (!m_loose) {
         m_loose = liveIslands(*m_description.fe, m_activity, m_ground);
         std::erase_if(*m_loose, [](const LiveIsland& island) { return island.supported; });
+        for (LiveIsland& island : *m_loose) {
+            std::erase_if(island.elements, [this](ElementIndex e) { return m_carried && m_carried(e); });
+        }
+        std::erase_if(*m_loose, [](const LiveIsland& island) { return island.elements.empty(); });
         m_count = countLoose(*m_description.fe, *m_description.components, *m_loose);
     }
 }
@@ -42,7 +47,7 @@ Islands::Release Islands::release(RigidWorld& world, Pieces& pieces, Findings& f
         return release;
     }
     std::vector<IslandBody> made;
-    IslandMaker maker(m_description, m_activity, *m_loose);
+    IslandMaker maker(m_description, m_activity, *m_loose, m_description.fe->stateCount() - 1);
     for (const LiveIsland& island : *m_loose) {
         if (std::optional<IslandBody> body = maker.make(island, findings)) {
             made.push_back(std::move(*body));
@@ -77,9 +82,9 @@ void Islands::take(const IslandBody& island, RigidWorld& world, Release& release
     record.cluster = noCluster;
     record.from = release.ledger.time;
     record.mass = island.motion.mass;
-    record.atBirth = island.pose;
+    record.atBirth = record.inFe = island.pose;
     release.bodies.push_back(record);
-    release.islands.push_back({id, island.elements});
+    release.islands.push_back({id, release.ledger.state, island.pose, island.elements});
     const MovingMass& m = island.motion;
     release.ledger.fe += island.fe;
     release.ledger.fragments += island.rigid;
@@ -103,21 +108,26 @@ void Islands::close(const LedgerRow& row) {
     m_count.droppedKineticEnergy = row.fe.kineticEnergy - row.bodies.kineticEnergy;
 }
 
-std::vector<Aabb> Islands::outlines(const RigidWorld& world) const {
+std::vector<Aabb> outlines(const IslandBody& island, const Pose& body) {
+    const Pose moved = body * island.pose.inverse();
     std::vector<Aabb> outlines;
-    for (const Body& body : m_bodies) {
-        if (world.state(body.id) == BodyState::Removed) {
-            continue;
-        }
-        const Pose now = world.motion(body.id).pose;
-        const Quat turn = now.orientation * body.island.pose.orientation.conjugate();
-        for (OrientedBox box : body.island.boxes) {
-            box.centre = now.position + turn * (box.centre - body.island.pose.position);
-            box.orientation = turn * box.orientation;
-            outlines.push_back(outline(box));
-        }
+    for (const IslandElement& part : island.parts) {
+        OrientedBox box = part.box;
+        box.centre = moved * box.centre;
+        box.orientation = moved.orientation * box.orientation;
+        outlines.push_back(outline(box));
     }
     return outlines;
+}
+
+std::vector<Aabb> Islands::outlines(const RigidWorld& world) const {
+    std::vector<Aabb> all;
+    for (const Body& body : m_bodies) {
+        if (world.state(body.id) != BodyState::Removed) {
+            std::ranges::copy(rubble::outlines(body.island, world.motion(body.id).pose), std::back_inserter(all));
+        }
+    }
+    return all;
 }
 
 std::int64_t Islands::awake(const RigidWorld& world) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,12 +13,18 @@
 
 namespace rubble {
 
+/// Where the elements of an island are now, in boxes.
+/// @param body  of the island
+std::vector<Aabb> outlines(const IslandBody& island, const Pose& body);
+
 /// The live islands of a run from the moment when the FE result ends (DESIGN.md 2.4): released as rigid bodies or held, by setting.
 class Islands {
 public:
     /// All arguments must outlive this object.
     Islands(const RunDescription& description, const Activity& activity, const SiteSurface& ground);
 
+    /// Elements that other bodies carry already.
+    void leaveOut(std::function<bool(ElementIndex)> carried) { m_carried = std::move(carried); }
     /// True if the setting releases something. Reads the last states of the FE result.
     bool toRelease();
 
@@ -58,6 +65,7 @@ private:
     const Activity& m_activity;
     const SiteSurface& m_ground;
     std::optional<std::vector<LiveIsland>> m_loose;  ///< without a path to a support; unset: not looked for yet
+    std::function<bool(ElementIndex)> m_carried;
     LiveIslands m_count;
     std::vector<Body> m_bodies;
     std::vector<bool> m_gone;  ///< [elements]; empty: none

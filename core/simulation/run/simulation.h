@@ -28,6 +28,7 @@ struct SimulationResult {
     LedgerErrors ledger;
     OccupiedBirths births;
     LiveIslands islands;
+    CarriedStructure carried;
     double penetrationMax = 0.0;   ///< m, deepest contact of a body, overlap at birth excepted
     double asleepAtEnd = 0.0;      ///< share of the bodies of clusters
     std::int64_t stillMoving = 0;  ///< of these, awake at the end

@@ -1,0 +1,191 @@
+#include "core/engine/world/bricks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <set>
+
+#include "core/engine/world/tight_box.h"
+
+namespace rubble {
+
+namespace {
+
+/// m. Bricks no farther apart than this touch.
+constexpr double jointWidth = 0.02;
+
+/// m3, of the tetrahedra that a solid is made of.
+double volumeOf(ElementShape solid, std::span<const Vec3> c) {
+    const auto tetrahedron = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+        return std::abs((c[j] - c[i]).dot((c[k] - c[i]).cross(c[l] - c[i]))) / 6.0;
+    };
+    switch (solid) {
+        case ElementShape::Tetrahedron:
+            return tetrahedron(0, 1, 2, 3);
+        case ElementShape::Pyramid:
+            return tetrahedron(0, 1, 2, 4) + tetrahedron(0, 2, 3, 4);
+        case ElementShape::Wedge:
+            return tetrahedron(0, 1, 2, 3) + tetrahedron(1, 2, 3, 4) + tetrahedron(2, 3, 4, 5);
+        default:
+            return tetrahedron(0, 1, 3, 4) + tetrahedron(2, 1, 3, 6) + tetrahedron(5, 1, 4, 6) + tetrahedron(7, 3, 4, 6) +
+                   tetrahedron(1, 3, 4, 6);
+    }
+}
+
+/// The box, drawn in towards its centre until it has the volume.
+OrientedBox ofVolume(OrientedBox box, double volume) {
+    const double scale = std::cbrt(volume / box.volume());
+    if (std::isfinite(scale) && scale < 1.0) {
+        box.halfExtents *= scale;
+    }
+    return box;
+}
+
+/// Axes from the three mean edges, laid square in the order that loses least; halves of the edges' lengths along them.
+OrientedBox brickOfHexahedron(std::span<const Vec3> c) {
+    const std::array<Vec3, 3> edges{0.25 * (c[1] - c[0] + c[2] - c[3] + c[5] - c[4] + c[6] - c[7]),
+                                    0.25 * (c[3] - c[0] + c[2] - c[1] + c[7] - c[4] + c[6] - c[5]),
+                                    0.25 * (c[4] - c[0] + c[5] - c[1] + c[6] - c[2] + c[7] - c[3])};
+    OrientedBox best;
+    double least = std::numeric_limits<double>::infinity();
+    std::array<std::size_t, 3> order{0, 1, 2};
+    do {
+        const Vec3 &a = edges[order[0]], &b = edges[order[1]], &d = edges[order[2]];
+        const Vec3 u = a.normalized();
+        const Vec3 v = (b - u.dot(b) * u).normalized();
+        const Vec3 w = u.cross(v);
+        // What the edges lose when they are laid square.
+        const double lost = std::pow(u.dot(b), 2) + std::pow(u.dot(d), 2) + std::pow(v.dot(d), 2);
+        if (lost < (1.0 - 1e-6) * least && u.allFinite() && v.allFinite()) {
+            least = lost;
+            Mat3 axes;
+            axes << u, v, w;
+            best.orientation = Quat(axes).normalized();
+            best.halfExtents = 0.5 * Vec3(a.norm(), std::abs(v.dot(b)), std::abs(w.dot(d)));
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+    best.centre = std::accumulate(c.begin(), c.begin() + 8, Vec3(Vec3::Zero())) / 8.0;
+    return best;
+}
+
+/// Bricks that have become one box.
+struct Joined {
+    OrientedBox box;  ///< around its bricks
+    double volume = 0.0;
+    std::size_t bricks = 1;
+    std::set<std::uint32_t> neighbours;
+    bool gone = false;
+};
+
+std::array<Vec3, 8> cornersOf(const OrientedBox& box) {
+    std::array<Vec3, 8> corners;
+    const Mat3 axes = box.orientation.toRotationMatrix();
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Vec3 sign(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+        corners[i] = box.centre + axes * sign.cwiseProduct(box.halfExtents);
+    }
+    return corners;
+}
+
+OrientedBox around(const Joined& a, const Joined& b) {
+    const Mat3 axes = (a.volume >= b.volume ? a : b).box.orientation.toRotationMatrix();
+    std::array<Vec3, 16> corners;
+    std::ranges::copy(cornersOf(a.box), corners.begin());
+    std::ranges::copy(cornersOf(b.box), corners.begin() + 8);
+    return boxWithAxes(corners, axes);
+}
+
+void findNeighbours(std::vector<Joined>& groups) {
+    std::vector<Aabb> bounds;
+    for (const Joined& group : groups) {
+        Aabb box;
+        for (const Vec3& p : cornersOf(group.box)) {
+            box.extend(p);
+        }
+        box.min().array() -= 0.5 * jointWidth;
+        box.max().array() += 0.5 * jointWidth;
+        bounds.push_back(box);
+    }
+    std::vector<std::uint32_t> order(groups.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(bounds[i].min().x(), i); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t j = i + 1; j < order.size() && bounds[order[j]].min().x() <= bounds[order[i]].max().x(); ++j) {
+            if (bounds[order[i]].intersects(bounds[order[j]])) {
+                groups[order[i]].neighbours.insert(order[j]);
+                groups[order[j]].neighbours.insert(order[i]);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+OrientedBox brickOf(ElementShape solid, std::span<const Vec3> corners) {
+    const double volume = volumeOf(solid, corners);
+    if (solid == ElementShape::Hexahedron) {
+        return ofVolume(brickOfHexahedron(corners), volume);
+    }
+    OrientedBox box = tightBox(corners, {}, true);
+    box.centre = std::accumulate(corners.begin(), corners.end(), Vec3(Vec3::Zero())) / static_cast<double>(corners.size());
+    return ofVolume(box, volume);
+}
+
+std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const JoinLimits& limits) {
+    std::vector<Joined> groups;
+    for (const OrientedBox& brick : bricks) {
+        groups.push_back({brick, brick.volume(), 1, {}, false});
+    }
+    findNeighbours(groups);
+    /// Two that could be one: the share that would be empty, then by number.
+    using Candidate = std::tuple<double, std::uint32_t, std::uint32_t>;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
+    const auto consider = [&](std::uint32_t i, std::uint32_t j) {
+        const Joined &a = groups[i], &b = groups[j];
+        const double empty = 1.0 - (a.volume + b.volume) / around(a, b).volume();
+        if (a.bricks + b.bricks <= limits.bricksMax && empty <= limits.slack) {
+            candidates.emplace(std::round(1e9 * empty) * 1e-9, std::min(i, j), std::max(i, j));
+        }
+    };
+    for (std::uint32_t i = 0; i < groups.size(); ++i) {
+        for (const std::uint32_t j : groups[i].neighbours) {
+            if (i < j) {
+                consider(i, j);
+            }
+        }
+    }
+    while (!candidates.empty()) {
+        const auto [empty, i, j] = candidates.top();
+        candidates.pop();
+        if (groups[i].gone || groups[j].gone) {
+            continue;
+        }
+        const auto number = static_cast<std::uint32_t>(groups.size());
+        Joined both;
+        both.box = around(groups[i], groups[j]);
+        both.volume = groups[i].volume + groups[j].volume;
+        both.bricks = groups[i].bricks + groups[j].bricks;
+        std::ranges::set_union(groups[i].neighbours, groups[j].neighbours, std::inserter(both.neighbours, both.neighbours.end()));
+        both.neighbours.erase(i);
+        both.neighbours.erase(j);
+        groups[i].gone = groups[j].gone = true;
+        std::erase_if(both.neighbours, [&](std::uint32_t n) { return groups[n].gone; });
+        groups.push_back(std::move(both));
+        for (const std::uint32_t n : groups[number].neighbours) {
+            groups[n].neighbours.insert(number);
+            consider(n, number);
+        }
+    }
+    std::vector<OrientedBox> boxes;
+    for (const Joined& group : groups) {
+        if (!group.gone) {
+            boxes.push_back(ofVolume(group.box, group.volume));
+        }
+    }
+    return boxes;
+}
+
+}  // namespace rubble

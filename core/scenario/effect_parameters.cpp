@@ -66,10 +66,9 @@ void addSteelAndStone(ParameterRows& table) {
         .choice("live_islands", {"released", "held"}, RUBBLE_AT(effects.islands), "Fallen live structure",
                 "Parts alive at the end of the FE result without a path to a support. released: they go on as rigid bodies. held: "
                 "they stay where they are.")
-        .choice("loose_structure", {"fe", "touch", "at_once"}, RUBBLE_AT(effects.loose), "Loose structure",
-                "Who moves live structure without a path to a support. fe: the FE result, to its end. touch: the engine, from its "
-                "first "
-                "touch with debris. at_once: the engine, from when it comes loose.");
+        .choice("loose_structure", {"fe", "at_once"}, RUBBLE_AT(effects.loose), "Loose structure",
+                "Who moves live structure without a path to a support. fe: the FE result, until its elements die or it ends. "
+                "at_once: the engine, from when it comes loose; what the FE result kills is born where the engine has it.");
 }
 
 void addMaterials(ParameterRows& table) {

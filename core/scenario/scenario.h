@@ -25,8 +25,8 @@ enum class PieceKind { None, ComponentBox, GridBoxes, Surface };
 enum class SolverKind { SoftStep, Bullet };
 enum class EffectSwitch { Off, On, Auto };
 enum class LiveIslandPolicy { Released, Held };
-/// Who moves live structure that has come loose: the FE result to its end, the engine from its first touch, or at once.
-enum class LooseStructurePolicy { Fe, Touch, AtOnce };
+/// Who moves live structure that has come loose: the FE result to its end, or the engine from then on.
+enum class LooseStructurePolicy { Fe, AtOnce };
 
 /// The optional physics of a scene, in the order in which it is listed everywhere.
 enum class EffectKind : std::uint8_t { Ground, Terrain, StructureContact, FragmentContact, Water, AirDrag, Ties, BreakUp };
@@ -74,7 +74,7 @@ struct GridSettings {
 struct SimulationSettings {
     SolverKind solver = SolverKind::SoftStep;
     std::optional<double> stepRate;  ///< steps per second at least; unset: by the size of the bodies
-    int substeps = 4;                ///< of a step, soft-step solver
+    std::optional<int> substeps;     ///< of a step, soft-step solver; unset: substepsOf()
     int iterations = 10;             ///< solver iterations per step, Bullet's solver
     ClusterShape shape = ClusterShape::Auto;
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
@@ -136,6 +136,12 @@ struct Scenario {
 
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
+
+/// Parts in which the soft-step solver takes a step: 4, or 8 where the engine moves loose structure. What lies under spans that are
+/// a hundred times as heavy trembles and sinks in longer ones (docs/solver.md).
+inline int substepsOf(const Scenario& scenario) {
+    return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 8);
+}
 
 /// The collision shape that clusters take, settled where it is left to the program.
 inline ClusterShape shapeOfClusters(const Scenario& scenario) {

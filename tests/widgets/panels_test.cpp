@@ -320,11 +320,11 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
         }
         return false;
     };
-    outcome.settings.solver = SolverKind::SoftStep;
-    outcome.settings.substeps = 4;
+    outcome.solver = SolverKind::SoftStep;
+    outcome.substeps = 4;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step, bulking of the pile 1.62")));
-    outcome.settings.solver = SolverKind::Bullet;
+    outcome.solver = SolverKind::Bullet;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));
 }

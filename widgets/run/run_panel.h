@@ -23,7 +23,8 @@ public:
     /// What a finished run says about itself, with figures that only the window knows.
     struct Outcome {
         std::shared_ptr<const SimulationResult> result;
-        SimulationSettings settings;
+        SolverKind solver = SolverKind::SoftStep;
+        int substeps = 0;
         double wallSeconds = 0.0;
         double liveMean = 0.0;   ///< FPS; 0: was not live
         double liveWorst = 0.0;  ///< FPS

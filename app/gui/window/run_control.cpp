@@ -25,7 +25,8 @@ widgets::RunPanel::Outcome outcomeOf(const RunRecord& record) {
     widgets::RunPanel::Outcome outcome;
     outcome.result = record.outcome;
     outcome.wallSeconds = record.wallSeconds;
-    outcome.settings = record.scenario.simulation;
+    outcome.solver = record.scenario.simulation.solver;
+    outcome.substeps = substepsOf(record.scenario);
     outcome.fpsTarget = record.scenario.grid.fpsTarget;
     return outcome;
 }

@@ -20,6 +20,7 @@ void RestOffsets::find(std::span<SoftContact> pair, double dt) const {
             // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
             contact.offset = std::max(contact.offset, contact.depth - m_finder.marginOf(a.number, b.number, dt));
         }
+        contact.passing = contact.passing || passes(contact);
         noteBirthDepth(a, b, contact.depth);
         limitPiece(contact);
         giveWayToJam(contact, dt);
@@ -34,6 +35,16 @@ void RestOffsets::find(std::span<SoftContact> pair, double dt) const {
             notePenetration(a, b, contact.depth - contact.offset, m_sleep, m_report);
         }
     }
+}
+
+/// What has come loose lies in the structure beside it by as much as their boxes are coarser than their elements.
+bool RestOffsets::passes(const SoftContact& contact) const {
+    const bool piece = contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece;
+    if (!piece || !contact.body().loose) {
+        return false;
+    }
+    const bool entered = contact.a->newborn || contact.b->newborn || contact.fresh;
+    return entered && contact.depth > std::max(contactMargin, occupiedShare * contact.body().smallestSide);
 }
 
 /// A body that a piece and something else hold between them cannot get out of both: after a while the piece gives way, since the FE
@@ -57,6 +68,11 @@ void RestOffsets::giveWay(SoftContact& contact) const {
 void RestOffsets::limitPiece(SoftContact& contact) const {
     contact.yielding = contact.pressing = false;
     contact.approach = 0.0;
+    if (contact.passing) {
+        contact.yielding = true;
+        contact.offset = std::max(contact.offset, contact.depth);
+        return;
+    }
     if (!contact.piece().moving) {
         return;
     }

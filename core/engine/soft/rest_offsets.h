@@ -27,6 +27,7 @@ public:
     void accountForPiece(SoftContact& contact, double pushed, double most, double left) const;
 
 private:
+    bool passes(const SoftContact& contact) const;
     void limitPiece(SoftContact& contact) const;
     void giveWayToJam(SoftContact& contact, double dt) const;
     void giveWay(SoftContact& contact) const;

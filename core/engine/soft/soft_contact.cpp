@@ -25,7 +25,7 @@ bool SoftContactState::carries() const {
 
 void SoftContact::keep(Archive& archive) {
     archive(pair, part, normal, count, depth, yield, load, restLoad, offset, correctedFor, approach, pressed, jammedFor, pushes,
-            fresh, yielded, yielding, pressing);
+            fresh, yielded, yielding, pressing, passing);
     if (count < 0 || count > static_cast<int>(points.size())) {
         Archive::fail();
     }
@@ -66,6 +66,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
     to.restLoad = from.restLoad;
     to.pushes = from.pushes;
     to.yielded = from.yielded;
+    to.passing = from.passing;
     std::array<bool, 4> fromDone{}, toDone{};
     for (int i = 0; i < to.count; ++i) {
         for (int j = 0; j < from.count; ++j) {

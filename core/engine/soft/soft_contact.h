@@ -42,6 +42,7 @@ struct SoftContactState {
     bool yielded = false;          ///< the piece of this contact has given way
     bool yielding = false;         ///< and goes on into the body now
     bool pressing = false;         ///< it strikes from above or from the side
+    bool passing = false;          ///< the piece lets a loose part of the structure pass for as long as they meet
     bool aside = false;            ///< put to those that sleep
 
     bool pieceIsA() const { return a->kind == ColliderKind::Piece; }

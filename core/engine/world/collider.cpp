@@ -5,7 +5,7 @@
 namespace rubble {
 
 void Collider::keep(Archive& archive) {
-    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, broken, material, birthDepth, penetration,
+    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, birthDepth, penetration,
             overlapLeft, lifted, smallestSide, volume, mass, inertia, parts);
 }
 

@@ -23,6 +23,7 @@ struct Collider {
     bool leaving = false;      ///< to be taken out before the next step
     bool overlapping = false;  ///< a body that is in overlap from birth in this step
     bool justThawed = false;   ///< its frozen neighbours are not noted yet
+    bool loose = false;        ///< a body that was a part of the structure: see NewBody
     bool broken = false;       ///< a body that was given a velocity that is no number; it goes on without
     Material material = Material::Concrete;
     double radius = 0.0;          ///< m, of the farthest corner

@@ -38,6 +38,7 @@ BodyId SceneWorld::addBody(const NewBody& body) {
     collider.inertia = body.inertia;
     collider.smallestSide = body.smallestSide;
     collider.volume = body.volume;
+    collider.loose = body.loose;
     m_sleep.addBody();
     bodyEntered(collider, body);
     return idAt<BodyId>(collider.index);

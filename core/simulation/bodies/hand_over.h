@@ -33,15 +33,17 @@ struct IslandBirth {
     Pose feFrame;        ///< where that frame lies among the places of the FE result at the state of the birth
 };
 
-/// Who carries elements of live structure before they become fragments.
+/// Who carries elements of live structure before they become fragments: by itself nobody, the FE result moves them all.
 class IslandBirths {
 public:
     virtual ~IslandBirths() = default;
     /// Index of the island's body that carries an element; nothing: the FE result moves it.
-    virtual std::optional<std::int32_t> carrierOf(ElementIndex element) const = 0;
+    virtual std::optional<std::int32_t> carrierOf(ElementIndex /*element*/) const { return std::nullopt; }
     /// Fragments whose elements one body carries; nothing if they have no mass or no finite place.
-    virtual std::optional<IslandBirth> born(std::int32_t carrier, std::span<const FragmentId> members, std::size_t state,
-                                            const RigidWorld& world) const = 0;
+    virtual std::optional<IslandBirth> born(std::int32_t /*carrier*/, std::span<const FragmentId> /*members*/,
+                                            std::size_t /*state*/, const RigidWorld& /*world*/) const {
+        return std::nullopt;
+    }
 };
 
 /// What entered at one FE state, by where it came from.

@@ -230,6 +230,9 @@ Verdict Decider::structureContact() const {
         return impossible(
             {"effect.structure_contact.no_pieces", "pieces = none leaves the structure without collision shapes", {}});
     }
+    if (m_scene.scenario.effects.loose != LooseStructurePolicy::Fe) {
+        return {true, {"effect.structure_contact.loose", "the engine moves loose structure, which can fall on what stands", {}}};
+    }
     const BoxTree tree = structure();
     BoxTree::Nearest best;
     std::size_t falling = 0;
@@ -287,6 +290,9 @@ bool Decider::releasedMeet(const std::vector<TimedBox>& columns) const {
 }
 
 Verdict Decider::fragmentContact() const {
+    if (m_scene.scenario.effects.loose != LooseStructurePolicy::Fe) {
+        return {true, {"effect.fragment_contact.loose", "the engine moves loose structure, which can meet debris", {}}};
+    }
     std::vector<TimedBox> columns;
     for (std::size_t c = 0; c < m_reach.size(); ++c) {
         if (!m_reach[c].box.isEmpty()) {

@@ -184,7 +184,9 @@ double CarriedIslands::endOf(const std::vector<ElementIndex>& elements, std::siz
 }
 
 void CarriedIslands::enter(Body body, const NewBody& made, std::size_t k, RigidWorld& world, Change& change) {
-    body.id = world.addBody(made);
+    NewBody loose = made;
+    loose.loose = true;
+    body.id = world.addBody(loose);
     BodyRecord record;
     record.body = body.id;
     record.cluster = noCluster;

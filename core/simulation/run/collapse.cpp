@@ -35,7 +35,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     }
     world.pairs = description.scenario.effects.pairs.overriddenBy(s.friction, s.restitution);
     world.iterations = s.iterations;
-    world.substeps = s.substeps;
+    world.substeps = substepsOf(description.scenario);
     world.threads = execution.threads();
     world.freeze = s.freeze;
     world.freezeSpeed = s.freezeSpeed;

@@ -15,6 +15,7 @@ constexpr double finestRate = 40.0;   ///< 1/s, of few bodies
 constexpr double deepestRate = 60.0;  ///< 1/s, of many: deep piles are pressed into themselves at longer steps
 constexpr double fewBodies = 10000.0;
 constexpr double coarsestRate = 20.0;  ///< 1/s
+constexpr double looseRate = 40.0;     ///< 1/s, at least, where whole spans fall on debris
 constexpr double finestSize = 0.3;     ///< m, of bodies that get the finest rate
 
 /// m3, of each body's elements at rest.
@@ -58,7 +59,8 @@ double stepRateOf(const RunDescription& description, const EffectDecisions& deci
     const double size = std::cbrt(*middle);
     const double layers = std::cbrt(static_cast<double>(volumes.size()) / fewBodies);
     const double finest = std::clamp(finestRate * layers, finestRate, deepestRate);
-    return size > 0.0 ? std::clamp(finest * std::sqrt(finestSize / size), coarsestRate, finest) : finest;
+    const double coarsest = description.scenario.effects.loose == LooseStructurePolicy::Fe ? coarsestRate : looseRate;
+    return size > 0.0 ? std::clamp(finest * std::sqrt(finestSize / size), coarsest, finest) : finest;
 }
 
 }  // namespace rubble

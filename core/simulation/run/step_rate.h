@@ -10,7 +10,8 @@ namespace rubble {
 /// 0.8 m lies no nearer to its reference with more than 25 steps a second (docs/solver.md), so bodies of size d get
 /// 40 sqrt(0.3 m / d), from 20 to 40. A pile of more than 10,000 has more layers, through which pushes have to get, and lies in
 /// itself at such steps: up to 60 in place of 40, as the cube root of their number. d: median of the cube roots of the volumes, of
-/// fragments alone where clusters break up. 60 for Bullet's solver, whose piles squeeze together at larger steps.
+/// fragments alone where clusters break up. Where the engine moves loose structure at least 40: what spans fall on with 25 m/s
+/// would be half a body deep in them after one longer step. 60 for Bullet's solver, whose piles squeeze together at larger steps.
 double stepRateOf(const RunDescription& description, const EffectDecisions& decisions);
 
 }  // namespace rubble

@@ -119,7 +119,7 @@ TEST_F(ReleasedIslands, CloseTheLedger) {
         simulateScene(scenes::makeScene({slab("slab", Vec3(0, 0, 20)), thrown, pier(Vec3(-10, 0, 0), 8), debris()}, 8, 0.1));
     EXPECT_EQ(result.islands.islands, 2) << "the pier stands";
     ASSERT_EQ(result.islands.released, 2);
-    const LedgerRow row = trajectory.islandLedger();
+    const LedgerRow row = trajectory.islandLedger().front();
     EXPECT_NEAR(row.time, 0.7, 1e-12);
     // Closed form: two slabs of 24 x 2000 kg at v0 - g t.
     const double mass = 24 * 2000.0;

@@ -99,8 +99,8 @@ struct Collapsing {
 std::string bitsOf(SimulationResult result) {
     Archive archive;
     archive(result.fragments, result.bodiesPeak, result.awakePeak, result.steps, result.firstTime, result.feEndTime, result.endTime,
-            result.energy, result.ledger, result.islands, result.penetrationMax, result.asleepAtEnd, result.stillMoving,
-            result.maxSpeed, result.bulkingFactor, result.trajectoryHash.bytes, result.findings);
+            result.energy, result.ledger, result.islands, result.carried, result.penetrationMax, result.asleepAtEnd,
+            result.stillMoving, result.maxSpeed, result.bulkingFactor, result.trajectoryHash.bytes, result.findings);
     archive(result.births.births, result.births.occupied, result.births.medianDepth, result.births.left, result.births.work,
             result.births.piecePushWork, result.births.piecesYielded);
     archive(result.health.remedies, result.health.penetrationSustained, result.health.penetrationShare, result.health.crowdShare,
@@ -183,6 +183,25 @@ Collapsing waterAndAir() {
     c.shows = [](const SimulationResult& r) {
         EXPECT_NE(workOf(r, EffectKind::Water), 0.0);
         EXPECT_LT(workOf(r, EffectKind::AirDrag), 0.0);
+    };
+    return c;
+}
+
+Collapsing carriedIslands() {
+    Collapsing c{"CarriedIslands",
+                 [] {
+                     scenes::Block span = block("span", Vec3(0, 0, 6), Vec3(8, 2, 1), {8, 2, 1});
+                     span.deathState = [](std::size_t i) { return i == 3 || i == 11 ? std::size_t{4} : 12 + i; };
+                     scenes::Block under = block("under", Vec3(2, 0, 0), Vec3(2, 2, 1), {2, 2, 1});
+                     under.gravity = 0.0;
+                     under.deathState = [](std::size_t) { return std::size_t{1}; };
+                     return scenes::makeScene({under, span}, 30, 0.1);
+                 },
+                 scenarioFor(2.0)};
+    c.scenario.effects.loose = LooseStructurePolicy::AtOnce;
+    c.shows = [](const SimulationResult& r) {
+        EXPECT_GT(r.carried.bodies, 3);
+        EXPECT_EQ(r.carried.born, 16);
     };
     return c;
 }
@@ -368,8 +387,8 @@ TEST_P(Resume, EndsBitForBitAsTheRunThatWasNeverStopped) {
 
 INSTANTIATE_TEST_SUITE_P(Collapses, Resume,
                          testing::Values(wallOntoMovingPieces, hullsAndSurfacePieces, compoundsOnTerrain, waterAndAir, tiedDeck,
-                                         breakingBlock, overlappingBirths, releasedIslands, islandsAlone, revivedElements,
-                                         halvedSteps, lostBody, neverFrozen),
+                                         breakingBlock, overlappingBirths, releasedIslands, islandsAlone, carriedIslands,
+                                         revivedElements, halvedSteps, lostBody, neverFrozen),
                          [](const auto& one) { return one.param().name; });
 
 /// A small collapse, its result and the checkpoint half way.

@@ -51,7 +51,7 @@ TEST_F(BreakingUp, AClusterAndItsFragmentsHaveTheSameMomentaAndEnergy) {
     ASSERT_EQ(description.clustering->list.size(), 1u);
     test::WorldScene scene;
     Findings findings;
-    const HandOver entered = handOver(description, 0, 1, scene.world(), findings);
+    const HandOver entered = handOver(description, 0, 1, IslandBirths(), scene.world(), findings).fromFe;
     const Quat turn(Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()));
     const BodyRecord record = entered.bodies[0];
     const BodyMotion motion{{Vec3(30, -20, 12), turn * record.atBirth.orientation}, Vec3(4, -3, -15), Vec3(2.0, -1.0, 3.0)};
@@ -61,7 +61,7 @@ TEST_F(BreakingUp, AClusterAndItsFragmentsHaveTheSameMomentaAndEnergy) {
         return rigidMomenta(body.mass, pose.position, axes * body.inertia.asDiagonal() * axes.transpose(), velocity, spin);
     };
     const Momenta before = momentaOf(whole, motion.pose, motion.velocity, motion.angularVelocity);
-    const auto freed = freeFragments(description, record, motion);
+    const auto freed = freeFragments(description, record, entered.carriers, motion);
     ASSERT_TRUE(freed);
     ASSERT_EQ(freed->size(), 8u);
     Momenta after;

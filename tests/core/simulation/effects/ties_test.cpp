@@ -281,10 +281,10 @@ TEST(Ties, FormWhenTheLaterBodyEntersUnlessTheGapHasTornOpen) {
         Ties ties(description, scene.world());
         Findings findings;
         // Clusters in the order of hand-over: the second and third block, then the first.
-        ties.entered(handOver(description, 0, 2, scene.world(), findings).bodies, scene.world());
+        ties.entered(handOver(description, 0, 2, IslandBirths(), scene.world(), findings).fromFe.bodies, scene.world());
         EXPECT_EQ(ties.ties().size(), 1u);
         scene.run(wait);
-        ties.entered(handOver(description, 2, 3, scene.world(), findings).bodies, scene.world());
+        ties.entered(handOver(description, 2, 3, IslandBirths(), scene.world(), findings).fromFe.bodies, scene.world());
         // Falling for 0.1 s opens 0.05 m of the 0.15 m that it may, for 1 s 4.9 m.
         EXPECT_EQ(ties.ties().size(), wait < 0.5 ? 2u : 1u) << wait;
         if (wait == 0.1) {

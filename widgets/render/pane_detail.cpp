@@ -98,7 +98,7 @@ void PaneGeometry::joinNodes() {
             if (node != StructureFaces::none && m_joined[node] == none) {
                 m_joined[node] = node;
                 nodes.push_back(node);
-                places.push_back(placeOf(node, m_afloat ? m_islands.of(node) : IslandMotion::none));
+                places.push_back(placeOf(node));
             }
         }
     }

@@ -51,7 +51,8 @@ PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allF
     : m_content(content),
       m_data(data),
       m_allFaces(allFaces),
-      m_motion(data.fe, states ? std::move(states) : std::make_shared<StateReadAhead>(data.fe)) {
+      m_motion(data.fe, states ? std::move(states) : std::make_shared<StateReadAhead>(data.fe)),
+      m_islands(data.fe) {
     if (content == PaneContent::Fe) {
         m_data.fragments = nullptr;
         m_data.clustering = nullptr;
@@ -120,10 +121,29 @@ void PaneGeometry::bindBodies() {
     for (const Carrier& carrier : carriers) {
         m_boundBodies = std::max(m_boundBodies, at(carrier.body) + 1);
     }
-    m_islands.bind(m_data.fe->mesh(), m_data.trajectory->islands(), m_data.trajectory->bodies());
+    bindIslands();
     m_debrisSlot = ~std::uint64_t{0};
     m_coarse.reset();
     m_cells = {};
+}
+
+void PaneGeometry::bindIslands() {
+    const bool grows = !m_data.trajectory->complete();
+    const std::vector<BodyRecord> bodies = m_data.trajectory->bodies();
+    std::vector<IslandRecord> islands = m_data.trajectory->islands();
+    // A run that grows may have added the body of an island, and not yet the island.
+    std::vector<std::uint8_t> named(bodies.size(), 0);
+    for (const IslandRecord& island : islands) {
+        if (at(island.body) < named.size()) {
+            named[at(island.body)] = 1;
+        }
+    }
+    for (std::size_t b = 0; grows && b < bodies.size(); ++b) {
+        if (bodies[b].isIsland() && named[b] == 0) {
+            m_boundBodies = std::min(m_boundBodies, b);
+        }
+    }
+    m_islands.bind(std::move(islands), bodies);
 }
 
 double PaneGeometry::shownTime(double time) {
@@ -156,7 +176,7 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
             if (m_frame.bodies() > m_boundBodies) {
                 bindBodies();
             }
-            m_islands.moveTo(m_frame);
+            m_islands.moveTo(m_frame, shown);
         }
     }
     m_status.state = static_cast<std::uint32_t>(m_motion.state());
@@ -167,14 +187,14 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
     const bool otherLooks = settleLooks(scale);
     const std::size_t structureSlot = m_structure->slotAt(shown);
     const std::size_t debrisSlot = m_slots ? m_slots->slotAt(shown) : 0;
-    const bool otherIslands = released(shown) != m_afloat;
+    const bool otherIslands = m_islands.version() != m_islandsDrawn;
     const bool otherDetail = settleDetail();
     const bool changed =
         otherLooks || otherDetail || otherIslands || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
     if (changed) {
         findVisible(structureSlot);
         m_debrisSlot = debrisSlot;
-        m_afloat = released(shown);
+        m_islandsDrawn = m_islands.version();
         rebuildTriangles();
         countShown(shown);
     }
@@ -301,7 +321,7 @@ void PaneGeometry::addStructure() {
         std::int32_t& point = m_pointOf[std::size_t{node} * looks + look];
         if (point < 0) {
             point = static_cast<std::int32_t>(m_debrisPoints + m_structurePoints.size());
-            m_structurePoints.push_back({node, look, m_afloat ? m_islands.of(node) : IslandMotion::none});
+            m_structurePoints.push_back({node, look, afloat(node)});
         }
         return point;
     };
@@ -343,11 +363,6 @@ void PaneGeometry::addStructure() {
     }
 }
 
-Eigen::Vector3f PaneGeometry::placeOf(std::uint32_t node, std::uint32_t island) const {
-    const Eigen::Vector3f x = m_motion[node];
-    return island != IslandMotion::none ? m_islands.place(island, x) : x;
-}
-
 void PaneGeometry::place(double time) {
     m_points.resize(3 * (m_debrisPoints + m_structurePoints.size()));
     if (m_groupsShown > 0) {
@@ -355,7 +370,7 @@ void PaneGeometry::place(double time) {
     }
     float* p = m_points.data() + 3 * m_debrisPoints;
     for (const StructurePoint& point : m_structurePoints) {
-        const Eigen::Vector3f x = placeOf(point.node, point.island);
+        const Eigen::Vector3f x = placeOf(point.node);
         p[0] = x.x();
         p[1] = x.y();
         p[2] = x.z();
@@ -458,7 +473,7 @@ void PaneGeometry::colour(ColourBy colourBy, const ColourScale& scale) {
         put(debrisColour(drawnDebris().vertices()[i].fragment, m_groupOfPoint[i], speeds, colourBy, scale));
     }
     for (const StructurePoint& point : m_structurePoints) {
-        const bool plain = point.island == IslandMotion::none || scale.style == Style::Presentation;
+        const bool plain = !point.carried || scale.style == Style::Presentation;
         put(plain ? m_looks[point.look] : scale.colours.released);
     }
     takeGrain();
@@ -511,7 +526,7 @@ void PaneGeometry::select(const std::vector<ElementIndex>& selection) {
 
 void PaneGeometry::countShown(double time) {
     m_status.fragments = m_status.clusters = 0;
-    m_status.released = m_afloat ? m_islands.elements() : 0;
+    m_status.released = m_islands.elements();
     m_status.bornByComponent.clear();
     m_status.faces = m_triangles.size() / 3;
     m_status.hidden = static_cast<std::size_t>(std::count(m_hidden.begin(), m_hidden.end(), 1));

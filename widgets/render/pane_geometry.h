@@ -82,13 +82,14 @@ private:
     struct StructurePoint {
         std::uint32_t node = 0;
         std::uint32_t look = 0;
-        std::uint32_t island = IslandMotion::none;  ///< released, and carried by a body
+        bool carried = false;  ///< its island of live structure is carried by a body
     };
 
     void makeFaces(bool carried);
     double shownTime(double time);
     void followTrajectory();
     void bindBodies();
+    void bindIslands();
     /// Edges of the cells in which vertices are joined, m; 0: none are.
     struct Cells {
         double structure = 0.0;
@@ -103,7 +104,8 @@ private:
     void findVisible(std::size_t slot);
     void joinNodes();
     bool born(std::size_t fragment) const { return m_slots->born(fragment, m_debrisSlot); }
-    Eigen::Vector3f placeOf(std::uint32_t node, std::uint32_t island) const;
+    bool afloat(std::uint32_t node) const { return m_islands.of(node) != IslandMotion::none; }
+    Eigen::Vector3f placeOf(std::uint32_t node) const { return afloat(node) ? m_islands.place(node) : m_motion[node]; }
     void rebuildTriangles();
     void addStructure();
     void addDebris();
@@ -122,7 +124,6 @@ private:
     void select(const std::vector<ElementIndex>& selection);
     void countShown(double time);
     std::uint32_t componentOf(ElementIndex element) const;
-    bool released(double time) const { return m_carried && !m_islands.empty() && time >= m_islands.from(); }
 
     PaneContent m_content;
     SceneData m_data;
@@ -156,7 +157,7 @@ private:
     std::vector<std::uint32_t> m_visible;  ///< faces of the structure in m_structureSlot
     std::vector<std::uint32_t> m_joined;   ///< by node: the one that is drawn in its place; `none` of those that are not drawn
     std::vector<std::int32_t> m_pointOf;   ///< by node and look, -1 outside addStructure()
-    bool m_afloat = false;                 ///< islands are drawn as released
+    std::uint64_t m_islandsDrawn = 0;      ///< version of m_islands that the triangles are of
     std::vector<std::uint32_t> m_groupOfPoint;
     std::vector<StructurePoint> m_structurePoints;
     std::vector<Owner> m_owners;  ///< by triangle

@@ -11,8 +11,7 @@ std::optional<Vec3> PaneGeometry::centreOf(ElementIndex element) const {
             Eigen::Vector3f sum = Eigen::Vector3f::Zero();
             const auto corners = m_data.fe->mesh().cornersOf(element);
             for (const std::uint32_t node : corners) {
-                const std::uint32_t island = released(m_placedTime) ? m_islands.of(node) : IslandMotion::none;
-                sum += island != IslandMotion::none ? m_islands.place(island, m_motion[node]) : Eigen::Vector3f(m_motion[node]);
+                sum += placeOf(node);
             }
             return (sum / static_cast<float>(corners.size())).cast<double>();
         }

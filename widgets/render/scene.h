@@ -27,7 +27,7 @@ struct PaneStatus {
     FrameKind kind = FrameKind::Fe;
     std::size_t elements = 0;                  ///< of the model
     std::size_t active = 0;                    ///< shown as active structure
-    std::size_t released = 0;                  ///< shown as released islands of live structure
+    std::size_t released = 0;                  ///< shown as islands of live structure that bodies carry
     std::size_t fragments = 0;                 ///< shown as born
     std::vector<std::size_t> bornByComponent;  ///< fragments shown as born, of each component
     std::size_t clusters = 0;                  ///< with at least one fragment born

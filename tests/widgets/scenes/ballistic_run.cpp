@@ -52,8 +52,14 @@ render::SceneData ballisticRun(std::shared_ptr<const FeResult> fe, double until,
         frame.time = i * frameInterval;
         for (; entered < clusters.size() && clusters[entered].handOverTime <= frame.time; ++entered) {
             const Cluster& cluster = clusters[entered];
-            const BodyRecord body{idAt<BodyId>(entered), idAt<ClusterId>(entered),          cluster.handOverTime, cluster.endTime,
-                                  cluster.mass,          {cluster.centre, Quat::Identity()}};
+            const BodyRecord body{idAt<BodyId>(entered),
+                                  idAt<ClusterId>(entered),
+                                  cluster.handOverTime,
+                                  cluster.endTime,
+                                  cluster.mass,
+                                  {cluster.centre, Quat::Identity()},
+                                  {},
+                                  false};
             std::vector<Carrier> carriers;
             for (const FragmentId f : data.clustering->membersOf(idAt<ClusterId>(entered))) {
                 carriers.push_back({f, body.body, body.from, body.to, {-cluster.centre, Quat::Identity()}});

@@ -54,7 +54,7 @@ struct ReleasedSlab {
     }
     void runToFeEnd() {
         const Fragment& f = data.fragments->list.front();
-        const BodyRecord body{BodyId{0}, ClusterId{0}, f.handOverTime, f.endTime, f.mass, {f.centre, Quat::Identity()}};
+        const BodyRecord body{BodyId{0}, ClusterId{0}, f.handOverTime, f.endTime, f.mass, {f.centre, Quat::Identity()}, {}, false};
         const Carrier carrier{FragmentId{0}, BodyId{0}, f.handOverTime, f.endTime, {-f.centre, Quat::Identity()}};
         trajectory->addBodies(std::span(&body, 1), std::span(&carrier, 1));
         trajectory->commit(frameAt(0.1, 1));
@@ -65,9 +65,9 @@ struct ReleasedSlab {
         body.body = BodyId{1};
         body.cluster = noCluster;
         body.from = 0.3;
-        body.atBirth.position = centre;
+        body.atBirth.position = body.inFe.position = centre;
         trajectory->addBodies(std::span(&body, 1), {});
-        IslandRecord island{BodyId{1}, {}};
+        IslandRecord island{BodyId{1}, atLastState, body.inFe, {}};
         for (std::size_t e = 0; e < slabElements; ++e) {
             island.elements.push_back(idAt<ElementIndex>(e));
         }

@@ -53,6 +53,10 @@ public:
     /// Looks for frames that were committed since.
     virtual void refresh() = 0;
     virtual std::vector<LedgerRow> ledger() const = 0;
+    /// A row each time that islands of live structure came, as TrajectorySink::addIslands() had it; none in runs of before them.
+    virtual std::vector<LedgerRow> islandLedger() const = 0;
+    /// A row for each state at which islands lost something; none in runs of before that was known.
+    virtual std::vector<IslandLoss> islandLosses() const = 0;
     /// Breaches of health up to the newest frame, in the order in which they began; none in runs that were stopped before such were
     /// written on the way.
     virtual std::vector<HealthBreach> breaches() const = 0;

@@ -56,7 +56,8 @@ RunGrids::RunGrids(const RunReader& run, const FeResult& fe)
       m_elementIds(run.elementIds()),
       m_clustering(run.clustering()),
       m_islands(run.islands()),
-      m_bodies(run.bodies()) {
+      m_bodies(run.bodies()),
+      m_carriers(run.carriers()) {
     const Scenario& scenario = run.origin().scenario;
     m_componentOf = groupComponents(fe.mesh(), scenario.regrouping, scenario.components, scenario.assumptions).of;
     for (const Fragment& fragment : m_places.fragments().list) {
@@ -119,7 +120,10 @@ std::vector<CarriedIsland> RunGrids::carriedAt(double time) const {
     if (m_islands.empty() || m_run.frameCount() == 0) {
         return {};
     }
-    return carriedIslands(m_islands, m_bodies, frameAtTime(m_run, time));
+    const TrajectoryFrame frame = frameAtTime(m_run, time);
+    std::vector<CarriedIsland> carried = carriedIslands(m_islands, m_bodies, frame);
+    std::ranges::copy(leftIslands(m_places.fragments(), m_islands, m_carriers, frame), std::back_inserter(carried));
+    return carried;
 }
 
 CellGrid RunGrids::structure(const RunInstant& instant, const std::vector<FragmentPlaces::Place>& shown) const {
@@ -150,25 +154,35 @@ CellGrid RunGrids::structure(const RunInstant& instant, const std::vector<Fragme
 }
 
 bool RunGrids::hasReleased(const RunInstant& instant) const {
-    return std::ranges::any_of(m_islands, [&](const IslandRecord& island) {
-        const BodyRecord& body = m_bodies[at(island.body)];
-        return body.from <= instant.time && instant.time < body.to;
-    });
+    return !carriedAt(instant.time).empty();
 }
 
-// The islands where their bodies are. No two share a node.
+// The islands where their bodies are. No two share a node; what has just left one is drawn with nodes of its own.
 CellGrid RunGrids::released(const RunInstant& instant) const {
     const Mesh& mesh = m_fe.mesh();
     CellGrid grid;
     NodePoints nodes(grid, mesh.nodeCount());
-    for (const CarriedIsland& island : carriedAt(instant.time)) {
+    const TrajectoryFrame frame = frameAtTime(m_run, instant.time);
+    const auto add = [&](const CarriedIsland& island, bool apart) {
         const auto then = m_fe.state(std::min<std::size_t>(island.state, m_fe.stateCount() - 1));
         for (const ElementIndex e : island.elements) {
             for (const std::uint32_t node : mesh.cornersOf(e)) {
-                nodes.addCorner(node, [&] { return m_site.toWorld(island.moved * then->positions[node]); });
+                const auto place = [&] { return m_site.toWorld(island.moved * then->positions[node]); };
+                if (apart) {
+                    grid.connectivity.push_back(static_cast<std::int64_t>(grid.points.size()));
+                    grid.points.push_back(place());
+                } else {
+                    nodes.addCorner(node, place);
+                }
             }
             addCell(grid, mesh.shapes[at(e)], mesh.elementIds[at(e)], m_componentOf[at(e)]);
         }
+    };
+    for (const CarriedIsland& island : carriedIslands(m_islands, m_bodies, frame)) {
+        add(island, false);
+    }
+    for (const CarriedIsland& element : leftIslands(m_places.fragments(), m_islands, m_carriers, frame)) {
+        add(element, true);
     }
     return grid;
 }

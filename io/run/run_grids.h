@@ -53,11 +53,12 @@ public:
     CellGrid fragments(const std::vector<FragmentPlaces::Place>& shown) const;
     /// Active structure as the FE result has it, without the elements of the fragments shown and of islands that bodies carry.
     CellGrid structure(const RunInstant& instant, const std::vector<FragmentPlaces::Place>& shown) const;
-    /// Bodies carry live structure at this instant, which is a part of its own.
+    /// Bodies carry live structure at this instant, which is a part of its own; so is what left it and is not born yet.
     bool hasReleased(const RunInstant& instant) const;
     CellGrid released(const RunInstant& instant) const;
 
 private:
+    /// Islands that bodies carry, then what left them and is not born yet.
     std::vector<CarriedIsland> carriedAt(double time) const;
 
     const RunReader& m_run;
@@ -70,6 +71,7 @@ private:
     std::shared_ptr<const Clustering> m_clustering;
     std::vector<IslandRecord> m_islands;
     std::vector<BodyRecord> m_bodies;
+    std::vector<Carrier> m_carriers;
 };
 
 }  // namespace rubble::io

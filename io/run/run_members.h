@@ -227,6 +227,27 @@ struct Members<LiveIslands> {
 };
 
 template <>
+struct Members<CarriedStructure> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& c) {
+        visit("islands", c.islands);
+        visit("elements", c.elements);
+        visit("mass", c.mass);
+        visit("refused", c.refused);
+        visit("bodies", c.bodies);
+        visit("born", c.born);
+        visit("born_mass", c.bornMass);
+        visit("born_at_rest_mass", c.bornAtRestMass);
+        visit("left", c.left);
+        visit("left_mass", c.leftMass);
+        visit("still_moving", c.stillMoving);
+        visit("dropped_kinetic_energy", c.droppedKineticEnergy);
+        visit("hand_overs", c.handOvers);
+        visit("losses", c.losses);
+    }
+};
+
+template <>
 struct Members<StepTimes> {
     template <class Visitor, class Value>
     static void each(Visitor& visit, Value& t) {
@@ -336,6 +357,7 @@ struct Members<SimulationResult> {
         visit("ledger", r.ledger);
         visit("births", r.births);
         visit("islands", r.islands);
+        visit.added("carried", r.carried);
         visit("penetration_max", r.penetrationMax);
         visit("asleep_at_end", r.asleepAtEnd);
         visit("still_moving", r.stillMoving);

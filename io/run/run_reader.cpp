@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
@@ -14,9 +15,10 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::array<RunDataset, 9> frameDatasets{RunDataset::Positions, RunDataset::Orientations,   RunDataset::Speeds,
-                                                  RunDataset::States,    RunDataset::Bodies,         RunDataset::Carriers,
-                                                  RunDataset::Islands,   RunDataset::IslandElements, RunDataset::Breaches};
+/// In the order in which they are looked at anew: what is written last comes first, so that whatever it names is seen as well.
+constexpr std::array<RunDataset, 10> frameDatasets{
+    RunDataset::Breaches, RunDataset::Islands,   RunDataset::IslandPlaces, RunDataset::IslandElements, RunDataset::Carriers,
+    RunDataset::Bodies,   RunDataset::Positions, RunDataset::Orientations, RunDataset::Speeds,         RunDataset::States};
 
 class RunFileReader : public RunReader {
 public:
@@ -33,6 +35,8 @@ public:
     const RunOrigin& origin() const override { return m_origin; }
     void refresh() override;
     std::vector<LedgerRow> ledger() const override;
+    std::vector<LedgerRow> islandLedger() const override;
+    std::vector<IslandLoss> islandLosses() const override;
     std::vector<HealthBreach> breaches() const override;
     std::shared_ptr<const FragmentSet> fragments() const override;
     std::shared_ptr<const Clustering> clustering() const override;
@@ -58,6 +62,7 @@ private:
     std::shared_ptr<Clustering> readClustering(const nlohmann::json& text, std::size_t fragments) const;
     void takeNewFrames();
     void takeNewBodies() const;
+    void takeNewIslands() const;
     void takeNewBreaches() const;
     void takeBreach(const HealthBreach& breach) const;
     std::shared_ptr<const TrajectoryFrame> readFrame(const FrameRow& row) const;
@@ -73,6 +78,7 @@ private:
     mutable std::shared_ptr<const SimulationResult> m_result;
     mutable std::vector<BodyRecord> m_bodies;
     mutable std::vector<Carrier> m_carriers;
+    mutable std::vector<IslandRecord> m_islands;
     mutable std::size_t m_breachText = 0;  ///< bytes of it that are taken
     mutable std::vector<HealthBreach> m_breaches;
 };
@@ -209,25 +215,43 @@ std::vector<Carrier> RunFileReader::carriers() const {
     return m_carriers;
 }
 
-std::vector<IslandRecord> RunFileReader::islands() const {
-    const std::scoped_lock lock(m_mutex);
-    // What rows refer to is written before them, so they are read first.
-    const std::vector<IslandRow> rows = m_columns.table<IslandRow>(RunDataset::Islands);
-    const std::vector<IslandPlaceRow> places = m_columns.table<IslandPlaceRow>(RunDataset::IslandPlaces);
-    const std::vector<ElementIndex> elements = m_columns.list<ElementIndex>(RunDataset::IslandElements);
+void RunFileReader::takeNewIslands() const {
+    const std::size_t known = m_islands.size();
+    const std::vector<IslandRow> rows = m_columns.table<IslandRow>(RunDataset::Islands, known);
+    if (rows.empty()) {
+        return;
+    }
     takeNewBodies();
+    const std::vector<IslandPlaceRow> places = m_columns.table<IslandPlaceRow>(RunDataset::IslandPlaces, known);
+    const bool placed = m_columns.has(RunDataset::IslandPlaces);
+    if (placed && places.size() < rows.size()) {
+        m_columns.failContent(RunDataset::IslandPlaces, "it does not have one row for each island");
+    }
+    // Elements stand island by island, as rows do.
+    const std::size_t from = rows.front().firstElement;
+    const std::vector<ElementIndex> elements = m_columns.list<ElementIndex>(RunDataset::IslandElements, from);
     std::vector<IslandRecord> islands;
-    for (const IslandRow& row : rows) {
-        if (row.body >= m_bodies.size() || row.firstElement > elements.size() ||
-            row.elementCount > elements.size() - row.firstElement) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const IslandRow& row = rows[i];
+        const std::size_t first = row.firstElement - from;
+        if (row.body >= m_bodies.size() || row.firstElement < from || first > elements.size() ||
+            row.elementCount > elements.size() - first) {
             m_columns.failContent(RunDataset::Islands, "it names a body or elements that do not exist");
         }
-        const auto first = elements.begin() + row.firstElement;
-        const std::size_t i = islands.size();
-        const IslandPlaceRow place = i < places.size() ? places[i] : IslandPlaceRow{atLastState, m_bodies[row.body].atBirth};
-        islands.push_back({idAt<BodyId>(row.body), place.state, place.inFe, {first, first + row.elementCount}});
+        IslandPlaceRow place{atLastState, m_bodies[row.body].atBirth};
+        if (placed) {
+            place = places[i];
+        }
+        const auto begin = elements.begin() + static_cast<std::ptrdiff_t>(first);
+        islands.push_back({idAt<BodyId>(row.body), place.state, place.inFe, {begin, begin + row.elementCount}});
     }
-    return islands;
+    std::ranges::move(islands, std::back_inserter(m_islands));
+}
+
+std::vector<IslandRecord> RunFileReader::islands() const {
+    const std::scoped_lock lock(m_mutex);
+    takeNewIslands();
+    return m_islands;
 }
 
 bool RunFileReader::complete() const {
@@ -239,6 +263,18 @@ std::vector<LedgerRow> RunFileReader::ledger() const {
     const std::scoped_lock lock(m_mutex);
     m_columns.refresh(RunDataset::Ledger);
     return m_columns.table<LedgerRow>(RunDataset::Ledger);
+}
+
+std::vector<LedgerRow> RunFileReader::islandLedger() const {
+    const std::scoped_lock lock(m_mutex);
+    m_columns.refresh(RunDataset::IslandLedger);
+    return m_columns.table<LedgerRow>(RunDataset::IslandLedger);
+}
+
+std::vector<IslandLoss> RunFileReader::islandLosses() const {
+    const std::scoped_lock lock(m_mutex);
+    m_columns.refresh(RunDataset::IslandLosses);
+    return m_columns.table<IslandLoss>(RunDataset::IslandLosses);
 }
 
 void RunFileReader::takeNewBreaches() const {

@@ -202,7 +202,10 @@ TEST(ExportSeries, ReleasedStructureIsAPartOfItsOwnOnceTheFeResultEnds) {
     std::shared_ptr<const FeResult> fe;
     SampleRun run = runOverFe(17, 40, fe);
     const std::size_t first = run.description.fragments->size();
-    run.islands.push_back({run.bodies.back().body, {idAt<ElementIndex>(first), idAt<ElementIndex>(first + 1)}});
+    BodyRecord& body = run.bodies.back();
+    body.cluster = noCluster;
+    body.from = 0.6;
+    run.islands.push_back({body.body, 6, body.atBirth, {idAt<ElementIndex>(first), idAt<ElementIndex>(first + 1)}});
     run.feed(*createRun(folder / "a.run.h5", run.origin));
     const auto reader = openRun(folder / "a.run.h5");
     exportSeries(folder / "D.pvd", *reader, *fe, Execution());
@@ -225,7 +228,6 @@ TEST(ExportSeries, ReleasedStructureIsAPartOfItsOwnOnceTheFeResultEnds) {
         ++released;
         EXPECT_TRUE(after) << entry.time;
         ASSERT_EQ(grid->GetNumberOfCells(), 2);
-        const BodyRecord& body = run.bodies.back();
         const TrajectoryFrame frame = frameAtTime(*reader, entry.time);
         const Quat turn = frame.orientations.back().cast<double>().normalized() * body.atBirth.orientation.conjugate();
         const std::uint32_t node = fe->mesh().cornersOf(idAt<ElementIndex>(first + 1))[2];
@@ -237,6 +239,67 @@ TEST(ExportSeries, ReleasedStructureIsAPartOfItsOwnOnceTheFeResultEnds) {
         EXPECT_EQ(grid->GetCellData()->GetArray("element_id")->GetTuple1(1), 1000.0 + static_cast<double>(first + 1));
     }
     EXPECT_GE(released, 9u);
+}
+
+/// Corner of an element as a place of the map, carried from where the FE result has it at a state.
+Vec3 carriedCorner(const FeResult& fe, std::size_t state, ElementIndex element, std::size_t corner, const Pose& moved) {
+    return moved * fe.state(state)->positions[fe.mesh().cornersOf(element)[corner]] + Vec3(100000, -200000, 3);
+}
+
+Pose poseIn(const TrajectoryFrame& frame, BodyId body) {
+    return {frame.positions[at(body)].cast<double>(), frame.orientations[at(body)].cast<double>().normalized()};
+}
+
+TEST(ExportSeries, AnIslandIsWhereTheEngineHasItBeforeTheFeResultEnds) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    SampleRun run = runOverFe(23, 40, fe);
+    const ElementIndex lives = idAt<ElementIndex>(run.description.fragments->size());
+    const ElementIndex dies = idAt<ElementIndex>(3);  // last active at 0.3 s, born at 0.4 s
+    BodyRecord& whole = run.bodies[run.bodies.size() - 2];
+    BodyRecord& rest = run.bodies.back();
+    whole.cluster = rest.cluster = noCluster;
+    whole.from = 0.2;
+    whole.to = rest.from = 0.3;
+    for (TrajectoryFrame& frame : run.frames) {
+        frame.states.assign(frame.bodies(), BodyState::Awake);
+    }
+    run.islands.push_back({whole.body, 2, {Vec3(1, 2, 3), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))}, {dies, lives}});
+    run.islands.push_back({rest.body, 2, {Vec3(-5, 0, 1), Quat(Eigen::AngleAxisd(-1.0, Vec3::UnitZ()))}, {lives}});
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const auto reader = openRun(folder / "a.run.h5");
+    exportSeries(folder / "D.pvd", *reader, *fe, Execution());
+    std::size_t seen = 0;
+    for (const SeriesEntry& entry : readIndex(folder / "D.pvd")) {
+        const auto state = std::min<std::size_t>(static_cast<std::size_t>(std::lround(entry.time / 0.1)), 6);
+        const auto grid = readGrid(folder / entry.file);
+        const std::size_t carried = state < 2 ? 0 : state < 4 ? 2 : 1;
+        if (entry.part == 1) {
+            std::size_t active = 0;
+            for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {
+                active += fe->activity().active(state, idAt<ElementIndex>(e));
+            }
+            EXPECT_EQ(static_cast<std::size_t>(grid->GetNumberOfCells()), active - carried) << entry.time;
+        }
+        if (entry.part != 2) {
+            continue;
+        }
+        ++seen;
+        ASSERT_EQ(static_cast<std::size_t>(grid->GetNumberOfCells()), carried) << entry.time;
+        const TrajectoryFrame frame = frameAtTime(*reader, entry.time);
+        const IslandRecord& island = run.islands[state < 3 ? 0 : 1];
+        const Vec3 expected = carriedCorner(*fe, 2, lives, 5, poseIn(frame, island.body) * island.inFe.inverse());
+        const double* place = grid->GetCell(state < 3 ? 1 : 0)->GetPoints()->GetPoint(5);
+        EXPECT_LT((Vec3(place[0], place[1], place[2]) - expected).norm(), 1e-4) << "poses are single precision in the file";
+        if (state == 3) {
+            const Carrier& carrier =
+                *std::find_if(run.carriers.begin(), run.carriers.end(), [](const Carrier& c) { return at(c.fragment) == 3; });
+            const Vec3 left = carriedCorner(*fe, 3, dies, 5, poseIn(frame, carrier.body) * carrier.handOverToBody);
+            place = grid->GetCell(1)->GetPoints()->GetPoint(5);
+            EXPECT_LT((Vec3(place[0], place[1], place[2]) - left).norm(), 1e-4) << "not where the FE result has it";
+        }
+    }
+    EXPECT_GE(seen, 10u) << "every instant from 0.2 s on";
 }
 
 TEST(ExportSeries, KeepsWhatWasWrittenBeforeACancel) {

@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
+#include "io/base/hdf5_handle.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_columns.h"
 #include "io/run/run_json.h"
@@ -71,7 +72,12 @@ TEST(RunFile, GivesBackEverythingThatWasWritten) {
     for (std::size_t i = 0; i < run.islands.size(); ++i) {
         EXPECT_EQ(reader->islands()[i].body, run.islands[i].body);
         EXPECT_EQ(reader->islands()[i].elements, run.islands[i].elements);
+        EXPECT_EQ(reader->islands()[i].state, run.islands[i].state);
+        EXPECT_EQ(reader->islands()[i].inFe.position, run.islands[i].inFe.position);
+        EXPECT_EQ(reader->islands()[i].inFe.orientation.coeffs(), run.islands[i].inFe.orientation.coeffs());
     }
+    expectSameRows(reader->islandLedger(), {run.islandLedger});
+    expectSameRows(reader->islandLosses(), run.islandLosses);
     EXPECT_THAT(reader->componentNames(), testing::ElementsAre("deck 1", "arch ring 1, failing strip", "pfeiler \xC3\xBC"));
     const auto fragments = reader->fragments();
     expectSameRows(fragments->list, run.description.fragments->list);
@@ -92,6 +98,8 @@ TEST(RunFile, GivesBackEverythingThatWasWritten) {
     expectSameRows(result->fragments, run.result.fragments);
     EXPECT_EQ(resultJson(*result), resultJson(run.result));
     EXPECT_EQ(result->penetrationMax, run.result.penetrationMax);
+    EXPECT_EQ(result->carried.bornAtRestMass, 1e4);
+    EXPECT_EQ(result->carried.losses.bodyAngularMomentum, 9e-15);
     EXPECT_EQ(result->effects.size(), effectCount);
     EXPECT_EQ(result->effects[1].decision.asked, EffectSwitch::On);
     EXPECT_EQ(result->health.breaches[2].body, idAt<BodyId>(2));
@@ -308,6 +316,14 @@ void hand(TrajectorySink& sink, const SampleRun& run, std::size_t from, std::siz
         sink.addBodies(run.bodies, run.carriers);
     }
     for (std::size_t i = from; i < to; ++i) {
+        // One island after the other, of different sizes.
+        const std::vector<ElementIndex> elements(1 + i % 7, idAt<ElementIndex>(i));
+        const IslandRecord island{idAt<BodyId>(i),
+                                  static_cast<std::uint32_t>(i / 3),
+                                  {Vec3(1.0 * static_cast<double>(i), 2, 3), Quat::Identity()},
+                                  elements};
+        sink.addIslands(std::span(&island, 1), run.islandLedger);
+        sink.addIslandLoss({run.frames[i].time, static_cast<std::uint32_t>(i), {}, {}, {}});
         sink.commit(run.frames[i]);
         LedgerRow row;
         row.time = run.frames[i].time;
@@ -354,6 +370,15 @@ TEST(RunFile, GoesOnAfterAMarkAndForgetsWhatCameLater) {
         EXPECT_TRUE(sameFrame(*reader->frame(i), run.frames[i])) << i;
     }
     EXPECT_EQ(reader->ledger().size(), 40u);
+    const std::vector<IslandRecord> islands = reader->islands();
+    ASSERT_EQ(islands.size(), 40u) << "those after the mark came once";
+    for (std::size_t i = 0; i < 40; ++i) {
+        EXPECT_EQ(islands[i].body, idAt<BodyId>(i));
+        EXPECT_EQ(islands[i].state, i / 3);
+        EXPECT_EQ(islands[i].inFe.position.x(), 1.0 * static_cast<double>(i));
+        EXPECT_EQ(islands[i].elements, std::vector<ElementIndex>(1 + i % 7, idAt<ElementIndex>(i)));
+    }
+    EXPECT_EQ(reader->islandLosses().size(), 40u);
     EXPECT_EQ(RunColumns(path).text(RunDataset::Digests), RunColumns(whole).text(RunDataset::Digests))
         << "every row of every dataset is the same";
 }
@@ -491,8 +516,68 @@ TEST(RunFile, OpensRunsOfBeforeTheMonitor) {
     EXPECT_TRUE(result->effects.empty());
     EXPECT_FALSE(result->health.tainted());
     EXPECT_TRUE(reader->islands().empty());
+    EXPECT_TRUE(reader->islandLedger().empty());
+    EXPECT_TRUE(reader->islandLosses().empty());
+    EXPECT_EQ(result->carried.islands, 0);
     EXPECT_TRUE(reader->breaches().empty());
     EXPECT_NO_THROW(checkRunDigest(path, Execution()));
+}
+
+/// Takes datasets out of a file, as one that was written before they came up.
+void unlink(const std::string& path, std::initializer_list<const char*> datasets) {
+    const Hdf5Session session;
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    ASSERT_TRUE(file.valid());
+    for (const char* dataset : datasets) {
+        ASSERT_GE(H5Ldelete(file.get(), dataset, H5P_DEFAULT), 0) << dataset;
+    }
+}
+
+TEST(RunFile, IslandsOfBeforeTheyHadPlacesWereReleasedAtTheLastState) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "older.run.h5";
+    const SampleRun run = makeSampleRun(31, 20, 8);
+    run.feed(*createRun(path, run.origin));
+    unlink(path, {"/islands/places", "/islands/losses"});
+    const auto reader = openRun(path);
+    const std::vector<IslandRecord> islands = reader->islands();
+    ASSERT_EQ(islands.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const BodyRecord& body = run.bodies[at(run.islands[i].body)];
+        EXPECT_EQ(islands[i].state, atLastState);
+        EXPECT_EQ(islands[i].inFe.position, body.atBirth.position);
+        EXPECT_EQ(islands[i].inFe.orientation.coeffs(), body.atBirth.orientation.coeffs());
+        EXPECT_EQ(islands[i].elements, run.islands[i].elements);
+    }
+    EXPECT_TRUE(reader->islandLosses().empty());
+    EXPECT_EQ(reader->islandLedger().size(), 1u);
+}
+
+TEST(RunFile, IslandsComeWithTheirPlacesWhileTheRunGrows) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "growing.run.h5";
+    const SampleRun run = makeSampleRun(32, 50, 40);
+    const auto sink = createRun(path, run.origin);
+    sink->begin(run.description);
+    hand(*sink, run, 0, 10);
+    const auto reader = openRun(path);
+    const auto reached = [&](std::size_t frames) {
+        return eventually([&] {
+            reader->refresh();
+            return reader->frameCount() == frames;
+        });
+    };
+    ASSERT_TRUE(reached(10));
+    EXPECT_EQ(reader->islands().size(), 10u);
+    hand(*sink, run, 10, 25);
+    ASSERT_TRUE(reached(25));
+    const std::vector<IslandRecord> islands = reader->islands();
+    ASSERT_EQ(islands.size(), 25u);
+    for (std::size_t i = 0; i < 25; ++i) {
+        EXPECT_EQ(islands[i].state, i / 3) << "not one of a run of before";
+        EXPECT_EQ(islands[i].elements.size(), 1 + i % 7);
+    }
+    EXPECT_EQ(reader->islandLosses().size(), 25u);
 }
 
 TEST(RunFile, RefusesWhatIsNoRun) {

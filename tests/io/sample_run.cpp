@@ -119,8 +119,14 @@ void makeBodies(SampleRun& run, Dice& dice) {
     run.firstBatch = clustering.list.size() / 2;
     for (std::size_t c = 0; c < clustering.list.size(); ++c) {
         const double from = c < run.firstBatch ? 0.0 : 0.05;
-        run.bodies.push_back({idAt<BodyId>(c), idAt<ClusterId>(c), from, std::numeric_limits<double>::infinity(),
-                              clustering.list[c].mass, dice.pose()});
+        run.bodies.push_back({idAt<BodyId>(c),
+                              idAt<ClusterId>(c),
+                              from,
+                              std::numeric_limits<double>::infinity(),
+                              clustering.list[c].mass,
+                              dice.pose(),
+                              {},
+                              false});
         for (const FragmentId f : clustering.membersOf(idAt<ClusterId>(c))) {
             run.carriers.push_back({f, idAt<BodyId>(c), from, std::numeric_limits<double>::infinity(), dice.pose()});
         }
@@ -134,8 +140,12 @@ void makeIslands(SampleRun& run, Dice& dice) {
     if (run.bodies.empty()) {
         return;
     }
-    run.islands.push_back({run.bodies.front().body, {idAt<ElementIndex>(3), idAt<ElementIndex>(5), idAt<ElementIndex>(8)}});
-    run.islands.push_back({run.bodies.back().body, {idAt<ElementIndex>(4)}});
+    run.islands.push_back(
+        {run.bodies.front().body, 2, dice.pose(), {idAt<ElementIndex>(3), idAt<ElementIndex>(5), idAt<ElementIndex>(8)}});
+    run.islands.push_back({run.bodies.back().body, atLastState, dice.pose(), {idAt<ElementIndex>(4)}});
+    for (std::uint32_t k = 3; k < 6; ++k) {
+        run.islandLosses.push_back({0.1 * k, k, dice.momenta(), dice.momenta(), dice.momenta()});
+    }
     run.islandLedger.time = 0.05;
     run.islandLedger.fe = dice.momenta();
     run.islandLedger.bodies = dice.momenta();
@@ -215,6 +225,20 @@ void makeResult(SampleRun& run, Dice& dice) {
     run.result.ledger = {1e-16, 2e-16, 3e-16, 4e-16, 5e-16, 6e-16};
     run.result.births = {4500, 900, 0.31, 77, 1e6, -2e3, 12};
     run.result.islands = {3, 41, 1e5, 2, 2, 40, 9e4, 1, 1, 1, 1e3, {1e-15, 2e-15, 3e-15, 4e-15, 5e-15, 6e-15}};
+    run.result.carried = {7,
+                          900,
+                          3e5,
+                          1,
+                          60,
+                          800,
+                          2.5e5,
+                          1e4,
+                          2,
+                          5e4,
+                          1,
+                          2e3,
+                          {1e-15, 2e-15, 3e-15, 4e-15, 5e-15, 6e-15},
+                          {0, 0, 0, 7e-15, 8e-15, 9e-15}};
     run.result.penetrationMax = 0.123456789012345;
     run.result.asleepAtEnd = 0.875;
     run.result.stillMoving = 5;
@@ -241,7 +265,8 @@ SampleRun makeSampleRun(std::uint32_t seed, std::size_t clusters, std::size_t fr
     run.origin.frame.origin = {100000, -200000, 3};
     makeScene(run, dice, clusters);
     makeBodies(run, dice);
-    makeIslands(run, dice);
+    Dice ofIslands(seed + 1000000);
+    makeIslands(run, ofIslands);
     for (std::size_t i = 0; i < frames; ++i) {
         const double time = 0.04 * static_cast<double>(i);
         run.frames.push_back(makeFrame(dice, time, time < 0.05 ? run.firstBatch : run.bodies.size()));
@@ -260,6 +285,9 @@ void SampleRun::feed(TrajectorySink& sink, std::size_t frameCount) const {
         if (!second && frames[i].bodies() > firstBatch) {
             sink.addBodies(std::span(bodies).subspan(firstBatch), std::span(carriers).subspan(firstCarriers));
             sink.addIslands(islands, islandLedger);
+            for (const IslandLoss& loss : islandLosses) {
+                sink.addIslandLoss(loss);
+            }
             second = true;
         }
         sink.commit(frames[i]);

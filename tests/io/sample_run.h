@@ -21,6 +21,7 @@ struct SampleRun {
     std::vector<TrajectoryFrame> frames;
     std::vector<IslandRecord> islands;  ///< of bodies that exist; none without bodies
     LedgerRow islandLedger;
+    std::vector<IslandLoss> islandLosses;
     std::vector<LedgerRow> ledger;
     SimulationResult result;
 

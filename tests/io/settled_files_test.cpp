@@ -27,6 +27,7 @@ SettledWorld settledWorld() {
     settled.world.endTime = 12.5;
     CarriedIsland& island = settled.islands.emplace_back();
     island.elements = {idAt<ElementIndex>(3), idAt<ElementIndex>(70000)};
+    island.state = 17;
     island.moved = {Vec3(1.0 / 3.0, -2.0, 1e-300), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
     return settled;
 }
@@ -42,6 +43,7 @@ TEST(SettledFiles, WhatIsKeptComesBackToTheBit) {
     EXPECT_EQ(back->world.endTime, 12.5);
     ASSERT_EQ(back->islands.size(), 1u);
     EXPECT_EQ(back->islands[0].elements, settledWorld().islands[0].elements);
+    EXPECT_EQ(back->islands[0].state, 17u);
     EXPECT_EQ(back->islands[0].moved.position, settledWorld().islands[0].moved.position);
     EXPECT_EQ(back->islands[0].moved.orientation.coeffs(), settledWorld().islands[0].moved.orientation.coeffs());
     EXPECT_TRUE(findings.empty());
@@ -65,7 +67,7 @@ TEST(SettledFiles, DamagedIslandsAreToldAndNotTaken) {
     SettledFiles files(folder.path());
     files.keep(memberOrigin(), settledWorld());
     for (const char* text :
-         {"", "{", "[]", "{\"version\": 2}", "{\"version\":1,\"world\":\"x\",\"trajectory\":\"y\",\"islands\":[]}"}) {
+         {"", "{", "[]", "{\"version\": 3}", "{\"version\":2,\"world\":\"x\",\"trajectory\":\"y\",\"islands\":[]}"}) {
         std::ofstream(files.islandsPath(memberOrigin())) << text;
         Findings findings;
         EXPECT_FALSE(files.settled(memberOrigin(), findings)) << text;

@@ -32,7 +32,10 @@ class VtkHdfExport : public testing::Test {
 protected:
     VtkHdfExport() {
         const std::size_t first = m_run.description.fragments->size();
-        m_run.islands.push_back({m_run.bodies.back().body, {idAt<ElementIndex>(first), idAt<ElementIndex>(first + 1)}});
+        BodyRecord& body = m_run.bodies.back();
+        body.cluster = noCluster;
+        body.from = 0.6;
+        m_run.islands.push_back({body.body, 6, body.atBirth, {idAt<ElementIndex>(first), idAt<ElementIndex>(first + 1)}});
         m_run.feed(*createRun(m_folder / "a.run.h5", m_run.origin));
         m_reader = openRun(m_folder / "a.run.h5");
         exportVtkHdf(m_path, *m_reader, *m_fe, Execution());

@@ -67,6 +67,40 @@ std::vector<CarriedIsland> carriedIslands(std::span<const IslandRecord> islands,
     return carried;
 }
 
+std::vector<CarriedIsland> leftIslands(const FragmentSet& fragments, std::span<const IslandRecord> islands,
+                                       std::span<const Carrier> carriers, const TrajectoryFrame& frame) {
+    std::vector<const Carrier*> latest(islands.empty() ? 0 : fragments.size(), nullptr);
+    for (const Carrier& carrier : carriers) {
+        if (at(carrier.fragment) < latest.size() && carrier.from <= frame.time && frame.time < carrier.to) {
+            latest[at(carrier.fragment)] = &carrier;
+        }
+    }
+    std::unordered_map<std::size_t, FragmentId> onTheWay;
+    for (std::size_t f = 0; f < latest.size(); ++f) {
+        const Fragment& fragment = fragments.list[f];
+        const bool there =
+            latest[f] != nullptr && at(latest[f]->body) < frame.bodies() && frame.states[at(latest[f]->body)] != BodyState::Removed;
+        if (there && fragment.handOverTime <= frame.time && frame.time < fragment.birthTime) {
+            onTheWay.emplace(at(fragment.element), idAt<FragmentId>(f));
+        }
+    }
+    std::vector<CarriedIsland> left;
+    for (std::size_t i = 0; i < islands.size() && !onTheWay.empty(); ++i) {
+        for (const ElementIndex e : islands[i].elements) {
+            const auto found = onTheWay.find(at(e));
+            if (found == onTheWay.end()) {
+                continue;
+            }
+            const Carrier& carrier = *latest[at(found->second)];
+            const std::size_t b = at(carrier.body);
+            const Pose body{frame.positions[b].cast<double>(), frame.orientations[b].cast<double>().normalized()};
+            left.push_back({{e}, fragments.list[at(found->second)].handOverState, body * carrier.handOverToBody});
+            onTheWay.erase(found);
+        }
+    }
+    return left;
+}
+
 void CarriedIsland::keep(Archive& archive) {
     archive(elements, state, moved);
 }

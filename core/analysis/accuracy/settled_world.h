@@ -24,6 +24,11 @@ struct CarriedIsland {
 std::vector<CarriedIsland> carriedIslands(std::span<const IslandRecord> islands, std::span<const BodyRecord> bodies,
                                           const TrajectoryFrame& frame);
 
+/// Elements that left such an island and are no fragments yet: from hand-over to birth they count as structure, and bodies carry
+/// them already. One entry each.
+std::vector<CarriedIsland> leftIslands(const FragmentSet& fragments, std::span<const IslandRecord> islands,
+                                       std::span<const Carrier> carriers, const TrajectoryFrame& frame);
+
 /// A simulated world with the live structure that fell in it: all that lies on the site.
 struct SettledWorld {
     SimulatedWorld world;

@@ -6,18 +6,22 @@ namespace rubble {
 
 namespace {
 
-std::vector<CarriedIsland> islandsAt(const TrajectoryReader& trajectory, double time) {
+std::vector<CarriedIsland> carriedAt(const FragmentSet& fragments, const TrajectoryReader& trajectory, double time) {
     const std::vector<IslandRecord> islands = trajectory.islands();
     if (islands.empty() || trajectory.frameCount() == 0) {
         return {};
     }
-    return carriedIslands(islands, trajectory.bodies(), frameAtTime(trajectory, time));
+    const TrajectoryFrame frame = frameAtTime(trajectory, time);
+    std::vector<CarriedIsland> carried = carriedIslands(islands, trajectory.bodies(), frame);
+    std::ranges::copy(leftIslands(fragments, islands, trajectory.carriers(), frame), std::back_inserter(carried));
+    return carried;
 }
 
 }  // namespace
 
-ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, const TrajectoryReader& trajectory, double time)
-    : ElementPlaces(fe, activity, islandsAt(trajectory, time), time) {}
+ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, const FragmentSet& fragments,
+                             const TrajectoryReader& trajectory, double time)
+    : ElementPlaces(fe, activity, carriedAt(fragments, trajectory, time), time) {}
 
 ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, std::span<const CarriedIsland> islands, double time)
     : m_activity(activity), m_carried(fe.mesh().elementCount(), -1), m_mesh(fe.mesh()) {

@@ -13,12 +13,14 @@
 
 namespace rubble {
 
-/// Where the corners of live elements are at one instant: those of islands that bodies carry are where their bodies are; others are
-/// interpolated between two FE states where alive at both, and stay after the last one.
+/// Where the corners of live elements are at one instant: those of islands that bodies carry are where their bodies are, and so
+/// is what left them and is not born yet; others are interpolated between two FE states where alive at both, and stay after the
+/// last one.
 class ElementPlaces {
 public:
     /// @param activity  as the policy sees it; must outlive this
-    ElementPlaces(const FeResult& fe, const Activity& activity, const TrajectoryReader& trajectory, double time);
+    ElementPlaces(const FeResult& fe, const Activity& activity, const FragmentSet& fragments, const TrajectoryReader& trajectory,
+                  double time);
     /// @param islands  as they are at that time
     ElementPlaces(const FeResult& fe, const Activity& activity, std::span<const CarriedIsland> islands, double time);
 

@@ -56,7 +56,7 @@ LiveStructure displacedStructure(const FeResult& fe, const Components& component
                                  const FragmentSet& fragments, const Debris& debris, const TrajectoryReader& trajectory,
                                  double threshold, const Execution& execution) {
     const Activity activity = simulatedActivity(fe, settings);
-    const ElementPlaces places(fe, activity, trajectory, debris.time);
+    const ElementPlaces places(fe, activity, fragments, trajectory, debris.time);
     return displaced(fe, components, settings, fragments, debris, places, threshold, execution);
 }
 

@@ -167,7 +167,7 @@ SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liv
     SiteShape site;
     site.time = when;
     addDebris(site, *run.fragments, debris);
-    const ElementPlaces places(*run.fe, activity, *run.trajectory, when);
+    const ElementPlaces places(*run.fe, activity, *run.fragments, *run.trajectory, when);
     addStructure(site, run.fe->mesh(), places, *run.fragments, debris, liveThreshold, execution);
     if (const SiteSurface ground = groundOf(run); ground.terrain) {
         addTerrain(site, *ground.terrain, seenFrom);

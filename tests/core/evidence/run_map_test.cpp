@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/accuracy/settled_world.h"
 #include "core/analysis/debris/debris.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
@@ -93,6 +94,58 @@ TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {
     const double between = 0.5 * (0.5 * standardGravity * (0.3 * 0.3 + 0.4 * 0.4));
     EXPECT_NEAR(early.live->pieces[0].centre.z(), 4.5 - between, 1e-9) << "linear between the states";
     EXPECT_EQ(early.shown, FrameKind::Interpolated);
+}
+
+TEST_F(MapOfARun, AnIslandIsWhereTheEngineHasItBeforeTheFeResultEnds) {
+    scenario.effects.loose = LooseStructurePolicy::AtOnce;
+    results = rubble::run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution());
+    mapped = {inputs.fe.get(), &trajectory, results.fragments, results.simulation, nullptr, scenario};
+    ASSERT_EQ(trajectory.islands().size(), 1u) << "the beam";
+    const BodyId beam = trajectory.islands()[0].body;
+    settings.liveThreshold = 0.1;
+    ASSERT_LE(trajectory.bodies()[at(beam)].from, 0.35);
+    for (const double time : {0.35, 0.4, 0.8}) {
+        const RunMap made = mapAt(time);
+        ASSERT_EQ(made.live->pieces.size(), 4u) << time;
+        Vec3 centre = Vec3::Zero();
+        for (const MapPiece& piece : made.live->pieces) {
+            centre += piece.centre / 4.0;
+        }
+        const Vec3 body = frameAtTime(trajectory, time).positions[at(beam)].cast<double>();
+        EXPECT_LT((centre - body).norm(), 1e-5) << time;
+    }
+}
+
+/// What an island has lost is where its body has it from the hand-over on, and not where the FE result has it until it is born.
+TEST_F(MapOfARun, WhatLeftAnIslandIsNotBackAtItsFePlace) {
+    FragmentSet fragments;
+    Fragment& fragment = fragments.list.emplace_back();
+    fragment.element = ElementIndex{7};
+    fragment.handOverState = 3;
+    fragment.handOverTime = 0.3;
+    fragment.birthTime = 0.4;
+    const Pose handOverToBody{Vec3(1, 2, 3), Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()))};
+    const std::vector<Carrier> carriers{{FragmentId{0}, BodyId{1}, 0.3, std::numeric_limits<double>::infinity(), handOverToBody}};
+    const std::vector<IslandRecord> islands{{BodyId{0}, 2, {}, {ElementIndex{6}, ElementIndex{7}}}};
+    TrajectoryFrame frame;
+    frame.positions = {{0, 0, 0}, {4, 5, 6}};
+    frame.orientations.assign(2, Eigen::Quaternionf::Identity());
+    frame.speeds.assign(2, 0.0f);
+    frame.states.assign(2, BodyState::Awake);
+    frame.time = 0.35;
+    const std::vector<CarriedIsland> left = leftIslands(fragments, islands, carriers, frame);
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(left[0].elements, std::vector<ElementIndex>{ElementIndex{7}});
+    EXPECT_EQ(left[0].state, 3u);
+    EXPECT_LT((left[0].moved * Vec3(0, 0, 1) - (Vec3(4, 5, 6) + handOverToBody * Vec3(0, 0, 1))).norm(), 1e-6);
+    EXPECT_TRUE(leftIslands(fragments, {}, carriers, frame).empty()) << "it was in no island";
+    for (const double time : {0.25, 0.4}) {
+        frame.time = time;
+        EXPECT_TRUE(leftIslands(fragments, islands, carriers, frame).empty()) << time;
+    }
+    frame.time = 0.35;
+    frame.states[1] = BodyState::Removed;
+    EXPECT_TRUE(leftIslands(fragments, islands, carriers, frame).empty()) << "its body has left";
 }
 
 TEST_F(MapOfARun, GrowsWithTime) {

@@ -123,8 +123,14 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const std::shared_ptr<io::RunReader> recorded = runPath.empty() ? nullptr : io::openRun(runPath);
     const io::Taint taint = recorded ? io::taintOf(*recorded) : io::Taint{results.simulation->health.breaches.size(), {}, {}, true};
-    const RunReport report{subject,         results, recorder.ledger(), io::allFindings(subject, results), temporary ? "" : runPath,
-                           exports.paths(), taint};
+    const RunReport report{subject,
+                           results,
+                           recorder.ledger(),
+                           recorder.islands(),
+                           io::allFindings(subject, results),
+                           temporary ? "" : runPath,
+                           exports.paths(),
+                           taint};
     if (arguments.json()) {
         printJson(session, report.json());
     } else {

@@ -50,6 +50,15 @@ Json ledgerJson(const SimulationResult& run, const std::vector<LedgerRow>& ledge
     return object;
 }
 
+Json errorsJson(const LedgerErrors& errors) {
+    return {{"mass_error", errors.mass},
+            {"momentum_error", errors.momentum},
+            {"angular_momentum_error", errors.angularMomentum},
+            {"body_mass_error", errors.bodyMass},
+            {"body_momentum_error", errors.bodyMomentum},
+            {"body_angular_momentum_error", errors.bodyAngularMomentum}};
+}
+
 Json islandsJson(const LiveIslands& islands) {
     return {{"islands", islands.islands},
             {"released", islands.released},
@@ -62,13 +71,44 @@ Json islandsJson(const LiveIslands& islands) {
             {"occupied", islands.occupied},
             {"still_moving", islands.stillMoving},
             {"dropped_kinetic_energy_j", islands.droppedKineticEnergy},
-            {"ledger",
-             {{"mass_error", islands.ledger.mass},
-              {"momentum_error", islands.ledger.momentum},
-              {"angular_momentum_error", islands.ledger.angularMomentum},
-              {"body_mass_error", islands.ledger.bodyMass},
-              {"body_momentum_error", islands.ledger.bodyMomentum},
-              {"body_angular_momentum_error", islands.ledger.bodyAngularMomentum}}}};
+            {"ledger", errorsJson(islands.ledger)}};
+}
+
+Json carriedJson(const CarriedStructure& carried) {
+    return {{"islands", carried.islands},
+            {"elements", carried.elements},
+            {"mass_kg", carried.mass},
+            {"refused", carried.refused},
+            {"bodies", carried.bodies},
+            {"born", carried.born},
+            {"born_mass_kg", carried.bornMass},
+            {"born_at_rest_mass_kg", carried.bornAtRestMass},
+            {"left", carried.left},
+            {"left_mass_kg", carried.leftMass},
+            {"still_moving", carried.stillMoving},
+            {"dropped_kinetic_energy_j", carried.droppedKineticEnergy},
+            {"hand_over_ledger", errorsJson(carried.handOvers)},
+            {"loss_ledger",
+             {{"mass_error", carried.losses.bodyMass},
+              {"momentum_error", carried.losses.bodyMomentum},
+              {"angular_momentum_error", carried.losses.bodyAngularMomentum}}}};
+}
+
+/// Live structure that the engine moved before the FE result ended; nothing where it moved none.
+void addCarried(FactList& facts, const CarriedStructure& carried) {
+    if (carried.islands == 0 && carried.refused == 0) {
+        return;
+    }
+    facts.add("carried structure",
+              englishInteger(carried.islands) + " islands with " + englishInteger(carried.elements) + " elements, " +
+                  tonnesText(carried.mass) + ", went to the engine when they came loose, as " + englishInteger(carried.bodies) +
+                  " bodies in all" +
+                  (carried.refused > 0 ? "; " + englishInteger(carried.refused) + " could not be handed over" : std::string()));
+    facts.add("born from islands", englishInteger(carried.born) + " fragments, " + tonnesText(carried.bornMass) + "; of these " +
+                                       tonnesText(carried.bornAtRestMass) +
+                                       " were killed by the FE result after the island had come to rest elsewhere");
+    facts.add("left of islands", englishInteger(carried.left) + " bodies at the end, " + tonnesText(carried.leftMass) + "; " +
+                                     englishInteger(carried.stillMoving) + " still move");
 }
 
 /// Apart from the fragments: live structure is not what the FE analysis deleted.
@@ -122,6 +162,7 @@ void addSimulationJson(Json& object, const SimulationResult& run) {
     object["asleep_at_end"] = run.asleepAtEnd;
     object["still_moving"] = run.stillMoving;
     object["islands"] = islandsJson(run.islands);
+    object["carried"] = carriedJson(run.carried);
     object["live_islands"] = run.islands.islands;
     object["live_island_elements"] = run.islands.elements;
     object["live_island_mass_kg"] = run.islands.mass;
@@ -208,20 +249,75 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
     facts.add("fastest body", withUnit(run.maxSpeed, "m/s"));
     facts.add("bulking factor", std::isfinite(run.bulkingFactor) ? englishNumber(run.bulkingFactor) : "-");
     addIslands(facts, run.islands);
+    addCarried(facts, run.carried);
     facts.add("trajectory hash", run.trajectoryHash.hex());
     facts.print(out);
 }
 
-void printLedger(std::ostream& out, const SimulationResult& run, const std::vector<LedgerRow>& ledger) {
-    printHeading(out, "Ledger");
-    // A hundred rows tell a reader less than a dozen; all of them are in the table of --csv.
-    std::vector<LedgerRow> shown;
-    const std::size_t stride = std::max<std::size_t>(1, (ledger.size() + ledgerRows - 1) / ledgerRows);
-    for (std::size_t i = 0; i < ledger.size(); ++i) {
-        if (i % stride == 0 || i + 1 == ledger.size()) {
-            shown.push_back(ledger[i]);
+/// A hundred rows tell a reader less than a dozen: every so many of them, and the last.
+template <class Row>
+std::vector<Row> someOf(const std::vector<Row>& rows) {
+    std::vector<Row> shown;
+    const std::size_t stride = std::max<std::size_t>(1, (rows.size() + ledgerRows - 1) / ledgerRows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i % stride == 0 || i + 1 == rows.size()) {
+            shown.push_back(rows[i]);
         }
     }
+    return shown;
+}
+
+/// What islands brought when they came, and how they shared out what they lost.
+void printIslandRows(std::ostream& out, const IslandRows& islands) {
+    if (!islands.handOvers.empty()) {
+        const std::vector<LedgerRow> shown = someOf(islands.handOvers);
+        TextTable table({{"islands at [s]", ""}, {"handed over [kg]", ""}, {"kinetic in [J]", ""}, {"dropped [J]", ""}});
+        for (const LedgerRow& row : shown) {
+            table.add({numberCell(row.time), numberCell(row.bodies.mass), numberCell(row.bodies.kineticEnergy),
+                       numberCell(row.droppedKineticEnergy)});
+        }
+        table.print(out);
+        if (shown.size() < islands.handOvers.size()) {
+            out << "  (" << shown.size() << " of " << islands.handOvers.size() << " rows)\n";
+        }
+    }
+    if (!islands.losses.empty()) {
+        const std::vector<IslandLoss> shown = someOf(islands.losses);
+        TextTable table({{"losses at [s]", ""}, {"islands had [kg]", ""}, {"born from them [kg]", ""}, {"left of them [kg]", ""}});
+        for (const IslandLoss& loss : shown) {
+            table.add(
+                {numberCell(loss.time), numberCell(loss.before.mass), numberCell(loss.born.mass), numberCell(loss.left.mass)});
+        }
+        table.print(out);
+        if (shown.size() < islands.losses.size()) {
+            out << "  (" << shown.size() << " of " << islands.losses.size() << " rows)\n";
+        }
+    }
+}
+
+std::string errorsText(double mass, double momentum, double angularMomentum) {
+    return "mass " + englishNumber(mass) + ", momentum " + englishNumber(momentum) + ", angular momentum " +
+           englishNumber(angularMomentum);
+}
+
+void addLedgerErrors(FactList& facts, const SimulationResult& run) {
+    const LedgerErrors& e = run.ledger;
+    facts.add("fragments against FE", errorsText(e.mass, e.momentum, e.angularMomentum));
+    facts.add("bodies against FE", errorsText(e.bodyMass, e.bodyMomentum, e.bodyAngularMomentum) + " (largest relative errors)");
+    if (run.carried.islands > 0) {
+        const LedgerErrors& taken = run.carried.handOvers;
+        const LedgerErrors& lost = run.carried.losses;
+        facts.add("islands against FE", errorsText(taken.bodyMass, taken.bodyMomentum, taken.bodyAngularMomentum) +
+                                            "; deformation dropped " + withUnit(run.carried.droppedKineticEnergy, "J"));
+        facts.add("losses of islands",
+                  errorsText(lost.bodyMass, lost.bodyMomentum, lost.bodyAngularMomentum) + ", born and left against what they had");
+    }
+}
+
+void printLedger(std::ostream& out, const SimulationResult& run, const std::vector<LedgerRow>& ledger, const IslandRows& islands) {
+    printHeading(out, "Ledger");
+    // All of them are in the table of --csv.
+    const std::vector<LedgerRow> shown = someOf(ledger);
     TextTable table({{"time [s]", ""},
                      {"handed over [kg]", ""},
                      {"kinetic in [J]", ""},
@@ -240,13 +336,9 @@ void printLedger(std::ostream& out, const SimulationResult& run, const std::vect
     if (shown.size() < ledger.size()) {
         out << "  (" << shown.size() << " of " << ledger.size() << " rows; --csv writes all)\n";
     }
+    printIslandRows(out, islands);
     FactList facts;
-    facts.add("fragments against FE", "mass " + englishNumber(run.ledger.mass) + ", momentum " +
-                                          englishNumber(run.ledger.momentum) + ", angular momentum " +
-                                          englishNumber(run.ledger.angularMomentum));
-    facts.add("bodies against FE", "mass " + englishNumber(run.ledger.bodyMass) + ", momentum " +
-                                       englishNumber(run.ledger.bodyMomentum) + ", angular momentum " +
-                                       englishNumber(run.ledger.bodyAngularMomentum) + " (largest relative errors)");
+    addLedgerErrors(facts, run);
     facts.add("energy", "gravity did " + withUnit(run.energy.gravityWork, "J") + ", hand-overs brought " +
                             withUnit(run.energy.kineticIn, "J") + ", contacts took " + withUnit(run.energy.dissipated, "J") +
                             "; gain beyond these " + percent(run.energy.drift) + " of the gravity work");
@@ -350,7 +442,7 @@ void RunReport::print(std::ostream& out) const {
     printRun(out, *results.simulation, results.wallSeconds);
     printHealth(out, *results.simulation, taint);
     printEffects(out, *results.simulation);
-    printLedger(out, *results.simulation, ledger);
+    printLedger(out, *results.simulation, ledger, islands);
     printFindings(out, findings);
     if (!runPath.empty() || !files.empty()) {
         printHeading(out, "Files");

@@ -6,6 +6,7 @@
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/text_table.h"
+#include "app/cli/run/run_sinks.h"
 #include "core/pipeline/pipeline.h"
 #include "core/trajectory/trajectory.h"
 #include "io/run/acknowledgements.h"
@@ -17,6 +18,7 @@ struct RunReport {
     const io::OpenedCase& subject;
     const Results& results;
     const std::vector<LedgerRow>& ledger;
+    const IslandRows& islands;
     Findings findings;
     std::string runPath;             ///< empty if the run was not kept
     std::vector<std::string> files;  ///< exported

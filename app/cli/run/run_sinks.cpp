@@ -19,8 +19,20 @@ void LedgerRecorder::addLedger(const LedgerRow& row) {
     m_ledger.push_back(row);
 }
 
+void LedgerRecorder::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
+    SinkRelay::addIslands(islands, ledger);
+    if (ledger.fe.mass > 0.0) {
+        m_islands.handOvers.push_back(ledger);
+    }
+}
+
+void LedgerRecorder::addIslandLoss(const IslandLoss& loss) {
+    SinkRelay::addIslandLoss(loss);
+    m_islands.losses.push_back(loss);
+}
+
 void LedgerRecorder::keep(Archive& archive) {
-    archive(m_ledger, m_frames, m_lastTime);
+    archive(m_ledger, m_islands.handOvers, m_islands.losses, m_frames, m_lastTime);
 }
 
 namespace {

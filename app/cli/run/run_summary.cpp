@@ -33,6 +33,10 @@ std::string fallenText(const Results& results) {
         text += "; and " + counted(run.islands.released, "loose part", "loose parts") + " of the live structure, " +
                 tonnesText(run.islands.releasedMass);
     }
+    if (run.carried.islands > 0) {
+        text += "; " + counted(run.carried.islands, "loose island", "loose islands") + ", " + tonnesText(run.carried.mass) +
+                ", moved by the engine from when they came loose";
+    }
     return text;
 }
 

@@ -77,6 +77,36 @@ TEST_F(Run, SettingsReachTheSimulation) {
     EXPECT_NE(run({"--set", "preset=paper"})["trajectory_hash"], hash);
 }
 
+TEST_F(Run, TellsOfLooseStructureThatTheEngineCarries) {
+    const nlohmann::json without = run()["carried"];
+    EXPECT_EQ(without["islands"], 0);
+    EXPECT_EQ(without["bodies"], 0);
+    const nlohmann::json carried = run({"--set", "loose_structure=at_once"})["carried"];
+    // One cube of a falling block lives on.
+    EXPECT_EQ(carried["islands"], 1);
+    EXPECT_EQ(carried["elements"], 1);
+    EXPECT_NEAR(carried["mass_kg"], 2000.0, 1e-6);
+    EXPECT_EQ(carried["refused"], 0);
+    EXPECT_EQ(carried["left"], 1);
+    EXPECT_NEAR(carried["left_mass_kg"], 2000.0, 1e-6);
+    for (const char* ledger : {"hand_over_ledger", "loss_ledger"}) {
+        for (const auto& [key, error] : carried[ledger].items()) {
+            EXPECT_LE(error, 1e-9) << ledger << ' ' << key;
+        }
+    }
+    const auto reader = io::openRun(m_out);
+    EXPECT_EQ(reader->result()->carried.islands, 1);
+    ASSERT_EQ(reader->islandLedger().size(), 1u);
+    EXPECT_NEAR(reader->islandLedger()[0].bodies.mass, 2000.0, 1e-6);
+    const Outcome told = cli({"run", m_path, "--set", "loose_structure=at_once", "--set", "settle_time=0.5", "--tables"});
+    EXPECT_EQ(told.exitCode, 0) << told.err;
+    for (const char* part : {"1 loose island, 2 t", "carried structure", "born from islands", "left of islands", "islands at [s]",
+                             "islands against FE", "losses of islands"}) {
+        EXPECT_THAT(told.out, HasSubstr(part));
+    }
+    EXPECT_THAT(cli({"run", m_path, "--set", "settle_time=0.5", "--tables"}).out, testing::Not(HasSubstr("carried structure")));
+}
+
 TEST_F(Run, ADamagedRunIsNotVerified) {
     run();
     std::fstream file(m_out, std::ios::in | std::ios::out | std::ios::binary);

@@ -1047,7 +1047,7 @@
     </message>
     <message>
         <source>fe</source>
-        <translation>有限元速度</translation>
+        <translation>有限元</translation>
     </message>
     <message>
         <source>follow</source>
@@ -1224,6 +1224,18 @@
     <message>
         <source>wedge</source>
         <translation>楔形体</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>立即</translation>
+    </message>
+    <message>
+        <source>bricks</source>
+        <translation>砖块</translation>
+    </message>
+    <message>
+        <source>touch</source>
+        <translation>接触时</translation>
     </message>
 </context>
 <context>
@@ -9649,6 +9661,14 @@
         <source>{0} points were laid on cells of {1}, {2} to a cell in the median; {3} % of the cells have none</source>
         <translation>{0} 个点放到了 {1} 的单元上，每个单元的点数中位数为 {2}；{3} % 的单元没有点</translation>
     </message>
+    <message>
+        <source>it does not have one row for each island</source>
+        <translation>并非每个孤立部分各有一行</translation>
+    </message>
+    <message>
+        <source>the index of a state</source>
+        <translation>一个状态的序号</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -9894,10 +9914,6 @@
     <message>
         <source>Coefficient of drag of a box in water, with its projected area.</source>
         <translation>盒体在水中按投影面积计的阻力系数。</translation>
-    </message>
-    <message>
-        <source>Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, slower. compound: a box for every fragment, slowest.</source>
-        <translation>聚类的碰撞形状。axis_box（轴向包围盒）：论文所用。oriented_box（有向包围盒）：耗时相同，空隙更少。hull（凸包）：更贴近，较慢。compound（组合体）：每个碎块一个盒，最慢。</translation>
     </message>
     <message>
         <source>Contact of fragments</source>
@@ -10402,6 +10418,18 @@
     <message>
         <source>Open the file by itself: others whose names differ only in a number are not taken for its states, as with variants of a design.</source>
         <translation>单独打开该文件：名称只差编号的其他文件不当作它的状态，例如同一设计的变体。</translation>
+    </message>
+    <message>
+        <source>Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, slower. compound: a box for every fragment, slowest. bricks: boxes of the volume of the fragments, joined where they leave next to no space between them. auto: bricks where the engine moves loose structure, oriented_box where the FE result does (loose_structure).</source>
+        <translation>聚类的碰撞形状。axis_box：同发表文献。oriented_box：耗时相同，空隙更小。hull：更贴合，更慢。compound：每个碎块一个盒子，最慢。bricks：体积等于碎块体积的盒子，彼此几乎无间隙时合并。auto：松脱结构由引擎移动时为 bricks，由有限元结果移动时为 oriented_box（loose_structure）。</translation>
+    </message>
+    <message>
+        <source>Loose structure</source>
+        <translation>松脱的结构</translation>
+    </message>
+    <message>
+        <source>Who moves live structure without a path to a support. fe: the FE result, to its end. touch: the engine, from its first touch with debris. at_once: the engine, from when it comes loose.</source>
+        <translation>没有路径通向支座的未失效结构由谁移动。fe：有限元结果，直到其结束。touch：引擎，从其首次接触堆积物起。at_once：引擎，从其松脱起。</translation>
     </message>
 </context>
 <context>
@@ -11597,6 +11625,13 @@
     <message>
         <source>Folder for the pictures of the movie</source>
         <translation>动画图片的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Playback</name>
+    <message>
+        <source>loose structure went over to the engine: islands %1, elements %2, %3</source>
+        <translation>松脱的结构交给引擎：孤立部分 %1，单元 %2，%3</translation>
     </message>
 </context>
 <context>
@@ -13393,6 +13428,46 @@
     <message>
         <source>simulated debris that is not compared</source>
         <translation>未比较的模拟堆积物</translation>
+    </message>
+    <message>
+        <source>Energy of the bodies over time; they enter as their elements are deactivated, or as loose structure that the engine takes over</source>
+        <translation>刚体能量随时间的变化；刚体在其单元失效时，或作为由引擎接手的松脱结构进入</translation>
+    </message>
+    <message>
+        <source>Loose structure that the engine moved before the FE result ended</source>
+        <translation>有限元结果结束之前由引擎移动的松脱结构</translation>
+    </message>
+    <message>
+        <source>islands that came loose</source>
+        <translation>松脱的孤立部分</translation>
+    </message>
+    <message>
+        <source>their mass</source>
+        <translation>其质量</translation>
+    </message>
+    <message>
+        <source>fragments born from them</source>
+        <translation>由其产生的碎块</translation>
+    </message>
+    <message>
+        <source>of these, killed by the FE result after their island had come to rest elsewhere</source>
+        <translation>其中孤立部分已在别处静止之后才被有限元结果令其失效的</translation>
+    </message>
+    <message>
+        <source>left of them at the end</source>
+        <translation>结束时余下的</translation>
+    </message>
+    <message>
+        <source>kinetic energy of deformation that was dropped</source>
+        <translation>舍去的变形动能</translation>
+    </message>
+    <message>
+        <source>mass and momenta against the FE result, largest relative error</source>
+        <translation>质量和动量相对有限元结果的最大相对误差</translation>
+    </message>
+    <message>
+        <source>mass and momenta of what was born and left against what there was, likewise</source>
+        <translation>产生与余下之和相对原有的质量和动量，同上</translation>
     </message>
 </context>
 <context>
@@ -16876,6 +16951,10 @@ What the file fits: %2.</source>
         <source>Height of its end above its birth</source>
         <translation>终点高出产生处的高度</translation>
     </message>
+    <message>
+        <source>Carried by the engine since %1 s, in a loose island.</source>
+        <translation>自 %1 s 起由引擎带动，属于一个松散的孤立部分。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::MapView</name>
@@ -18536,6 +18615,18 @@ Program: %3</source>
         <source>Awake at most</source>
         <translation>活动至多</translation>
     </message>
+    <message>
+        <source>Carried structure</source>
+        <translation>引擎带动的结构</translation>
+    </message>
+    <message>
+        <source>Loose islands that the engine moved from when they came loose, before the FE result ended</source>
+        <translation>有限元结果结束之前，自松脱起由引擎移动的松散孤立部分</translation>
+    </message>
+    <message>
+        <source>%1; fragments born from them %2, of these after they had come to rest %3; bodies left at the end %4</source>
+        <translation>%1；由其产生的碎块 %2，其中在其静止之后产生 %3；结束时余下的刚体 %4</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::ScenarioBar</name>
@@ -19529,10 +19620,6 @@ Program: %3</source>
         <translation>有限元结束</translation>
     </message>
     <message>
-        <source>Deaths over time and what is computed. Drag to scrub; with Shift, drag the range that playback goes round.</source>
-        <translation>失效随时间的变化以及已计算的部分。拖动可浏览；按住 Shift 拖出循环回放的区间。</translation>
-    </message>
-    <message>
         <source>bookmarks</source>
         <translation>书签轨</translation>
     </message>
@@ -19559,6 +19646,14 @@ Program: %3</source>
 %2 ± %3 s</source>
         <translation>照片 %1
 %2 ± %3 s</translation>
+    </message>
+    <message>
+        <source>Deaths over time, those in islands that the engine carried, and what is computed. Drag to scrub; with Shift, drag the range that playback goes round.</source>
+        <translation>随时间的失效、其中在引擎带动的孤立部分中的失效，以及已计算部分。拖动以浏览；按住 Shift 拖动设定循环播放的范围。</translation>
+    </message>
+    <message>
+        <source>in islands</source>
+        <translation>在孤立部分中</translation>
     </message>
 </context>
 <context>

@@ -105,6 +105,18 @@ TEST(Inspector, AnElementThatLivesHasNoJourney) {
     EXPECT_FALSE(button(inspector, "Follow")->isEnabled());
 }
 
+TEST(Inspector, SaysSinceWhenTheEngineHasCarriedAnElement) {
+    Inspector inspector;
+    Inspector::ElementFacts facts;
+    facts.number = 21877;
+    facts.lastActive = 4.94;
+    inspector.showElement(facts);
+    EXPECT_FALSE(textOf(inspector).contains(QStringLiteral("engine")));
+    facts.carriedSince = 4.0801;
+    inspector.showElement(facts);
+    EXPECT_TRUE(textOf(inspector).contains(QStringLiteral("Carried by the engine since 4.08 s")));
+}
+
 TEST(Inspector, WithoutARunItSaysHowToGetOne) {
     Inspector inspector;
     Inspector::ElementFacts facts = fragmentFacts();

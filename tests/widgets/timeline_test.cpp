@@ -5,6 +5,8 @@
 #include <QImage>
 #include <QTest>
 
+#include "widgets/basics/theme.h"
+
 namespace rubble::widgets {
 
 TEST(Timeline, PlaceAndTimeAreInverse) {
@@ -90,6 +92,40 @@ TEST(Timeline, PhotographsHaveARowAndAClickGoesToTheirTime) {
     EXPECT_EQ(timeline.sizeHint().height(), low);
     timeline.resize(with.size());
     EXPECT_NE(timeline.grab().toImage(), with);
+}
+
+TEST(Timeline, HandOversOfIslandsAreTicksThatLeadToTheirTime) {
+    Timeline timeline;
+    timeline.resize(800, 116);
+    timeline.setRange(0.0, 10.0);
+    timeline.setDeaths({0.0, 2.0, 4.0, 6.0}, {0.0, 10.0, 40.0, 20.0});
+    const QImage without = timeline.grab().toImage();
+    EXPECT_FALSE(timeline.handOverAt(QPointF(timeline.toX(2.0), 50.0)));
+    timeline.setIslands({0.0, 0.0, 30.0, 20.0}, {{1.9, QStringLiteral("two islands")}, {2.0, QStringLiteral("one more")}});
+    ASSERT_TRUE(timeline.handOverAt(timeline.tickOf(1)));
+    EXPECT_EQ(*timeline.handOverAt(timeline.tickOf(1)), 1u) << "the nearer of two that are close together";
+    EXPECT_EQ(*timeline.handOverAt(timeline.tickOf(0) - QPointF(3, 0)), 0u);
+    EXPECT_FALSE(timeline.handOverAt(timeline.tickOf(0) - QPointF(30, 0)));
+    std::vector<double> scrubbed;
+    QObject::connect(&timeline, &Timeline::scrubbed, [&](double time) { scrubbed.push_back(time); });
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, timeline.tickOf(0).toPoint());
+    ASSERT_EQ(scrubbed.size(), 1u);
+    EXPECT_EQ(scrubbed.front(), 1.9) << "not the time of the pixel";
+    // Ticks and the area of deaths in islands are seen, and go with them.
+    const auto pixelsOf = [&](const QImage& image) {
+        int count = 0;
+        const QRgb ink = tints().released.rgb();
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                count += image.pixel(x, y) == ink ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    EXPECT_EQ(pixelsOf(without), 0);
+    EXPECT_GT(pixelsOf(timeline.grab().toImage()), 10);
+    timeline.setIslands({}, {});
+    EXPECT_EQ(pixelsOf(timeline.grab().toImage()), 0);
 }
 
 }  // namespace rubble::widgets

@@ -104,6 +104,9 @@ void RunPanel::buildOutcome() {
         tr("Live islands without a path to a support that became rigid bodies when the FE result ended, apart from fragments"));
     m_islands =
         m_outcome->addValue(tr("Live islands held"), {}, tr("Parts of the structure alive at the end without a path to a support"));
+    m_carried =
+        m_outcome->addValue(tr("Carried structure"), {},
+                            tr("Loose islands that the engine moved from when they came loose, before the FE result ended"));
     m_ledger = m_outcome->addValue(tr("Ledger, fragments"), {},
                                    tr("Largest relative error of mass, momentum, angular momentum against the FE result"));
     m_bodyLedger = m_outcome->addValue(tr("Ledger, bodies"), {}, tr("The same for the bodies, as read back from the engine"));
@@ -149,6 +152,10 @@ void RunPanel::setOutcome(const Outcome& outcome) {
         tr("%1; %2 released inside debris or structure; %3 still move at the end")
             .arg(shownWith(r.islands.releasedMass, "kg"), shownCount(r.islands.occupied), shownCount(r.islands.stillMoving)));
     m_islands->setText(islands(r.islands.held(), r.islands.elements - r.islands.releasedElements));
+    m_carried->setText(islands(r.carried.islands, r.carried.elements));
+    m_carried->setToolTip(tr("%1; fragments born from them %2, of these after they had come to rest %3; bodies left at the end %4")
+                              .arg(shownWith(r.carried.mass, "kg"), shownWith(r.carried.bornMass, "kg"),
+                                   shownWith(r.carried.bornAtRestMass, "kg"), shownCount(r.carried.left)));
     m_ledger->setText(shownNumber(std::max({r.ledger.mass, r.ledger.momentum, r.ledger.angularMomentum}), 2));
     m_bodyLedger->setText(shownNumber(std::max({r.ledger.bodyMass, r.ledger.bodyMomentum, r.ledger.bodyAngularMomentum}), 2));
     m_hash->setText(QString::fromStdString(r.trajectoryHash.hex()).left(8));

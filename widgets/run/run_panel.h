@@ -72,6 +72,7 @@ private:
     QLabel* m_overlap;
     QLabel* m_penetration;
     QLabel* m_released;
+    QLabel* m_carried;
     QLabel* m_islands;
     QLabel* m_ledger;
     QLabel* m_bodyLedger;

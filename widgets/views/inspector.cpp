@@ -151,6 +151,10 @@ void Inspector::showElement(const ElementFacts& facts) {
     addRow(solid, tr("shape"), shownName(facts.shape), {}, tr("Shape of the finite element"));
     addRow(solid, tr("material"), shownName(facts.material), {},
            tr("Of its component; set in the component tree or the Case panel"));
+    if (facts.carriedSince) {
+        solid->addNote(
+            tr("Carried by the engine since %1 s, in a loose island.").arg(QLocale().toString(*facts.carriedSince, 'f', 2)));
+    }
     addDeath(facts);
     if (facts.fragment) {
         addJourney(*facts.fragment);

@@ -46,6 +46,7 @@ public:
         std::optional<double> firstInactive;  ///< s, first state that reports it inactive; unset: it does not die
         std::optional<double> exactDeath;     ///< s, where the file gives it
         std::string reportedBy;               ///< how the file says so
+        std::optional<double> carriedSince;   ///< s, when the engine took over the loose island it was in; unset: it did not
         std::optional<FragmentFacts> fragment;
     };
     struct Sums {

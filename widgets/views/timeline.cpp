@@ -30,7 +30,9 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setCursor(Qt::PointingHandCursor);
     setAccessibleName(tr("Timeline"));
-    setToolTip(tr("Deaths over time and what is computed. Drag to scrub; with Shift, drag the range that playback goes round."));
+    setToolTip(
+        tr("Deaths over time, those in islands that the engine carried, and what is computed. Drag to scrub; with Shift, drag the "
+           "range that playback goes round."));
 }
 
 Timeline::Rows Timeline::rows() const {
@@ -55,6 +57,12 @@ void Timeline::setRange(double first, double last) {
 void Timeline::setDeaths(std::vector<double> times, std::vector<double> deaths) {
     m_times = std::move(times);
     m_deaths = std::move(deaths);
+    update();
+}
+
+void Timeline::setIslands(std::vector<double> deaths, std::vector<HandOverMark> handOvers) {
+    m_islandDeaths = std::move(deaths);
+    m_handOvers = std::move(handOvers);
     update();
 }
 
@@ -150,25 +158,31 @@ QString Timeline::wordsOf(const std::vector<std::size_t>& marks) const {
     return words.join(QStringLiteral("<hr/>"));
 }
 
+bool Timeline::showToolTip(const QPointF& point, const QPoint& global) {
+    QString text;
+    if (const auto bookmark = bookmarkAt(point)) {
+        const TimeMark& mark = m_bookmarks[*bookmark];
+        const QString note = mark.note.isEmpty() ? tr("Bookmark") : mark.note;
+        text = tr("%1\n%2; double-click to change").arg(note, shownTime(mark.time));
+    } else if (const auto photograph = photographAt(point)) {
+        const PhotographTime& mark = m_photographs[*photograph];
+        text = tr("Photograph %1\n%2 ± %3 s").arg(mark.name, shownTime(mark.time), QLocale().toString(mark.uncertainty, 'g', 3));
+    } else if (const auto marks = marksAt(point); !marks.empty()) {
+        text = wordsOf(marks);
+    } else if (const auto handOver = handOverAt(point)) {
+        const HandOverMark& mark = m_handOvers[*handOver];
+        text = QStringLiteral("%1: %2").arg(shownTime(mark.time), mark.words);
+    } else {
+        return false;
+    }
+    QToolTip::showText(global, text, this);
+    return true;
+}
+
 bool Timeline::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto bookmark = bookmarkAt(help->pos())) {
-            const TimeMark& mark = m_bookmarks[*bookmark];
-            const QString note = mark.note.isEmpty() ? tr("Bookmark") : mark.note;
-            QToolTip::showText(help->globalPos(), tr("%1\n%2; double-click to change").arg(note, shownTime(mark.time)), this);
-            return true;
-        }
-        if (const auto photograph = photographAt(help->pos())) {
-            const PhotographTime& mark = m_photographs[*photograph];
-            QToolTip::showText(
-                help->globalPos(),
-                tr("Photograph %1\n%2 ± %3 s").arg(mark.name, shownTime(mark.time), QLocale().toString(mark.uncertainty, 'g', 3)),
-                this);
-            return true;
-        }
-        if (const auto marks = marksAt(help->pos()); !marks.empty()) {
-            QToolTip::showText(help->globalPos(), wordsOf(marks), this);
+        if (showToolTip(help->pos(), help->globalPos())) {
             return true;
         }
     }
@@ -194,6 +208,10 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     }
     if (const auto photograph = photographAt(event->position())) {
         emit scrubbed(m_photographs[*photograph].time);
+        return;
+    }
+    if (const auto handOver = handOverAt(event->position())) {
+        emit scrubbed(m_handOvers[*handOver].time);
         return;
     }
     if ((event->modifiers() & Qt::ShiftModifier) != 0) {
@@ -245,6 +263,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     paintLoop(painter, r);
     painter.setPen(tints().muted);
     paintDeaths(painter, r);
+    paintHandOvers(painter, r);
     paintComputed(painter, r);
     paintAxis(painter, r);
     if (!m_marks.empty()) {
@@ -291,18 +310,52 @@ void Timeline::paintDeaths(QPainter& painter, const Rows& r) const {
         painter.drawText(QPointF(r.left, r.deathsBottom - 4), tr("no element dies in this result"));
         return;
     }
-    QPainterPath outline(QPointF(toX(m_times.front()), r.deathsBottom));
-    for (std::size_t i = 0; i < m_times.size(); ++i) {
-        outline.lineTo(toX(m_times[i]), r.deathsBottom - (r.deathsBottom - r.deathsTop) * m_deaths[i] / most);
+    const auto paint = [&](const std::vector<double>& deaths, const QColor& colour) {
+        QPainterPath outline(QPointF(toX(m_times.front()), r.deathsBottom));
+        for (std::size_t i = 0; i < m_times.size() && i < deaths.size(); ++i) {
+            outline.lineTo(toX(m_times[i]), r.deathsBottom - (r.deathsBottom - r.deathsTop) * deaths[i] / most);
+        }
+        QPainterPath area = outline;
+        area.lineTo(toX(m_times.back()), r.deathsBottom);
+        area.closeSubpath();
+        QColor wash = colour;
+        wash.setAlphaF(0.25F);
+        painter.fillPath(area, wash);
+        painter.setPen(QPen(colour, 1.3));
+        painter.drawPath(outline);
+    };
+    paint(m_deaths, tints().fragment);
+    const bool inIslands = std::any_of(m_islandDeaths.begin(), m_islandDeaths.end(), [](double deaths) { return deaths > 0.0; });
+    if (inIslands) {
+        paint(m_islandDeaths, tints().released);
+        painter.drawText(QPointF(12, r.deathsTop + painter.fontMetrics().height() + painter.fontMetrics().ascent()),
+                         tr("in islands"));
     }
-    QPainterPath area = outline;
-    area.lineTo(toX(m_times.back()), r.deathsBottom);
-    area.closeSubpath();
-    QColor wash = tints().fragment;
-    wash.setAlphaF(0.25F);
-    painter.fillPath(area, wash);
-    painter.setPen(QPen(tints().fragment, 1.3));
-    painter.drawPath(outline);
+}
+
+QPointF Timeline::tickOf(std::size_t handOver) const {
+    return {toX(m_handOvers[handOver].time), rows().deathsBottom + 4.0};
+}
+
+std::optional<std::size_t> Timeline::handOverAt(const QPointF& point) const {
+    constexpr double reach = 4.0;  // px
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < m_handOvers.size(); ++i) {
+        const QPointF away = point - tickOf(i);
+        const bool hit = std::abs(away.x()) <= reach && std::abs(away.y()) <= reach;
+        if (hit && (!nearest || std::abs(away.x()) < std::abs(point.x() - tickOf(*nearest).x()))) {
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+void Timeline::paintHandOvers(QPainter& painter, const Rows& r) const {
+    painter.setPen(QPen(tints().released, 1.6));
+    for (const HandOverMark& mark : m_handOvers) {
+        const double x = toX(mark.time);
+        painter.drawLine(QPointF(x, r.deathsBottom + 1.0), QPointF(x, r.deathsBottom + 7.0));
+    }
 }
 
 void Timeline::paintPeak(QPainter& painter, const Rows& r) const {

@@ -22,6 +22,12 @@ struct TimeMark {
     QString note;
 };
 
+/// Loose structure went over to the engine, as the timeline shows it.
+struct HandOverMark {
+    double time = 0.0;  ///< s
+    QString words;      ///< what and how much
+};
+
 /// When a photograph was taken, as far as that is known.
 struct PhotographTime {
     double time = 0.0;         ///< s
@@ -29,10 +35,10 @@ struct PhotographTime {
     QString name;
 };
 
-/// Deaths over time as an area, what is computed as a bar that grows, breaches of health as intervals with a warning sign, the end
-/// of the FE result as a dashed line, bookmarks as flags, the range that playback goes round as a band, one playhead. Emits
-/// scrubbed() while the mouse drags, loopDragged() with Shift, markChosen() when a warning sign is clicked. Times in s, on the
-/// file's clock.
+/// Deaths over time as an area, those in islands as one within it, what is computed as a bar that grows, breaches of health as
+/// intervals with a warning sign, the end of the FE result as a dashed line, bookmarks as flags, the range that playback goes round
+/// as a band, one playhead. Emits scrubbed() while the mouse drags, loopDragged() with Shift, markChosen() when a warning sign is
+/// clicked. Times in s, on the file's clock.
 class Timeline : public QWidget {
     Q_OBJECT
 
@@ -43,6 +49,9 @@ public:
     void setRange(double first, double last);
     /// Elements that died in the interval that ends at each state.
     void setDeaths(std::vector<double> times, std::vector<double> deaths);
+    /// How many of these died in islands that the engine carried, and when it took such over: an area within the other one, and
+    /// ticks below it. Empty where it carried none.
+    void setIslands(std::vector<double> deaths, std::vector<HandOverMark> handOvers);
     void setFeEnd(double time);
     /// What is computed; empty (last <= first) for nothing.
     void setComputed(double first, double last, bool stale);
@@ -64,6 +73,9 @@ public:
     /// Centre of the flag of a bookmark.
     QPointF flagOf(std::size_t bookmark) const;
     std::optional<std::size_t> bookmarkAt(const QPointF& point) const;
+    /// Centre of the tick of a hand-over; the hand-over whose tick is nearest to a point on it.
+    QPointF tickOf(std::size_t handOver) const;
+    std::optional<std::size_t> handOverAt(const QPointF& point) const;
     /// Place of a time on the axis and back [px].
     double toX(double time) const;
     double toTime(double x) const;
@@ -98,6 +110,8 @@ private:
     struct Rows;
     Rows rows() const;
     void paintDeaths(QPainter& painter, const Rows& rows) const;
+    void paintHandOvers(QPainter& painter, const Rows& rows) const;
+    bool showToolTip(const QPointF& point, const QPoint& global);
     /// The highest peak of the deaths, labelled directly.
     void paintPeak(QPainter& painter, const Rows& rows) const;
     /// A caption in the row of the deaths, legible where the line of the shown time passes through it.
@@ -118,6 +132,8 @@ private:
     double m_last = 0.0;
     std::vector<double> m_times;
     std::vector<double> m_deaths;
+    std::vector<double> m_islandDeaths;  // as m_deaths, or empty
+    std::vector<HandOverMark> m_handOvers;
     double m_feEnd = 0.0;
     double m_computedFirst = 0.0;
     double m_computedLast = 0.0;

@@ -4,6 +4,8 @@
 
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
+#include "core/trajectory/island_times.h"
+#include "widgets/basics/wording.h"
 #include "widgets/views/timeline.h"
 #include "widgets/views/transport.h"
 #include "widgets/views/view_widget.h"
@@ -45,6 +47,7 @@ Playback::Playback(Session& session, widgets::ViewWidget& view, widgets::Timelin
     connect(&m_computation, &Computation::runEnded, this, &Playback::runEnded);
     // Once all is shown of it.
     connect(&m_computation, &Computation::runReopened, this, &Playback::runReopened, Qt::QueuedConnection);
+    connect(&m_computation, &Computation::runReopened, this, &Playback::showIslands);
     connectActions(actions);
 }
 
@@ -99,6 +102,32 @@ void Playback::showDeaths() {
         deaths[k] = std::max(0.0, before - static_cast<double>(fe->activity().activeCount(k)));
     }
     m_timeline.setDeaths(fe->times(), deaths);
+    showIslands();
+}
+
+/// Of a run that goes on too: what its file says by now.
+void Playback::showIslands() {
+    const auto& fe = m_computation.inputs().fe;
+    const RunRecord* record = m_computation.currentRun();
+    if (fe == nullptr || record == nullptr || record->reader == nullptr) {
+        m_timeline.setIslands({}, {});
+        return;
+    }
+    IslandTimes islands;
+    try {
+        islands = islandTimes(*record->reader, fe->mesh().elementCount());
+    } catch (const std::exception&) {
+        // The views say what is wrong with the run file.
+    }
+    std::vector<widgets::HandOverMark> marks;
+    for (const IslandTimes::HandOver& each : islands.handOvers) {
+        marks.push_back({each.time, tr("loose structure went over to the engine: islands %1, elements %2, %3")
+                                        .arg(widgets::shownCount(static_cast<std::int64_t>(each.islands)),
+                                             widgets::shownCount(static_cast<std::int64_t>(each.elements)),
+                                             widgets::shownWith(each.mass, "kg"))});
+    }
+    m_timeline.setIslands(marks.empty() ? std::vector<double>() : islands.deathsByState(fe->activity(), fe->times()),
+                          std::move(marks));
 }
 
 void Playback::refresh(bool runStale) {
@@ -138,6 +167,7 @@ void Playback::runBegun() {
     const RunRecord& record = *m_computation.currentRun();
     m_clock.pause();
     refresh(false);
+    showIslands();
     m_clock.setTime(m_clock.first());
     m_clock.setNewest(record.newest);
     m_kept.following = record.live;
@@ -167,6 +197,7 @@ void Playback::runEnded() {
     m_kept.following = false;
     m_clock.setNewest({});
     refresh(m_kept.runStale);
+    showIslands();
     m_transport.setPlaying(m_clock.playing());
     if (followed) {
         m_clock.setTime(m_computation.currentRun()->newest);

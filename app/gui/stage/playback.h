@@ -83,6 +83,7 @@ private:
     void connectActions(Actions& actions);
     void showLoop();
     void showDeaths();
+    void showIslands();
 
     Computation& m_computation;
     widgets::ViewWidget& m_view;

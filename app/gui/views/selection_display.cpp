@@ -109,6 +109,24 @@ void SelectionDisplay::indexFragments() {
     }
 }
 
+/// Which elements islands carried; read anew when the run has grown.
+void SelectionDisplay::indexIslands() {
+    const std::size_t frames = data().trajectory != nullptr ? data().trajectory->frameCount() : 0;
+    if (data().trajectory == m_islandsOf && frames == m_islandFrames) {
+        return;
+    }
+    m_islandsOf = data().trajectory;
+    m_islandFrames = frames;
+    m_islands = {};
+    if (frames > 0 && data().fe != nullptr) {
+        try {
+            m_islands = islandTimes(*data().trajectory, data().fe->mesh().elementCount());
+        } catch (const std::exception&) {
+            // The views say what is wrong with the run file.
+        }
+    }
+}
+
 std::optional<FragmentId> SelectionDisplay::fragmentOf(ElementIndex element) const {
     if (at(element) >= m_fragmentOf.size() || m_fragmentOf[at(element)] == noFragment) {
         return std::nullopt;
@@ -145,6 +163,9 @@ void SelectionDisplay::show() {
         return;  // shown by the change
     }
     indexFragments();
+    if (selection().size() == 1) {
+        indexIslands();
+    }
     readWay();
     const auto& selected = selection();
     const bool there =
@@ -181,6 +202,9 @@ widgets::Inspector::ElementFacts SelectionDisplay::factsOf(ElementIndex element)
     const auto& deaths = fe.contents().deathTime;
     if (at(element) < deaths.size() && std::isfinite(deaths[at(element)])) {
         facts.exactDeath = deaths[at(element)];
+    }
+    if (m_islands.carried(element)) {
+        facts.carriedSince = m_islands.since[at(element)];
     }
     if (const auto fragment = fragmentOf(element)) {
         facts.fragment = factsOf(*fragment);

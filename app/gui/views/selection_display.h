@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/gui/session/worker.h"
+#include "core/trajectory/island_times.h"
 #include "widgets/render/basics/scene_data.h"
 #include "widgets/views/inspector.h"
 #include "widgets/views/select_form.h"
@@ -65,6 +66,7 @@ private:
     void takeWay(const std::shared_ptr<Way>& way);
     std::optional<FragmentId> fragmentOf(ElementIndex element) const;
     void indexFragments();
+    void indexIslands();
     void setPath(std::vector<Vec3> path);
 
     Session& m_session;
@@ -74,8 +76,11 @@ private:
     widgets::Inspector& m_inspector;
     widgets::SelectForm& m_form;
     std::shared_ptr<const FragmentSet> m_indexed;
-    std::vector<std::uint32_t> m_fragmentOf;  ///< by element; the last of those that come back to life
-    std::shared_ptr<Way> m_way;               ///< of the one fragment that is selected
+    std::vector<std::uint32_t> m_fragmentOf;              ///< by element; the last of those that come back to life
+    std::shared_ptr<const TrajectoryReader> m_islandsOf;  ///< what m_islands is of, with this many frames
+    std::size_t m_islandFrames = 0;
+    IslandTimes m_islands;
+    std::shared_ptr<Way> m_way;  ///< of the one fragment that is selected
     bool m_reading = false;
     bool& m_follow;
     // Last, so that it has ended before anything it uses goes.

@@ -9,15 +9,21 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/project_display.h"
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/timeline_display.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/views/inspection.h"
+#include "app/gui/views/selection_display.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/views/bookmark_editor.h"
+#include "widgets/views/inspector.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 
@@ -138,6 +144,27 @@ TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
     EXPECT_DOUBLE_EQ(clock().time(), 1.7) << "the clock is the file's";
     window->actions()[ActionId::TimeFromZero].trigger();
     EXPECT_EQ(figures->text(), QStringLiteral("1.70 s"));
+}
+
+TEST_F(TimelineKeys, AnIslandThatTheEngineCarriesIsSeen) {
+    session->document().setParameter(QStringLiteral("settle_time"), 0.5);
+    session->document().setParameter(QStringLiteral("loose_structure"), std::string("at_once"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    simulateToEnd();
+    const std::vector<IslandRecord> islands = session->computation().currentRun()->reader->islands();
+    ASSERT_EQ(islands.size(), 1u) << "one cube of a falling block lives on";
+    const double since = session->computation().currentRun()->reader->bodies()[rubble::at(islands[0].body)].from;
+    auto* timeline = window->findChild<widgets::Timeline*>();
+    ASSERT_TRUE(timeline->handOverAt(QPointF(at(since)) + QPointF(0, timeline->tickOf(0).y() - 24.0)));
+    QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->tickOf(0).toPoint());
+    EXPECT_DOUBLE_EQ(clock().time(), since);
+    window->rooms().inspection->selection().select({islands[0].elements.front()});
+    const auto texts = window->rooms().inspection->inspector().findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const QLabel* label) {
+        return label->text().startsWith(QStringLiteral("Carried by the engine since 0."));
+    }));
+    window->area().views().grabFramebuffer();
+    EXPECT_EQ(window->area().views().status(render::PaneContent::Fragments).released, 1u);
 }
 
 }  // namespace

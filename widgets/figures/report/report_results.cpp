@@ -1,3 +1,4 @@
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -118,7 +119,11 @@ void ReportSections::addCourse() {
     chart.series = {kinetic, potential};
     ReportFigure figure;
     figure.caption = figure.words =
-        tr("Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result");
+        m_facts.result->carried.islands > 0
+            ? tr("Energy of the bodies over time; they enter as their elements are deactivated, or as loose structure that the "
+                 "engine takes over")
+            : tr("Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE "
+                 "result");
     figure.paint = [chart](QPainter& painter, const QRectF& area, double text) { chart.paint(painter, area, text); };
     figure.aspect = 2.2;
     figure.source = source();
@@ -154,6 +159,37 @@ void ReportSections::addConservation() {
     row(tr("gain beyond all sources, share of the work of gravity"), energy.drift, {});
     row(tr("deepest overlap that lasted over 0.5 s"), m_facts.result->health.penetrationSustained, QStringLiteral("m"));
     row(tr("bulking factor of the pile"), m_facts.result->bulkingFactor, {});
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+    addCarried();
+}
+
+/// Loose structure that the engine moved before the FE result ended; nothing where it moved none.
+void ReportSections::addCarried() {
+    const CarriedStructure& carried = m_facts.result->carried;
+    if (carried.islands == 0) {
+        return;
+    }
+    ReportTable table;
+    table.caption = tr("Loose structure that the engine moved before the FE result ended");
+    table.columns = QStringList{tr("quantity"), tr("value")};
+    table.words = {true, false};
+    table.shares = {0.7, 0.3};
+    const auto tonnes = [&](const QString& name, double mass) {
+        table.rows.push_back({name, reportNumber(mass / 1000.0, ledgerDigits) + QStringLiteral(" t")});
+    };
+    const auto error = [&](const QString& name, const LedgerErrors& errors) {
+        table.rows.push_back({name, reportNumber(std::max({errors.bodyMass, errors.bodyMomentum, errors.bodyAngularMomentum}))});
+    };
+    table.rows.push_back({tr("islands that came loose"), QLocale().toString(static_cast<qlonglong>(carried.islands))});
+    tonnes(tr("their mass"), carried.mass);
+    tonnes(tr("fragments born from them"), carried.bornMass);
+    tonnes(tr("of these, killed by the FE result after their island had come to rest elsewhere"), carried.bornAtRestMass);
+    tonnes(tr("left of them at the end"), carried.leftMass);
+    table.rows.push_back({tr("kinetic energy of deformation that was dropped"),
+                          reportNumber(carried.droppedKineticEnergy / 1e6) + QStringLiteral(" MJ")});
+    error(tr("mass and momenta against the FE result, largest relative error"), carried.handOvers);
+    error(tr("mass and momenta of what was born and left against what there was, likewise"), carried.losses);
     table.source = source();
     m_blocks.push_back(std::move(table));
 }

@@ -52,6 +52,7 @@ private:
     void addComponentDebris();
     void addCourse();
     void addConservation();
+    void addCarried();
     void addFloor(const RepeatFloor& floor, const QString& caption, const QString& from);
     void addReference();
     void addSweep();

@@ -75,7 +75,8 @@ void RecordedRun::write(const std::string& kind, const std::string& path, const 
     } else if (kind == "bodies") {
         io::exportBodies(path, *m_reader, execution);
     } else if (kind == "gltf") {
-        io::exportGltf(path, *m_reader, execution);
+        const bool islands = !m_reader->islands().empty();
+        io::exportGltf(path, *m_reader, islands ? inputs(fe, execution).fe.get() : nullptr, execution);
     } else {
         throw UsageError(
             {"python.kind", "There is no export of the kind \"{0}\".", {kind}},

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "core/base/build.h"
@@ -11,6 +13,7 @@
 #include "io/exports/exports.h"
 #include "io/exports/gltf/body_motion.h"
 #include "io/exports/gltf/glb_file.h"
+#include "io/exports/gltf/island_mesh.h"
 #include "io/run/fragment_places.h"
 #include "io/site/site_place.h"
 
@@ -34,18 +37,27 @@ std::array<float, 4> yUp(const Eigen::Quaternionf& q) {
 /// What a body carries, and when it is to be seen.
 struct Load {
     std::vector<const Carrier*> carriers;
+    const IslandRecord* island = nullptr;  ///< live structure instead
     double from = std::numeric_limits<double>::infinity();
     double to = 0.0;
 };
 
-std::vector<Load> loadsOf(const std::vector<BodyRecord>& bodies, const std::vector<Carrier>& carriers,
-                          const FragmentSet& fragments) {
+std::vector<Load> loadsOf(const std::vector<BodyRecord>& bodies, const std::vector<Carrier>& carriers, const FragmentSet& fragments,
+                          const std::vector<IslandRecord>& islands) {
     std::vector<Load> loads(bodies.size());
+    std::set<ElementIndex> inIslands;
+    for (const IslandRecord& island : islands) {
+        const BodyRecord& body = bodies[at(island.body)];
+        loads[at(island.body)] = {{}, &island, body.from, body.to};
+        inIslands.insert(island.elements.begin(), island.elements.end());
+    }
     for (const Carrier& carrier : carriers) {
         const Fragment& fragment = fragments.list[at(carrier.fragment)];
         Load& load = loads[at(carrier.body)];
         load.carriers.push_back(&carrier);
-        load.from = std::min(load.from, std::max(carrier.from, fragment.birthTime));
+        // What comes out of an island is there from its hand-over on: nothing else shows it until it is born.
+        const bool seenBefore = inIslands.contains(fragment.element);
+        load.from = std::min(load.from, seenBefore ? carrier.from : std::max(carrier.from, fragment.birthTime));
         load.to = std::max(load.to, std::min({carrier.to, fragment.endTime, bodies[at(carrier.body)].to}));
     }
     return loads;
@@ -67,9 +79,19 @@ nlohmann::json materialOf(const std::string& name, std::size_t index) {
 
 class GltfScene {
 public:
-    GltfScene(const RunReader& run, const std::shared_ptr<const FragmentSet>& fragments)
-        : m_run(run), m_fragments(*fragments), m_bodies(run.bodies()), m_carriers(run.carriers()) {
-        m_loads = loadsOf(m_bodies, m_carriers, m_fragments);
+    /// @param fe  null: live structure is left out
+    GltfScene(const RunReader& run, const std::shared_ptr<const FragmentSet>& fragments, const FeResult* fe)
+        : m_run(run), m_fragments(*fragments), m_fe(fe), m_bodies(run.bodies()), m_carriers(run.carriers()) {
+        if (fe) {
+            const Scenario& scenario = run.origin().scenario;
+            m_componentOf = groupComponents(fe->mesh(), scenario.regrouping, scenario.components, scenario.assumptions).of;
+            m_islands = run.islands();
+            std::erase_if(m_islands, [&](const IslandRecord& island) {
+                return at(island.body) >= m_bodies.size() ||
+                       std::ranges::any_of(island.elements, [&](ElementIndex e) { return at(e) >= m_componentOf.size(); });
+            });
+        }
+        m_loads = loadsOf(m_bodies, m_carriers, m_fragments, m_islands);
         const double first = run.frameCount() > 0 ? run.frameTime(0) : 0.0;
         const double entry = m_bodies.empty() ? first : m_bodies.front().from;
         // Times of an animation are never below zero.
@@ -82,6 +104,9 @@ public:
 private:
     void addBody(std::size_t body, const std::vector<MotionKey>& keys);
     std::size_t addMesh(const Load& load);
+    std::optional<std::size_t> addIslandMesh(const IslandRecord& island);
+    void addIsland(std::size_t body, const std::vector<MotionKey>& keys);
+    void addNode(nlohmann::json node, const Load& load, const std::vector<MotionKey>& keys);
     void addChannel(std::size_t node, const char* what, std::size_t times, std::size_t values, const char* interpolation);
     void addMotion(std::size_t node, const std::vector<MotionKey>& keys);
     void addVisibility(std::size_t node, const Load& load);
@@ -90,8 +115,11 @@ private:
 
     const RunReader& m_run;
     const FragmentSet& m_fragments;
+    const FeResult* m_fe;
     std::vector<BodyRecord> m_bodies;
     std::vector<Carrier> m_carriers;
+    std::vector<IslandRecord> m_islands;
+    std::vector<ComponentId> m_componentOf;  ///< of each element
     std::vector<Load> m_loads;
     double m_timeOffset = 0.0;
     GlbFile m_file;
@@ -113,7 +141,9 @@ void GltfScene::addBodies(const std::string& path, const Execution& execution) {
             execution.report(stage, (static_cast<double>(first) + share * static_cast<double>(last - first)) / all * 0.95);
         });
         for (std::size_t b = first; b < last; ++b) {
-            if (!m_loads[b].carriers.empty()) {
+            if (m_loads[b].island) {
+                addIsland(b, fewerKeys(motion[b - first], {}));
+            } else if (!m_loads[b].carriers.empty()) {
                 addBody(b, fewerKeys(motion[b - first], {}));
             }
         }
@@ -210,11 +240,50 @@ void GltfScene::addBody(std::size_t body, const std::vector<MotionKey>& keys) {
                         {"translation", yUp(keys.front().position)},
                         {"rotation", yUp(keys.front().orientation)},
                         {"extras", {{"fragments", load.carriers.size()}, {"mass_kg", mass}, {"visible_from_s", load.from}}}};
+    addNode(std::move(node), load, keys);
+}
+
+void GltfScene::addNode(nlohmann::json node, const Load& load, const std::vector<MotionKey>& keys) {
     const std::size_t index = m_nodes.size();
     m_children.push_back(index);
     m_nodes.push_back(std::move(node));
     addMotion(index, keys);
     addVisibility(index, load);
+}
+
+std::optional<std::size_t> GltfScene::addIslandMesh(const IslandRecord& island) {
+    nlohmann::json primitives = nlohmann::json::array();
+    for (const auto& [component, part] : islandSurface(island, *m_fe, m_componentOf)) {
+        std::vector<float> positions;
+        for (const Vec3& point : part.points) {
+            const std::array<float, 3> p = yUp(point);
+            positions.insert(positions.end(), p.begin(), p.end());
+        }
+        const std::size_t vertices = m_file.addPositions(positions);
+        primitives.push_back({{"attributes", {{"POSITION", vertices}}},
+                              {"indices", m_file.addTriangles(part.corners)},
+                              {"material", at(component)}});
+    }
+    if (primitives.empty()) {
+        return std::nullopt;
+    }
+    m_meshes.push_back({{"primitives", std::move(primitives)}});
+    return m_meshes.size() - 1;
+}
+
+void GltfScene::addIsland(std::size_t body, const std::vector<MotionKey>& keys) {
+    const Load& load = m_loads[body];
+    const std::optional<std::size_t> mesh = addIslandMesh(*load.island);
+    if (!mesh) {
+        return;
+    }
+    addNode(
+        {{"name", "island " + std::to_string(body)},
+         {"mesh", *mesh},
+         {"translation", yUp(keys.front().position)},
+         {"rotation", yUp(keys.front().orientation)},
+         {"extras", {{"elements", load.island->elements.size()}, {"mass_kg", m_bodies[body].mass}, {"visible_from_s", load.from}}}},
+        load, keys);
 }
 
 nlohmann::json GltfScene::originJson() const {
@@ -256,12 +325,12 @@ void GltfScene::write(const std::string& path) {
 
 }  // namespace
 
-void exportGltf(const std::string& path, const RunReader& run, const Execution& execution) {
+void exportGltf(const std::string& path, const RunReader& run, const FeResult* fe, const Execution& execution) {
     const std::shared_ptr<const FragmentSet> fragments = run.fragments();
     if (!fragments) {
         FragmentPlaces places(run);  // says why there are none
     }
-    GltfScene scene(run, fragments);
+    GltfScene scene(run, fragments, fe);
     scene.addBodies(path, execution);
     scene.write(path);
     writeProvenance(path, provenanceText(run));

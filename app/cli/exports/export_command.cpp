@@ -63,7 +63,7 @@ ExitCode exportRun(const Arguments& arguments, Session& session) {
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
     Inputs of;
     RunSurroundings around;
-    if (exports.needsFe()) {
+    if (exports.needsFe(*run)) {
         of = openInputsOfRun(run->origin(), arguments, session);
         around = surroundingsOfRun(run->origin(), of, arguments, session);
     } else {

@@ -65,8 +65,9 @@ bool ExportRequest::readsFe(const Row& row) {
     return row.kind != "fragments" && row.kind != "gltf" && row.kind != "bodies";
 }
 
-bool ExportRequest::needsFe() const {
-    return std::any_of(m_rows.begin(), m_rows.end(), readsFe);
+bool ExportRequest::needsFe(const io::RunReader& run) const {
+    return std::any_of(m_rows.begin(), m_rows.end(),
+                       [&](const Row& row) { return readsFe(row) || (row.kind == "gltf" && !run.islands().empty()); });
 }
 
 void ExportRequest::checkKept() const {
@@ -94,7 +95,7 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
         } else if (row.kind == "bodies") {
             io::exportBodies(row.path, *run, execution);
         } else if (row.kind == "gltf") {
-            io::exportGltf(row.path, *run, execution);
+            io::exportGltf(row.path, *run, inputs.fe.get(), execution);
         } else if (row.kind == "figure") {
             execution.report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
             m_figure.write(row.path, run, inputs, around);

@@ -34,8 +34,8 @@ public:
     ExportRequest(const Arguments& arguments, std::span<const std::string> inputs);
 
     bool empty() const { return m_rows.empty(); }
-    /// The FE file is needed for everything that shows structure or ground.
-    bool needsFe() const;
+    /// The FE file is needed for everything that shows structure or ground; for glTF where bodies carried live structure.
+    bool needsFe(const io::RunReader& run) const;
     /// Throws UsageError if a kind refers to the run file, which is not going to be kept.
     void checkKept() const;
     /// Writes the files in the order given; throws what the exporters throw, and Cancelled.

@@ -379,7 +379,10 @@ void FileCommands::exportVtkHdf() {
 }
 
 void FileCommands::exportGltf() {
-    exportRun(tr("Fragments as glTF"), QStringLiteral(".glb"), tr("Binary glTF (*.glb)"), io::exportGltf);
+    exportRun(tr("Fragments as glTF"), QStringLiteral(".glb"), tr("Binary glTF (*.glb)"),
+              [fe = m_computation.inputs().fe](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportGltf(path, run, fe.get(), execution);
+              });
 }
 
 void FileCommands::exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write) {

@@ -135,7 +135,7 @@ TEST_F(ParaViewOpens, TheFragmentsAsGltf) {
     if (m_program.empty()) {
         return;
     }
-    exportGltf(m_folder / "g.glb", *m_run, Execution());
+    exportGltf(m_folder / "g.glb", *m_run, nullptr, Execution());
     const std::string text = opened("g.glb");
     EXPECT_THAT(text, HasSubstr("reader glTFReader"));
     const std::vector<std::size_t> cells = cellsOf(text);

@@ -16,6 +16,7 @@
 #include "io/exports/exports.h"
 #include "io/exports/gltf/body_motion.h"
 #include "io/run/fragment_places.h"
+#include "tests/io/run_over_fe.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/gltf_rules.h"
 #include "tests/support/temporary_folder.h"
@@ -33,7 +34,7 @@ protected:
         m_run = openRun(m_folder / "a.run.h5");
     }
     CheckedGlb exported() {
-        exportGltf(m_folder / "a.glb", *m_run, Execution());
+        exportGltf(m_folder / "a.glb", *m_run, nullptr, Execution());
         return checkGlb(wholeFile(m_folder / "a.glb"));
     }
 
@@ -78,9 +79,54 @@ TEST_F(Gltf, KeepsTheRulesOfTheFormat) {
     EXPECT_TRUE(std::filesystem::exists(m_folder / "a.glb.provenance.json"));
 }
 
+TEST_F(Gltf, AnIslandIsANodeForAsLongAsItsBodyIsThere) {
+    std::shared_ptr<const FeResult> fe;
+    m_sample = runOverFe(29, 40, fe);
+    const std::size_t first = m_sample.description.fragments->size();
+    BodyRecord& body = m_sample.bodies.back();
+    std::erase_if(m_sample.carriers, [&](const Carrier& carrier) { return carrier.body == body.body; });
+    body.cluster = noCluster;
+    body.from = 0.2;
+    body.to = 0.4;
+    const Pose inFe{Vec3(1, 2, 3), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))};
+    m_sample.islands.push_back({body.body, 2, inFe, {idAt<ElementIndex>(first), idAt<ElementIndex>(first + 1)}});
+    m_sample.firstCarriers = std::min(m_sample.firstCarriers, m_sample.carriers.size());
+    m_sample.feed(*createRun(m_folder / "a.run.h5", m_sample.origin));
+    m_run = openRun(m_folder / "a.run.h5");
+    exportGltf(m_folder / "a.glb", *m_run, fe.get(), Execution());
+    const CheckedGlb file = checkGlb(wholeFile(m_folder / "a.glb"));
+    EXPECT_THAT(file.broken, testing::IsEmpty());
+    const auto& nodes = file.asset["nodes"];
+    std::size_t island = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        island = nodes[n].value("name", "").starts_with("island") ? n : island;
+    }
+    ASSERT_GT(island, 0u);
+    EXPECT_EQ(nodes[island]["extras"]["elements"], 2);
+    for (const auto& [time, scale] :
+         {std::pair(0.1f, 0.0f), std::pair(0.2f, 1.0f), std::pair(0.35f, 1.0f), std::pair(0.5f, 0.0f)}) {
+        EXPECT_EQ(valueAt(file, island, "scale", time).front(), scale) << time;
+    }
+    const auto& primitive = file.asset["meshes"][nodes[island]["mesh"].get<std::size_t>()]["primitives"][0];
+    const std::vector<float> points = file.floats(primitive["attributes"]["POSITION"].get<std::size_t>());
+    ASSERT_EQ(points.size(), 3u * 2u * 24u) << "two cubes apart: six faces of four corners each";
+    Aabb drawn, expected;
+    for (std::size_t i = 0; i < points.size(); i += 3) {
+        drawn.extend(Vec3(points[i], -points[i + 2], points[i + 1]));
+    }
+    for (const ElementIndex e : m_sample.islands.back().elements) {
+        for (const std::uint32_t node : fe->mesh().cornersOf(e)) {
+            expected.extend(inFe.inverse() * fe->state(2)->positions[node]);
+        }
+    }
+    EXPECT_LT((drawn.min() - expected.min()).norm() + (drawn.max() - expected.max()).norm(), 1e-4);
+    exportGltf(m_folder / "b.glb", *m_run, nullptr, Execution());
+    EXPECT_EQ(checkGlb(wholeFile(m_folder / "b.glb")).asset["nodes"].size(), nodes.size() - 1) << "without the FE result";
+}
+
 TEST_F(Gltf, TheCheckerSeesWhatIsBroken) {
     record(10, 6);
-    exportGltf(m_folder / "a.glb", *m_run, Execution());
+    exportGltf(m_folder / "a.glb", *m_run, nullptr, Execution());
     const std::string good = wholeFile(m_folder / "a.glb");
     ASSERT_THAT(checkGlb(good).broken, testing::IsEmpty());
     const auto broken = [&](const std::string& from, const std::string& to) {
@@ -146,7 +192,7 @@ TEST_F(Gltf, FragmentsAppearWhenTheyAreBorn) {
 
 TEST_F(Gltf, VtkReadsIt) {
     record(20, 8);
-    exportGltf(m_folder / "a.glb", *m_run, Execution());
+    exportGltf(m_folder / "a.glb", *m_run, nullptr, Execution());
     vtkNew<vtkGLTFReader> reader;
     reader->SetFileName((m_folder / "a.glb").c_str());
     reader->SetFrameRate(10);

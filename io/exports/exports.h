@@ -39,8 +39,8 @@ void exportVtkHdf(const std::string& path, const RunReader& run, const FeResult&
 /// each body with the solids it carries, its places as keys (within 1 mm and 0.1 degrees of what was recorded), scale 0 before its
 /// first fragment is born and after it left. Metres, y up; local coordinates, because single precision holds no map coordinates:
 /// the place of the origin, and with control points turn and scale, stand in asset.extras. Colours by component. Islands of live
-/// structure that bodies carry are nodes of their own, as long as their bodies are there; what still stands is not in it. Atomic; with NAME.provenance.json. Throws WorldError, ParseError, UsageError (no fragments; larger than 4 GB),
-/// Cancelled.
+/// structure that bodies carry are nodes of their own, as long as their bodies are there; what still stands is not in it. Atomic;
+/// with NAME.provenance.json. Throws WorldError, ParseError, UsageError (no fragments; larger than 4 GB), Cancelled.
 /// @param fe  of the run; null: islands are left out
 void exportGltf(const std::string& path, const RunReader& run, const FeResult* fe, const Execution& execution);
 

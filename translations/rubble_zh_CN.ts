@@ -1233,10 +1233,6 @@
         <source>bricks</source>
         <translation>砖块</translation>
     </message>
-    <message>
-        <source>touch</source>
-        <translation>接触时</translation>
-    </message>
 </context>
 <context>
     <name>figures</name>
@@ -5428,6 +5424,14 @@
     <message>
         <source>{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})</source>
         <translation>{0} 个未失效的孤立部分在有限元结果结束时释放，可能落在站立的结构上（到 {1} 为止）</translation>
+    </message>
+    <message>
+        <source>the engine moves loose structure, which can fall on what stands</source>
+        <translation>松脱结构由引擎移动，可能落在仍立着的部分上</translation>
+    </message>
+    <message>
+        <source>the engine moves loose structure, which can meet debris</source>
+        <translation>松脱结构由引擎移动，可能遇到堆积物</translation>
     </message>
     <message>
         <source>{0} islands of live structure are released at the end of the FE result and can meet other bodies</source>
@@ -10096,8 +10100,8 @@
         <translation>实时帧率</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20；bullet 始终为 60。</translation>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时最低 40；bullet 始终为 60。</translation>
     </message>
     <message>
         <source>Material</source>
@@ -10152,8 +10156,8 @@
         <translation>有限元结果结束时仍存活但没有路径通向支座的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
     </message>
     <message>
-        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load.</source>
-        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。</translation>
+        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load. Automatic: 4, or 8 where the engine moves loose structure.</source>
+        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。自动：4，由引擎移动松脱结构时为 8。</translation>
     </message>
     <message>
         <source>Parts of the dead</source>
@@ -10428,8 +10432,8 @@
         <translation>松脱的结构</translation>
     </message>
     <message>
-        <source>Who moves live structure without a path to a support. fe: the FE result, to its end. touch: the engine, from its first touch with debris. at_once: the engine, from when it comes loose.</source>
-        <translation>没有路径通向支座的未失效结构由谁移动。fe：有限元结果，直到其结束。touch：引擎，从其首次接触堆积物起。at_once：引擎，从其松脱起。</translation>
+        <source>Who moves live structure without a path to a support. fe: the FE result, until its elements die or it ends. at_once: the engine, from when it comes loose; what the FE result kills is born where the engine has it.</source>
+        <translation>没有路径通向支座的未失效结构由谁移动。fe：有限元结果，直到其单元失效或结果结束。at_once：引擎，从其松脱起；有限元结果令其失效的单元在引擎所在之处产生。</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ namespace rubble {
 namespace {
 
 /// 6 x 4 x 1 m of 24 elements that falls through everything, as the FE analysis of a bare site has it.
-scenes::Block slab(const Vec3& low) {
+scenes::Block fallingSlab(const Vec3& low) {
     scenes::Block block;
     block.name = "slab";
     block.low = low;
@@ -25,7 +25,7 @@ scenes::Block slab(const Vec3& low) {
 }
 
 /// Dies at state 1, far from the rest: the run begins at the first state.
-scenes::Block debris(const Vec3& low = Vec3(100, 0, 0)) {
+scenes::Block farDebris(const Vec3& low = Vec3(100, 0, 0)) {
     scenes::Block block;
     block.name = "debris";
     block.low = low;
@@ -44,7 +44,10 @@ protected:
         scenario.effects.loose = LooseStructurePolicy::AtOnce;
     }
     SimulationResult simulateScene(std::shared_ptr<const FeResult> fe) {
-        return *run({std::move(fe), terrain}, scenario, Stage::Simulation, {}, &trajectory, Execution()).simulation;
+        Inputs inputs;
+        inputs.fe = std::move(fe);
+        inputs.terrain = terrain;
+        return *run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution()).simulation;
     }
     /// Bodies of islands, in the order in which they came.
     std::vector<BodyRecord> islandBodies() const {
@@ -58,9 +61,9 @@ protected:
 TEST_F(CarriedIslandsRun, WhatDiesIsBornWhereTheEngineHasIt) {
     // The FE slab is at -25 m when its elements die one after the other, from 2.4 s on; the engine's lies on the ground from 1 s
     // on.
-    scenes::Block falling = slab(Vec3(0, 0, 5));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 5));
     falling.deathState = [](std::size_t i) { return 25 + i; };
-    const SimulationResult result = simulateScene(scenes::makeScene({falling, debris()}, 60, 0.1));
+    const SimulationResult result = simulateScene(scenes::makeScene({falling, farDebris()}, 60, 0.1));
     EXPECT_EQ(result.carried.islands, 1);
     EXPECT_EQ(result.carried.elements, 24);
     EXPECT_NEAR(result.carried.mass, 24 * 2000.0, 1e-6);
@@ -79,11 +82,11 @@ TEST_F(CarriedIslandsRun, WhatDiesIsBornWhereTheEngineHasIt) {
 }
 
 TEST_F(CarriedIslandsRun, MassAndMomentaCloseAtEveryStep) {
-    scenes::Block falling = slab(Vec3(0, 0, 30));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 30));
     falling.velocity = Vec3(3, -2, 1);
     // A row in its middle dies in the air: two parts of two columns and of three.
     falling.deathState = [](std::size_t i) { return i % 6 == 2 ? std::size_t{6} : scenes::never; };
-    const SimulationResult result = simulateScene(scenes::makeScene({falling, debris()}, 10, 0.1));
+    const SimulationResult result = simulateScene(scenes::makeScene({falling, farDebris()}, 10, 0.1));
     EXPECT_EQ(result.carried.islands, 1);
     EXPECT_EQ(result.carried.bodies, 3);
     const std::vector<BodyRecord> bodies = islandBodies();
@@ -113,10 +116,10 @@ TEST_F(CarriedIslandsRun, MassAndMomentaCloseAtEveryStep) {
 
 TEST_F(CarriedIslandsRun, WithoutDebrisTheyAreWhereTheFeResultHasThem) {
     scenario.effects.of(EffectKind::FragmentContact) = EffectSwitch::Off;
-    scenes::Block falling = slab(Vec3(0, 0, 60));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 60));
     falling.velocity = Vec3(2, 0, 0);
     falling.deathState = [](std::size_t i) { return 5 + i; };
-    const auto fe = scenes::makeScene({falling, debris()}, 32, 0.1);
+    const auto fe = scenes::makeScene({falling, farDebris()}, 32, 0.1);
     const SimulationResult result = simulateScene(fe);
     ASSERT_EQ(result.carried.born, 24);
     for (const BodyRecord& body : islandBodies()) {
@@ -127,7 +130,7 @@ TEST_F(CarriedIslandsRun, WithoutDebrisTheyAreWhereTheFeResultHasThem) {
 }
 
 TEST_F(CarriedIslandsRun, OneThatNeverDiesGoesOnWhenTheFeResultEnds) {
-    const SimulationResult result = simulateScene(scenes::makeScene({slab(Vec3(0, 0, 20)), debris()}, 8, 0.1));
+    const SimulationResult result = simulateScene(scenes::makeScene({fallingSlab(Vec3(0, 0, 20)), farDebris()}, 8, 0.1));
     EXPECT_EQ(result.carried.islands, 1);
     EXPECT_EQ(result.carried.left, 1);
     EXPECT_NEAR(result.carried.leftMass, 24 * 2000.0, 1e-6);
@@ -141,9 +144,9 @@ TEST_F(CarriedIslandsRun, OneThatNeverDiesGoesOnWhenTheFeResultEnds) {
 
 TEST_F(CarriedIslandsRun, LandOnDebrisThatTheFeResultDoesNotKnow) {
     // 10,000 times as heavy as what it falls on.
-    scenes::Block under = debris(Vec3(2, 1, 0));
+    scenes::Block under = farDebris(Vec3(2, 1, 0));
     under.density = 48.0;
-    scenes::Block falling = slab(Vec3(0, 0, 4));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 4));
     falling.density = 20000.0;
     falling.deathState = [](std::size_t) { return std::size_t{40}; };
     const SimulationResult result = simulateScene(scenes::makeScene({under, falling}, 50, 0.1));
@@ -158,7 +161,7 @@ TEST_F(CarriedIslandsRun, LandOnDebrisThatTheFeResultDoesNotKnow) {
 }
 
 TEST_F(CarriedIslandsRun, AllOfTheStructureMayBeLoose) {
-    scenes::Block falling = slab(Vec3(0, 0, 10));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 10));
     falling.deathState = [](std::size_t i) { return i < 2 ? std::size_t{1} : scenes::never; };
     const SimulationResult result = simulateScene(scenes::makeScene({falling}, 12, 0.1));
     EXPECT_EQ(result.carried.islands, 1);
@@ -171,9 +174,9 @@ TEST_F(CarriedIslandsRun, FloatAndSlideAsBodiesDo) {
     scenario.effects.waterLevel = 3.0;
     scenario.effects.of(EffectKind::Water) = EffectSwitch::On;
     scenario.simulation.settleTime = 15.0;
-    scenes::Block falling = slab(Vec3(0, 0, 4));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 4));
     falling.density = 500.0;
-    const SimulationResult result = simulateScene(scenes::makeScene({falling, debris()}, 6, 0.1));
+    const SimulationResult result = simulateScene(scenes::makeScene({falling, farDebris()}, 6, 0.1));
     ASSERT_EQ(result.carried.left, 1);
     // Half of it is under water.
     EXPECT_NEAR(placeAt(result.endTime, trajectory.islands().front().body).z(), 3.0, 0.1);
@@ -187,9 +190,9 @@ TEST_F(CarriedIslandsRun, LieOnASlopeWhereTheFeResultHasNone) {
         }
     }
     terrain = std::make_shared<const TerrainGrid>(-20.0, -20.0, 1.0, 41, 41, heights);
-    scenes::Block falling = slab(Vec3(0, 0, 3));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 3));
     falling.deathState = [](std::size_t i) { return 25 + i % 3; };
-    const SimulationResult result = simulateScene(scenes::makeScene({falling, debris(Vec3(15, 15, 4))}, 30, 0.1));
+    const SimulationResult result = simulateScene(scenes::makeScene({falling, farDebris(Vec3(15, 15, 4))}, 30, 0.1));
     ASSERT_EQ(result.carried.islands, 1);
     for (const FragmentOutcome& fragment : result.fragments) {
         const Vec3& end = fragment.finalPosition;
@@ -202,16 +205,17 @@ TEST_F(CarriedIslandsRun, RepeatBitByBitOnAnyNumberOfThreads) {
     const auto fe = scenes::collapsingWall(6, 4);
     const SimulationResult first = simulateScene(fe);
     EXPECT_GT(first.carried.islands, 0);
-    const RunInputs inputs{fe, {}};
+    Inputs inputs;
+    inputs.fe = fe;
     const auto again = run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution().withThreads(3));
     EXPECT_EQ(again.simulation->trajectoryHash, first.trajectoryHash);
 }
 
 TEST_F(CarriedIslandsRun, ByTheFeResultNothingIsCarried) {
     scenario.effects.loose = LooseStructurePolicy::Fe;
-    scenes::Block falling = slab(Vec3(0, 0, 5));
+    scenes::Block falling = fallingSlab(Vec3(0, 0, 5));
     falling.deathState = [](std::size_t i) { return 5 + i; };
-    const SimulationResult result = simulateScene(scenes::makeScene({falling, debris()}, 40, 0.1));
+    const SimulationResult result = simulateScene(scenes::makeScene({falling, farDebris()}, 40, 0.1));
     EXPECT_EQ(result.carried.islands, 0);
     EXPECT_EQ(result.carried.bodies, 0);
     EXPECT_TRUE(trajectory.islandLosses().empty());

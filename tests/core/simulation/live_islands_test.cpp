@@ -136,7 +136,7 @@ struct Made {
         description.fe = fe;
         std::vector<LiveIsland> islands = islandsOf(*fe);
         std::erase_if(islands, [](const LiveIsland& island) { return island.supported; });
-        IslandMaker maker(description, activity, islands);
+        IslandMaker maker(description, activity, islands, fe->stateCount() - 1);
         for (const LiveIsland& island : islands) {
             if (auto body = maker.make(island, findings)) {
                 bodies.push_back(std::move(*body));

@@ -42,6 +42,8 @@ protected:
     void SetUp() override {
         scenario.simulation.settleTime = 4.0;
         scenario.effects.loose = LooseStructurePolicy::AtOnce;
+        scenario.effects.of(EffectKind::AirDrag) = EffectSwitch::Off;
+        scenario.fragments.birthWindow = 0.0;
     }
     SimulationResult simulateScene(std::shared_ptr<const FeResult> fe) {
         Inputs inputs;

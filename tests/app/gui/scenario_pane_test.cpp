@@ -70,7 +70,7 @@ TEST_F(ScenarioPanes, KeepOneRunOfEachScenario) {
     session->document().undoStack().setClean();
     QTest::keyClick(window, Qt::Key_W, Qt::ControlModifier);
     EXPECT_TRUE(others().empty());
-    EXPECT_FALSE(QFile::exists(firstFile));
+    EXPECT_TRUE(QFile::exists(firstFile)) << "what was computed is kept beside the case";
 }
 
 }  // namespace

@@ -58,7 +58,10 @@ TEST(AccuracySettings, TheReferenceDoesNotDependOnGridOrMethod) {
     EXPECT_EQ(referenceScenario(a), referenceScenario(b));
     EXPECT_TRUE(referenceScenario(a).grid.oneBodyPerFragment);
     EXPECT_EQ(referenceScenario(a).simulation.settleTime, 3.0) << "what describes the scene stays";
-    EXPECT_EQ(referenceScenario(a).simulation.shape, ClusterShape::OrientedBox);
+    EXPECT_EQ(shapeOfClusters(referenceScenario(a)), ClusterShape::OrientedBox);
+    a.effects.loose = LooseStructurePolicy::AtOnce;
+    EXPECT_EQ(referenceScenario(a).effects.loose, LooseStructurePolicy::AtOnce) << "both sides of an error have the same scene";
+    EXPECT_EQ(shapeOfClusters(referenceScenario(a)), ClusterShape::Bricks);
 }
 
 TEST(AccuracySettings, BirthsTakenTogetherAreAMatterOfMethod) {

@@ -111,9 +111,10 @@ TEST_F(CarriedIslandsRun, MassAndMomentaCloseAtEveryStep) {
     EXPECT_LT((loss.born.linear + loss.left.linear - momentum).norm(), 1e-9 * momentum.norm());
     EXPECT_NEAR(loss.born.mass, 4 * 2000.0, 1e-6);
     EXPECT_NEAR(loss.born.kineticEnergy + loss.left.kineticEnergy, loss.before.kineticEnergy, 1e-9 * loss.before.kineticEnergy);
-    // They part with one motion and fly on side by side.
-    const Vec3 apart = placeAt(0.5, bodies[2].body) - placeAt(0.5, bodies[1].body);
-    EXPECT_LT((placeAt(0.9, bodies[2].body) - placeAt(0.9, bodies[1].body) - apart).norm(), 1e-5);
+    // They part with one motion and fly on side by side; what touches something is integrated with an error of g h t / 2 in a step
+    // of a 40th of a second in 8 parts.
+    const auto apart = [&](double time) { return Vec3(placeAt(time, bodies[2].body) - placeAt(time, bodies[1].body)); };
+    EXPECT_LT((apart(0.9) - apart(0.5)).norm(), 0.5 * standardGravity * 0.4 / 320.0);
 }
 
 TEST_F(CarriedIslandsRun, WithoutDebrisTheyAreWhereTheFeResultHasThem) {

@@ -5,8 +5,8 @@
 namespace rubble {
 
 void Collider::keep(Archive& archive) {
-    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, birthDepth, penetration,
-            overlapLeft, lifted, smallestSide, volume, mass, inertia, parts);
+    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, birthDepth,
+            penetration, overlapLeft, lifted, smallestSide, volume, mass, inertia, parts);
 }
 
 OrientedBox boxAround(const CollisionShape& parts) {

@@ -37,8 +37,8 @@ struct NewBody {
     double smallestSide = 0.0;  ///< m, of the shape
     double volume = 0.0;        ///< m3, of its material
     Material material = Material::Concrete;
-    /// A part of the structure that has come loose: pieces that it lies in by more than the share of occupied space when either of the
-    /// two enters let it pass, as the FE result does. They were one solid, and their boxes are not as exact as their elements.
+    /// A part of the structure that has come loose: pieces that it lies in by more than the share of occupied space when either of
+    /// the two enters let it pass, as the FE result does. They were one solid, and their boxes are not as exact as their elements.
     bool loose = false;
 };
 

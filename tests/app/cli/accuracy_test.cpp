@@ -232,8 +232,8 @@ TEST_F(AccuracyCommand, GoesOnInsideAWorldThatWasKilled) {
     EXPECT_EQ(start().meanwhile(once(SIGKILL)).cli(sweep("cut")).signal, SIGKILL);
     EXPECT_EQ(keptWorlds("cut"), 0u);
     const Outcome stopped = start().meanwhile(once(SIGINT)).cli(sweep("cut"));
+    // Where it went on from is progress: a program that is stopped at once on a busy machine may never come to say it.
     EXPECT_EQ(stopped.exitCode, 3) << stopped.err;
-    EXPECT_THAT(stopped.err, HasSubstr("went on from checkpoints, the latest at "));
     ASSERT_FALSE(fs::is_empty(checkpoints));
     const Outcome last = start().cli(sweep("cut"));
     ASSERT_EQ(last.exitCode, 0) << last.err;

@@ -104,7 +104,7 @@ TEST_F(CarriedIslandsRun, MassAndMomentaCloseAtEveryStep) {
         }
     }
     ASSERT_EQ(trajectory.islandLosses().size(), 1u);
-    const IslandLoss& loss = trajectory.islandLosses().front();
+    const IslandLoss loss = trajectory.islandLosses().front();
     // Closed form: 48 t at v0 - g t.
     const Vec3 momentum = 24 * 2000.0 * (Vec3(3, -2, 1) - Vec3(0, 0, standardGravity * 0.5));
     EXPECT_LT((loss.before.linear - momentum).norm(), 1e-9 * momentum.norm());

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "core/base/convex_hull.h"
 #include "core/base/sequence.h"
 #include "core/base/unknown.h"
 #include "core/engine/world/rigid_world.h"
@@ -20,40 +21,7 @@ constexpr double betweenLayers = 0.3;       // s
 constexpr double dropHeight = 0.5;          // m, above the pile
 constexpr double restSeconds = 6.0;         // s, after the last
 constexpr int probes = 20000;               // points of the middle that are looked at
-/// Share of the distance from centre to face that the engine rounds hulls with.
-constexpr double roundedShare = 0.04;
 constexpr double golden = std::numbers::phi;
-
-/// Faces of a convex body about its centre: unit normal and distance.
-struct Face {
-    Vec3 normal;
-    double distance;
-};
-
-/// Planes through three corners that have all others on one side, each once.
-std::vector<Face> planesOf(const std::vector<Vec3>& corners) {
-    std::vector<Face> faces;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        for (std::size_t j = i + 1; j < corners.size(); ++j) {
-            for (std::size_t k = j + 1; k < corners.size(); ++k) {
-                Vec3 normal = (corners[j] - corners[i]).cross(corners[k] - corners[i]).normalized();
-                const double distance = normal.dot(corners[i]);
-                if (!normal.allFinite()) {
-                    continue;
-                }
-                const Face face = distance < 0.0 ? Face{-normal, -distance} : Face{normal, distance};
-                const bool outer = std::all_of(corners.begin(), corners.end(),
-                                               [&](const Vec3& c) { return face.normal.dot(c) < face.distance + 1e-9; });
-                const bool known = std::any_of(faces.begin(), faces.end(),
-                                               [&](const Face& other) { return other.normal.dot(face.normal) > 1.0 - 1e-9; });
-                if (outer && !known) {
-                    faces.push_back(face);
-                }
-            }
-        }
-    }
-    return faces;
-}
 
 std::vector<Vec3> signedCorners(double x, double y, double z) {
     std::vector<Vec3> corners;
@@ -119,7 +87,7 @@ double inertiaOf(Die die) {
     return golden * golden / 10.0 * std::pow(12.0 / (5.0 * (3.0 + std::sqrt(5.0))), 2.0 / 3.0);
 }
 
-NewBody bodyOf(const Pour& pour, const std::vector<Vec3>& corners, const std::vector<Face>& faces) {
+NewBody bodyOf(const Pour& pour, const std::vector<Vec3>& corners, const std::vector<HullFace>& faces) {
     NewBody body;
     body.volume = pour.size * pour.size * pour.size;
     body.mass = dieDensity * body.volume;
@@ -132,10 +100,7 @@ NewBody bodyOf(const Pour& pour, const std::vector<Vec3>& corners, const std::ve
     part.box.halfExtents = 0.5 * bounds.sizes();
     part.box.centre = bounds.center();
     if (pour.die != Die::Cube) {
-        part.margin = roundedShare * faces.front().distance;
-        for (const Vec3& corner : corners) {
-            part.points.emplace_back((1.0 - roundedShare) * corner);
-        }
+        part.points = corners;
     }
     body.shape = {part};
     body.smallestSide = 2.0 * faces.front().distance;
@@ -150,7 +115,7 @@ public:
         for (Vec3& corner : m_corners) {
             corner *= pour.size;
         }
-        m_faces = planesOf(m_corners);
+        m_faces = hullFaces(m_corners).faces;
         m_die = bodyOf(pour, m_corners, m_faces);
         WorldSettings settings;
         settings.pairs = PairTable::uniform(pour.friction, 0.1);
@@ -227,7 +192,7 @@ private:
             const Vec3 own = pose.orientation.conjugate() * (place - pose.position);
             if (own.squaredNorm() < 4.0 * m_pour.size * m_pour.size &&
                 std::all_of(m_faces.begin(), m_faces.end(),
-                            [&](const Face& face) { return face.normal.dot(own) <= face.distance; })) {
+                            [&](const HullFace& face) { return face.normal.dot(own) <= face.distance; })) {
                 return true;
             }
         }
@@ -250,7 +215,7 @@ private:
     const Pour& m_pour;
     const Execution& m_execution;
     std::vector<Vec3> m_corners;
-    std::vector<Face> m_faces;
+    std::vector<HullFace> m_faces;
     NewBody m_die;
     Sequence m_random;
     std::unique_ptr<RigidWorld> m_world;

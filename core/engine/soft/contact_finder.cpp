@@ -6,8 +6,6 @@
 #include <limits>
 
 #include "core/base/prefetch.h"
-#include "core/engine/soft/hull_contact.h"
-#include "core/engine/world/bullet_shapes.h"
 #include "core/engine/world/constants.h"
 #include "core/engine/world/ground_contact.h"
 
@@ -20,26 +18,16 @@ constexpr std::uint32_t patchesPerPart = 64;
 /// Parts of a shape that are told apart.
 constexpr std::uint32_t partsPerShape = 4096;
 
-std::unique_ptr<btPolyhedralConvexShape> hullOfPart(const ConvexPart& part) {
-    std::unique_ptr<btPolyhedralConvexShape> shape;
-    if (part.points.empty()) {
-        shape = std::make_unique<btBoxShape>(toBullet(part.box.halfExtents));
-    } else {
-        auto hull = std::make_unique<btConvexHullShape>();
-        for (const Vec3& p : part.points) {
-            hull->addPoint(toBullet(p), false);
+/// In the frame of its body.
+ConvexHull hullOfPart(const ConvexPart& part) {
+    std::vector<Vec3> corners = part.points;
+    if (corners.empty()) {
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 sign(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+            corners.emplace_back(part.box.centre + part.box.orientation * sign.cwiseProduct(part.box.halfExtents));
         }
-        hull->setMargin(part.margin);
-        hull->recalcLocalAabb();
-        shape = std::move(hull);
     }
-    shape->initializePolyhedralFeatures();
-    return shape;
-}
-
-btTransform placeOfPart(const Pose& body, const ConvexPart& part) {
-    const btTransform place = toBullet(body);
-    return part.points.empty() ? place * toBullet(Pose{part.box.centre, part.box.orientation}) : place;
+    return hullFaces(corners);
 }
 
 bool apart(const PlacedBox& a, const PlacedBox& b, double margin) {
@@ -111,7 +99,7 @@ void ContactFinder::begin() {
 }
 
 void ContactFinder::prepareHulls(const Collider& collider) {
-    Hulls& hulls = m_hulls[collider.number];
+    std::vector<ConvexHull>& hulls = m_hulls[collider.number];
     if (hulls.empty()) {
         for (const ConvexPart& part : collider.parts) {
             hulls.push_back(hullOfPart(part));
@@ -119,11 +107,10 @@ void ContactFinder::prepareHulls(const Collider& collider) {
     }
 }
 
-ContactPatch ContactFinder::collideHullParts(const Collider& a, std::size_t i, const Collider& b, std::size_t j,
-                                             double margin) const {
-    const btTransform placeA = placeOfPart(m_bodies.of(a).pose, a.parts[i]);
-    const btTransform placeB = placeOfPart(m_bodies.of(b).pose, b.parts[j]);
-    return collideHulls(*m_hulls[a.number][i], placeA, *m_hulls[b.number][j], placeB, margin);
+PlacedHull ContactFinder::placedHull(const Collider& of, std::size_t part) const {
+    const Pose& pose = m_bodies.of(of).pose;
+    return {&m_hulls[of.number][part], pose.position, pose.orientation.toRotationMatrix(),
+            of.parts[part].box.halfExtents.minCoeff()};
 }
 
 void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<FoundContact>& found) const {
@@ -143,7 +130,7 @@ void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<Fou
             if (a.collider->parts[i].points.empty() && b.collider->parts[j].points.empty()) {
                 patch = collideBoxes(boxA, boxB, margin);
             } else {
-                patch = collideHullParts(*a.collider, i, *b.collider, j, margin);
+                patch = collideHulls(placedHull(*a.collider, i), placedHull(*b.collider, j), margin);
             }
             append(patch, static_cast<std::uint32_t>(i * partsPerShape + j), *a.collider, *b.collider, found);
         }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <btBulletCollisionCommon.h>
-
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -11,6 +9,7 @@
 #include "core/engine/soft/pair_finder.h"
 #include "core/engine/soft/soft_bodies.h"
 #include "core/engine/soft/soft_contact.h"
+#include "core/engine/world/hull_contact.h"
 #include "core/engine/world/worker_pool.h"
 #include "core/fe/site_surface.h"
 
@@ -24,7 +23,7 @@ struct Found {
 };
 
 /// The narrow phase: contacts of pairs that come near each other and of bodies near the ground. Poses are those at the start of the
-/// step; hulls are Bullet's. Contacts have an order of their own, which threads do not reach.
+/// step; Contacts have an order of their own, which threads do not reach.
 class ContactFinder {
 public:
     ContactFinder(const SiteSurface& surface, double gravity, const SoftBodies& bodies, PairFinder& pairs, WorkerPool& pool);
@@ -58,13 +57,12 @@ private:
         Vec3 velocity = Vec3::Zero();  ///< m/s
         double rim = 0.0;              ///< m/s, of the farthest corner by the spin
     };
-    using Hulls = std::vector<std::unique_ptr<const btPolyhedralConvexShape>>;
 
     std::span<PlacedBox> placedOf(const Collider& c) {
         return std::span(m_placed).subspan(m_pairs.entry(c.number).part, c.parts.size());
     }
     void collidePair(const NearPair& pair, double dt, std::vector<FoundContact>& found) const;
-    ContactPatch collideHullParts(const Collider& a, std::size_t i, const Collider& b, std::size_t j, double margin) const;
+    PlacedHull placedHull(const Collider& of, std::size_t part) const;
     void collideBodyWithGround(const SoftBody& body, double dt, std::vector<FoundContact>& found);
     std::size_t beginRun(std::size_t count, std::size_t grain);
     void prepareHulls(const Collider& collider);
@@ -77,7 +75,7 @@ private:
     WorkerPool& m_pool;
     std::vector<Pace> m_paces;                       ///< [numbers], at the start of the step
     std::vector<PlacedBox> m_placed;                 ///< of the parts of every collider that entered, at the start of the step
-    std::vector<Hulls> m_hulls;                      ///< [numbers] of the parts, made when the first hull comes near
+    std::vector<std::vector<ConvexHull>> m_hulls;    ///< [numbers] of the parts, made when the first hull comes near
     std::vector<std::vector<FoundContact>> m_parts;  ///< contacts as found, run after run
     std::vector<std::size_t> m_runs;                 ///< first part of each run
     std::size_t m_partsUsed = 0;

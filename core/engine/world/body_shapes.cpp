@@ -1,12 +1,12 @@
 #include "core/engine/world/body_shapes.h"
 
-#include <LinearMath/btConvexHullComputer.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/convex_hull.h"
 #include "core/engine/world/bricks.h"
+#include "core/engine/world/bullet_shapes.h"
 #include "core/engine/world/tight_box.h"
 
 namespace rubble {
@@ -66,6 +66,21 @@ std::vector<Mat3> memberAxes(const FragmentSet& fragments, std::span<const Fragm
     return axes;
 }
 
+/// Axes along each face of a hull and one of its edges: the tightest box lies along some face.
+std::vector<Mat3> faceAxes(const ConvexHull& hull) {
+    std::vector<Mat3> axes;
+    for (const HullFace& face : hull.faces) {
+        for (std::size_t k = 0; k < face.corners.size(); ++k) {
+            Mat3 along;
+            along.col(0) = face.normal;
+            along.col(1) = (hull.corners[face.corners[(k + 1) % face.corners.size()]] - hull.corners[face.corners[k]]).normalized();
+            along.col(2) = along.col(0).cross(along.col(1));
+            axes.push_back(along);
+        }
+    }
+    return axes;
+}
+
 /// The extreme points in directions spread over the sphere (Fibonacci spiral): a subset of the hull's vertices.
 std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, std::size_t directions) {
     std::vector<std::size_t> chosen;
@@ -86,22 +101,6 @@ std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, std::size_t dir
         extremes.push_back(points[i]);
     }
     return extremes;
-}
-
-std::vector<Vec3> hullVertices(std::span<const Vec3> points, double shrink) {
-    std::vector<double> coordinates;
-    for (const Vec3& p : points) {
-        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-    }
-    btConvexHullComputer hull;
-    const btScalar done = hull.compute(coordinates.data(), 3 * sizeof(double), static_cast<int>(points.size()), shrink, 0.5);
-    std::vector<Vec3> vertices;
-    if (done >= 0.0) {
-        for (int i = 0; i < hull.vertices.size(); ++i) {
-            vertices.emplace_back(hull.vertices[i].x(), hull.vertices[i].y(), hull.vertices[i].z());
-        }
-    }
-    return vertices;
 }
 
 }  // namespace
@@ -140,13 +139,20 @@ ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent) {
         return {box, {}, 0.0};
     }
     const double margin = std::min(hullMargin, hullMarginShare * box.halfExtents.minCoeff());
-    std::vector<Vec3> vertices = hullVertices(points, margin);
+    std::vector<Vec3> vertices = hullVertices(points, 0.0);
+    // They come from a grid of integers: on their own points flat faces are flat.
+    for (Vec3& vertex : vertices) {
+        const Vec3 rough = vertex;
+        vertex = *std::ranges::min_element(points, {}, [&](const Vec3& p) { return (p - rough).squaredNorm(); });
+    }
     if (vertices.size() > hullVerticesMax) {
         vertices = extremePoints(vertices, hullVerticesMax);
     }
     if (vertices.size() < 4) {
         return {box, {}, 0.0};
     }
+    // The smallest side of a body is that of the box around it: one that lies askew would make it thicker than it is.
+    box = tightBox(vertices, faceAxes(hullFaces(vertices)), false);
     return {box, std::move(vertices), margin};
 }
 

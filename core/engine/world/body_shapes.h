@@ -33,7 +33,7 @@ CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSe
 CollisionShape clusterShape(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame, ClusterShape kind,
                             double boxBulking, const FragmentSettings& settings);
 
-/// The hull of points with at most a few dozen vertices, shrunk so that the engine's margin brings it back to size; a box around
+/// The hull of points with at most a few dozen vertices, and how Bullet's solver rounds it; a box around
 /// them where they span no volume.
 ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent);
 

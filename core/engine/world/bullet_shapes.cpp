@@ -5,6 +5,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <LinearMath/btConvexHullComputer.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,8 +22,10 @@ constexpr int offsetBoxMark = 1;
 constexpr int pairsPerQuestion = 1024;
 
 std::unique_ptr<btCollisionShape> makeHull(const std::vector<Vec3>& points, double margin) {
+    // The margin lies around what is drawn in by it.
+    const std::vector<Vec3> drawnIn = margin > 0.0 ? hullVertices(points, margin) : points;
     auto hull = std::make_unique<btConvexHullShape>();
-    for (const Vec3& p : points) {
+    for (const Vec3& p : drawnIn.empty() ? points : drawnIn) {
         hull->addPoint(toBullet(p), false);
     }
     hull->setMargin(margin);
@@ -40,6 +43,22 @@ btTransform toBullet(const Pose& pose) {
 Pose fromBullet(const btTransform& transform) {
     const btQuaternion q = transform.getRotation();
     return {fromBullet(transform.getOrigin()), Quat(q.w(), q.x(), q.y(), q.z()).normalized()};
+}
+
+std::vector<Vec3> hullVertices(std::span<const Vec3> points, double shrink) {
+    std::vector<double> coordinates;
+    for (const Vec3& p : points) {
+        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    }
+    btConvexHullComputer hull;
+    const btScalar done = hull.compute(coordinates.data(), 3 * sizeof(double), static_cast<int>(points.size()), shrink, 0.5);
+    std::vector<Vec3> vertices;
+    if (done >= 0.0) {
+        for (int i = 0; i < hull.vertices.size(); ++i) {
+            vertices.emplace_back(hull.vertices[i].x(), hull.vertices[i].y(), hull.vertices[i].z());
+        }
+    }
+    return vertices;
 }
 
 OffsetBox::OffsetBox(const OrientedBox& box)

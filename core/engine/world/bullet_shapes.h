@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/engine/world/rigid_world.h"
@@ -18,6 +19,9 @@ inline Vec3 fromBullet(const btVector3& v) {
 }
 btTransform toBullet(const Pose& pose);
 Pose fromBullet(const btTransform& transform);
+
+/// Vertices of the hull of points, each face drawn in by `shrink` [m]; none where it has no volume.
+std::vector<Vec3> hullVertices(std::span<const Vec3> points, double shrink);
 
 /// A box that does not lie about the origin of its body. Bullet knows such a box only as a compound, which costs several times as
 /// much; here the near callback hands the detector a plain box at the place where it lies.

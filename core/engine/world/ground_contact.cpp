@@ -36,7 +36,7 @@ std::size_t nearCorners(const SiteSurface& ground, const ConvexPart& part, const
     } else {
         const Mat3 axes = body.orientation.toRotationMatrix();
         for (std::size_t i = 0; i < part.points.size(); ++i) {
-            consider(body.position + axes * part.points[i] - Vec3(0.0, 0.0, part.margin), static_cast<std::uint32_t>(i));
+            consider(body.position + axes * part.points[i], static_cast<std::uint32_t>(i));
         }
     }
     return count;

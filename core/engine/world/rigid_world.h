@@ -22,7 +22,7 @@ class Archive;
 struct ConvexPart {
     OrientedBox box;           ///< in the frame of its body or piece; for a hull a box around it
     std::vector<Vec3> points;  ///< hull vertices in that frame, m; empty for a box
-    double margin = 0.0;       ///< m, thickness that the engine adds around the points of a hull
+    double margin = 0.0;       ///< m, by which Bullet's solver rounds the edges of a hull
 };
 using CollisionShape = std::vector<ConvexPart>;
 
@@ -66,10 +66,11 @@ struct WorldSettings {
     int substeps = 4;     ///< of the soft-step solver
     int threads = 1;      ///< no result depends on it
     bool freeze = true;
-    double freezeSpeed = 0.02;  ///< m/s
-    double freezeDelay = 0.5;   ///< s
-    double overlapSpeed = 1.5;  ///< m/s
-    double overlapTime = 7.0;   ///< s, for each pair
+    double freezeSpeed = 0.02;    ///< m/s
+    double freezeDelay = 0.5;     ///< s
+    double overlapSpeed = 1.5;    ///< m/s
+    double overlapTime = 7.0;     ///< s, for each pair
+    bool bounceFriction = false;  ///< what a bounce presses with rubs too, soft-step solver
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };

@@ -1,5 +1,6 @@
 #include "core/simulation/bodies/hand_over.h"
 
+#include <algorithm>
 #include <map>
 
 #include "core/clusters/rigid_motion.h"
@@ -36,8 +37,11 @@ double volumeOf(const RunDescription& description, std::span<const FragmentId> m
 }
 
 /// A wire or a point is as hard to turn as the least box that its shape was thickened to: a contact off its centre would find next
-/// to no mass there and sink in. Its angular momentum stays.
+/// to no mass there and sink in. Its angular momentum stays. A hull is as thick as its points are: nothing was added to it.
 void fillOut(NewBody& body) {
+    if (std::any_of(body.shape.begin(), body.shape.end(), [](const ConvexPart& part) { return !part.points.empty(); })) {
+        return;
+    }
     const double least = body.mass * body.smallestSide * body.smallestSide / 6.0;
     const Vec3 filled = body.inertia.cwiseMax(least);
     const Vec3 spin = body.pose.orientation.conjugate() * body.angularVelocity;

@@ -14,10 +14,10 @@ Pose between(const Pose& a, const Pose& b, double share) {
 }  // namespace
 
 WatchedWorld::WatchedWorld(std::unique_ptr<RigidWorld> world, double begin, TraceRequest request, std::vector<BodyTrace>& traces)
-    : m_world(std::move(world)), m_time(begin), m_request(std::move(request)), m_traces(traces) {}
+    : ForwardingWorld(std::move(world)), m_time(begin), m_request(std::move(request)), m_traces(traces) {}
 
 BodyId WatchedWorld::addBody(const NewBody& body) {
-    const BodyId id = m_world->addBody(body);
+    const BodyId id = world().addBody(body);
     BodyTrace trace;
     trace.from = trace.movedLast = m_time;
     trace.start = trace.latest = body.pose;
@@ -30,7 +30,7 @@ BodyId WatchedWorld::addBody(const NewBody& body) {
 }
 
 void WatchedWorld::step(double dt) {
-    m_world->step(dt);
+    world().step(dt);
     const double before = m_time;
     m_time += dt;
     for (std::size_t i = 0; i < m_traces.size(); ++i) {
@@ -40,26 +40,26 @@ void WatchedWorld::step(double dt) {
 
 void WatchedWorld::follow(std::size_t i, double before) {
     const BodyId id = idAt<BodyId>(i);
-    const BodyState state = m_world->state(id);
+    const BodyState now = state(id);
     BodyTrace& trace = m_traces[i];
-    if (state == BodyState::Removed) {
+    if (now == BodyState::Removed) {
         return;
     }
-    const BodyMotion motion = m_world->motion(id);
-    const double speed = motion.velocity.norm();
-    if (!motion.pose.position.allFinite() || !std::isfinite(speed)) {
+    const BodyMotion moved = motion(id);
+    const double speed = moved.velocity.norm();
+    if (!moved.pose.position.allFinite() || !std::isfinite(speed)) {
         return;
     }
-    sample(trace, i, before, motion.pose, speed);
-    if (state == BodyState::Awake) {
-        trace.path += (motion.pose.position - trace.latest.position).norm();
+    sample(trace, i, before, moved.pose, speed);
+    if (now == BodyState::Awake) {
+        trace.path += (moved.pose.position - trace.latest.position).norm();
         trace.topSpeed = std::max(trace.topSpeed, speed);
         trace.movedLast = m_time;
-        const bool touches = m_world->penetration(id) > 0.0;
+        const bool touches = penetration(id) > 0.0;
         trace.contacts += touches && !trace.touching;
         trace.touching = touches;
     }
-    trace.latest = motion.pose;
+    trace.latest = moved.pose;
 }
 
 void WatchedWorld::sample(BodyTrace& trace, std::size_t i, double before, const Pose& now, double speed) const {

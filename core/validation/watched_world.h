@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/engine/world/rigid_world.h"
+#include "core/engine/world/forwarding_world.h"
 
 namespace rubble {
 
@@ -37,7 +37,7 @@ struct TraceRequest {
 };
 
 /// A world as the run makes it, whose bodies are followed from step to step. It changes nothing: a run in it gives the same bits.
-class WatchedWorld : public RigidWorld {
+class WatchedWorld : public ForwardingWorld {
 public:
     /// @param begin    s, at which the first step begins
     /// @param traces   [bodies that ever entered]; must outlive the world
@@ -46,37 +46,10 @@ public:
     BodyId addBody(const NewBody& body) override;
     void step(double dt) override;
 
-    void removeBody(BodyId body) override { m_world->removeBody(body); }
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override {
-        return m_world->addPiece(shape, pose, material);
-    }
-    void removePiece(PieceId piece) override { m_world->removePiece(piece); }
-    void movePiece(PieceId piece, const Pose& atStepEnd) override { m_world->movePiece(piece, atStepEnd); }
-    void onSubstep(SubstepHook hook) override { m_world->onSubstep(std::move(hook)); }
-    void wake(BodyId body) override { m_world->wake(body); }
-    void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const override {
-        m_world->onThreads(count, grain, work);
-    }
-    std::size_t bodyCount() const override { return m_world->bodyCount(); }
-    BodyState state(BodyId body) const override { return m_world->state(body); }
-    BodyMotion motion(BodyId body) const override { return m_world->motion(body); }
-    double mass(BodyId body) const override { return m_world->mass(body); }
-    double kineticEnergy(BodyId body) const override { return m_world->kineticEnergy(body); }
-    Momenta momenta(BodyId body) const override { return m_world->momenta(body); }
-    double smallestSide(BodyId body) const override { return m_world->smallestSide(body); }
-    double penetration(BodyId body) const override { return m_world->penetration(body); }
-    double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
-    double overlapLeft(BodyId body) const override { return m_world->overlapLeft(body); }
-    double lifted(BodyId body) const override { return m_world->lifted(body); }
-    bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
-    const ContactReport& contacts() const override { return m_world->contacts(); }
-    const StepCosts& costs() const override { return m_world->costs(); }
-
 private:
     void follow(std::size_t i, double before);
     void sample(BodyTrace& trace, std::size_t i, double before, const Pose& now, double speed) const;
 
-    std::unique_ptr<RigidWorld> m_world;
     double m_time;
     TraceRequest m_request;
     std::vector<BodyTrace>& m_traces;

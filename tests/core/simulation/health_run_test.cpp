@@ -4,17 +4,17 @@
 
 #include "core/base/standard_gravity.h"
 #include "core/base/unknown.h"
+#include "core/engine/world/forwarding_world.h"
 #include "core/pipeline/pipeline.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "core/simulation/run/collapse_run.h"
-#include "tests/core/simulation/forwarding_world.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
 namespace {
 
 /// A world in which something happens at a time.
-class TamperedWorld : public test::ForwardingWorld {
+class TamperedWorld : public ForwardingWorld {
 public:
     /// Called before each step with the time at its start and the bodies that move.
     using Tamper = std::function<void(double time, const SubstepBodies& bodies)>;

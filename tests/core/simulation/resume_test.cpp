@@ -7,13 +7,13 @@
 
 #include "core/base/error.h"
 #include "core/base/standard_gravity.h"
+#include "core/engine/world/forwarding_world.h"
 #include "core/selftest/element_scene.h"
 #include "core/simulation/health/value_archive.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "core/simulation/run/collapse_run.h"
 #include "core/simulation/run/sealed_checkpoint.h"
 #include "tests/core/simulation/effects/run_scene.h"
-#include "tests/core/simulation/forwarding_world.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
@@ -32,7 +32,7 @@ public:
 };
 
 /// A world that heats up its bodies for a while, or gives one of them a velocity that is no number.
-class TroubledWorld : public test::ForwardingWorld {
+class TroubledWorld : public ForwardingWorld {
 public:
     using ForwardingWorld::ForwardingWorld;
     double heatFrom = 1e300, heatTo = 1e300, breakAt = 1e300;

@@ -1,5 +1,6 @@
 #include "core/simulation/effects/effect_run.h"
 #include "core/base/standard_gravity.h"
+#include "core/engine/world/forwarding_world.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 
 #include "core/simulation/run/collapse_run.h"
 #include "tests/core/simulation/effects/run_scene.h"
-#include "tests/core/simulation/forwarding_world.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
@@ -92,7 +92,7 @@ TEST(OffIsFree, AndOnIsNot) {
 }
 
 /// Counts what is made.
-class CountingWorld : public test::ForwardingWorld {
+class CountingWorld : public ForwardingWorld {
 public:
     struct Counts {
         int hooks = 0;
@@ -196,7 +196,7 @@ TEST(EffectReports, TheAccountMakesUpTheMeasuredStep) {
 }
 
 /// Takes a while after each step and says nothing of it.
-class SecretiveWorld : public test::ForwardingWorld {
+class SecretiveWorld : public ForwardingWorld {
 public:
     using ForwardingWorld::ForwardingWorld;
     void step(double dt) override {

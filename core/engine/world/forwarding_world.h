@@ -4,9 +4,9 @@
 
 #include "core/engine/world/rigid_world.h"
 
-namespace rubble::test {
+namespace rubble {
 
-/// A real world behind another, which a test may tamper with.
+/// A world that hands everything on to a real one; who derives from it changes or watches what matters to them.
 class ForwardingWorld : public RigidWorld {
 public:
     explicit ForwardingWorld(std::unique_ptr<RigidWorld> world) : m_world(std::move(world)) {}
@@ -21,6 +21,9 @@ public:
     void onSubstep(SubstepHook hook) override { m_world->onSubstep(std::move(hook)); }
     void wake(BodyId body) override { m_world->wake(body); }
     void step(double dt) override { m_world->step(dt); }
+    void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const override {
+        m_world->onThreads(count, grain, work);
+    }
     std::size_t bodyCount() const override { return m_world->bodyCount(); }
     BodyState state(BodyId body) const override { return m_world->state(body); }
     BodyMotion motion(BodyId body) const override { return m_world->motion(body); }
@@ -38,9 +41,10 @@ public:
 
 protected:
     RigidWorld& world() { return *m_world; }
+    const RigidWorld& world() const { return *m_world; }
 
 private:
     std::unique_ptr<RigidWorld> m_world;
 };
 
-}  // namespace rubble::test
+}  // namespace rubble

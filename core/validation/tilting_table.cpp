@@ -13,8 +13,7 @@ namespace rubble {
 namespace {
 
 constexpr double toRadians = std::numbers::pi / 180.0;
-constexpr double blockDensity = 2400.0;   // kg/m3
-constexpr double tableStep = 1.0 / 40.0;  // s, what a run takes by itself
+constexpr double blockDensity = 2400.0;  // kg/m3
 constexpr double standingSeconds = 4.0;
 constexpr double finestAngle = 0.1;  // degrees
 constexpr double movedShare = 0.1;   // of the thickness
@@ -76,9 +75,9 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
         places.push_back(block.pose.position);
         world->addBody(block);
     }
-    const auto steps = static_cast<int>(std::lround(standingSeconds / tableStep));
+    const auto steps = static_cast<int>(std::lround(standingSeconds * wall.stepRate));
     for (int i = 0; i < steps; ++i) {
-        world->step(tableStep);
+        world->step(1.0 / wall.stepRate);
         execution.check();
         for (std::size_t b = 0; b < places.size(); ++b) {
             if (!((world->motion(idAt<BodyId>(b)).pose.position - places[b]).norm() < movedShare * wall.block.x())) {

@@ -11,6 +11,7 @@ struct TiltedWall {
     int courses = 1;            ///< in running bond: every second begins with half a block
     int blocks = 1;             ///< a course, along y
     double friction = 0.65;     ///< of every contact
+    double stepRate = 40.0;     ///< 1/s, what a collapse takes by itself
 };
 
 /// The angle at which it gives way, degrees: half-way between the steepest at which it stands for 4 s and the least at which it

@@ -9374,10 +9374,6 @@
         <translation>Baker &amp; Kudrolli, Phys. Rev. E 82 (2010) 061304：塑料骰子，随机疏松与随机密实堆积</translation>
     </message>
     <message>
-        <source>Blocks and walls on a tilting table</source>
-        <translation>倾斜台上的石块和墙</translation>
-    </message>
-    <message>
         <source>Dice poured into a vessel</source>
         <translation>倒入容器的骰子</translation>
     </message>
@@ -9672,6 +9668,70 @@
     <message>
         <source>the index of a state</source>
         <translation>一个状态的序号</translation>
+    </message>
+    <message>
+        <source>A roughness of {0} on a lattice of {1} is none</source>
+        <translation>格点间距 {1} 上的粗糙度 {0} 不成立</translation>
+    </message>
+    <message>
+        <source>Blocks and walls on a tilting table, and an arch</source>
+        <translation>倾斜台上的石块和墙，以及一座拱</translation>
+    </message>
+    <message>
+        <source>a semicircle of 15 voussoirs, radius 5 m, friction 0.8: least thickness</source>
+        <translation>15 块拱石的半圆拱，半径 5 m，摩擦 0.8：最小厚度</translation>
+    </message>
+    <message>
+        <source>at longer steps piles of Bullet&apos;s solver are pressed into themselves</source>
+        <translation>步长更大时，Bullet 求解器的堆积体会被压入自身</translation>
+    </message>
+    <message>
+        <source>bodies of {0}: one that falls over its edge turns by 3 degrees in a step (at least {1}, at most {2} a second)</source>
+        <translation>{0} 的刚体：绕棱翻倒的刚体每步转动 3 度（每秒至少 {1}，至多 {2}）</translation>
+    </message>
+    <message>
+        <source>by size and number of the bodies, {0} and {1}</source>
+        <translation>按刚体的尺寸和数目，{0} 和 {1}</translation>
+    </message>
+    <message>
+        <source>give a terrain, or set terrain_roughness to 0</source>
+        <translation>给出地形，或将 terrain_roughness 设为 0</translation>
+    </message>
+    <message>
+        <source>given: nothing slides</source>
+        <translation>给定：不发生滑动</translation>
+    </message>
+    <message>
+        <source>repeat with other seeds, or give a finer terrain and no terrain_roughness</source>
+        <translation>用其他种子重复，或给出更细的地形而不用 terrain_roughness</translation>
+    </message>
+    <message>
+        <source>set by step_rate</source>
+        <translation>由 step_rate 设定</translation>
+    </message>
+    <message>
+        <source>terrain_roughness = {0} has no terrain to lie on: the level ground is smooth</source>
+        <translation>terrain_roughness = {0} 没有可依附的地形：水平地面是光滑的</translation>
+    </message>
+    <message>
+        <source>the same at 240 steps a second, six times what a collapse takes by itself</source>
+        <translation>同上，每秒 240 步，为倒塌自动步数的六倍</translation>
+    </message>
+    <message>
+        <source>the same wall at 120 steps a second, three times what a collapse takes by itself</source>
+        <translation>同一面墙，每秒 120 步，为倒塌自动步数的三倍</translation>
+    </message>
+    <message>
+        <source>the terrain was given obstacles of {0} on average, {1} apart, at random (seed {2}): nobody measured where they are</source>
+        <translation>地形上随机加了平均 {0} 高、间距 {1} 的障碍物（种子 {2}）：没有人测量过它们的位置</translation>
+    </message>
+    <message>
+        <source>there are no bodies</source>
+        <translation>没有刚体</translation>
+    </message>
+    <message>
+        <source>wall across, 120 steps</source>
+        <translation>墙沿厚度方向，120 步</translation>
     </message>
 </context>
 <context>
@@ -10100,8 +10160,8 @@
         <translation>实时帧率</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时最低 40；bullet 始终为 60。</translation>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure; bodies of a table 40 to 240, so that one that falls over its edge turns by 3 degrees in a step; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时最低 40；物体表为 40 至 240，使绕棱翻倒的刚体每步转动 3 度；bullet 始终为 60。</translation>
     </message>
     <message>
         <source>Material</source>
@@ -10434,6 +10494,38 @@
     <message>
         <source>Who moves live structure without a path to a support. fe: the FE result, until its elements die or it ends. at_once: the engine, from when it comes loose; what the FE result kills is born where the engine has it.</source>
         <translation>没有路径通向支座的未失效结构由谁移动。fe：有限元结果，直到其单元失效或结果结束。at_once：引擎，从其松脱起；有限元结果令其失效的单元在引擎所在之处产生。</translation>
+    </message>
+    <message>
+        <source>Another seed gives other bumps and hollows of the same height and spacing. Repeats count on from it.</source>
+        <translation>另一个种子给出高度和间距相同的另一组凸起和凹陷。各次重复由它起依次递增。</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring bumps and hollows, beyond which they are independent of each other.</source>
+        <translation>相邻凸起和凹陷的距离，超过它即相互独立。</translation>
+    </message>
+    <message>
+        <source>Friction of bounces</source>
+        <translation>弹跳的摩擦</translation>
+    </message>
+    <message>
+        <source>Mean height of obstacles that the raster of the terrain is too coarse to hold: stones, tufts, ruts; what Rockyfor3D calls the mean obstacle height (Dorren 2016). Bumps and hollows are drawn at random on a lattice. 0: as smooth as the raster.</source>
+        <translation>地形栅格过粗而容纳不下的障碍物的平均高度：石块、草丛、沟槽；即 Rockyfor3D 所称的平均障碍物高度（Dorren 2016）。凸起和凹陷在格点上随机抽取。0：与栅格一样光滑。</translation>
+    </message>
+    <message>
+        <source>Roughness of the terrain</source>
+        <translation>地形粗糙度</translation>
+    </message>
+    <message>
+        <source>Seed of the roughness</source>
+        <translation>粗糙度种子</translation>
+    </message>
+    <message>
+        <source>Spacing of the roughness</source>
+        <translation>粗糙度间距</translation>
+    </message>
+    <message>
+        <source>The impulse of a bounce rubs by Coulomb&apos;s law as the impact does, soft-step solver only. Off: blocks that fly or roll keep too much speed along the ground, a tenth at restitution 0.1. On by itself for a table of bodies, off for FE results, whose trajectories were made without.</source>
+        <translation>弹跳的冲量与撞击一样按库仑定律产生摩擦，仅用于 soft-step 求解器。关闭：飞行或滚动的块体沿地面保留过多的速度，恢复系数为 0.1 时约十分之一。物体表自动打开；有限元结果关闭，其轨迹是在没有它时得到的。</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,7 @@ public:
         std::vector<double>
             deathTime;  ///< exact death times s on the file's clock, NaN where the file has none [elements or empty]
         bool hasVelocity = false;
+        bool looseBodies = false;  ///< each element is a body of a table that is let go, and no structure is left
         std::shared_ptr<const StateSource> source;
         std::string format;                 ///< "Exodus II"
         std::string path;                   ///< as opened; of a series the first file

@@ -125,6 +125,7 @@ FeResult::Contents contentsOf(const std::vector<LooseBody>& bodies, double until
     }
     contents.fingerprint = hasher.value(contents.times.back()).finish();
     contents.hasVelocity = true;
+    contents.looseBodies = true;
     contents.source = std::make_shared<LooseSource>(bodies, contents.times);
     contents.activityFrom = "each body is let go at its time";
     contents.declared = FileUnits{};

@@ -55,6 +55,29 @@ Axis yAxis(const HeightGrid& grid, const TerrainExtent& extent) {
     return {extent.y0, grid.dx, extent.row, grid.ny};
 }
 
+/// The mean difference of two normal deviates is 2 / sqrt(pi) of their standard deviation.
+constexpr double deviationOfObstacles = 0.886226925452758;
+/// Standard deviations that a node is away at most: sqrt(12).
+constexpr double mostDeviations = 3.46410161513776;
+
+/// A deviate of mean 0 and variance 1 for a node of a lattice, nearly normal: the sum of four even ones (Irwin-Hall).
+double standardDeviate(std::uint64_t seed, std::int64_t i, std::int64_t j) {
+    // SplitMix64 (Steele, Lea & Flood 2014) over the numbers of the node.
+    std::uint64_t z = seed;
+    for (const std::int64_t part : {i, j, std::int64_t{0}}) {
+        z += 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(part);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        z ^= z >> 31;
+    }
+    double sum = 0.0;
+    for (int k = 0; k < 4; ++k) {
+        sum += static_cast<double>((z >> (16 * k)) & 0xffffULL) / 65535.0 - 0.5;
+    }
+    // Four deviates of variance 1 / 12 each.
+    return 0.5 * mostDeviations * sum;
+}
+
 [[noreturn]] void refuse(Message what) {
     throw UsageError(std::move(what),
                      {"terrain.grid.remedy", "Give a raster of finite heights with at least two rows and columns.", {}});
@@ -133,7 +156,48 @@ void TerrainGrid::takeExtent() {
     m_window = Aabb(low, high);
 }
 
+TerrainGrid TerrainGrid::roughened(const TerrainRoughness& roughness) const {
+    if (!std::isfinite(roughness.height) || roughness.height < 0.0 || !std::isfinite(roughness.spacing) ||
+        roughness.spacing <= 0.0) {
+        refuse({"terrain.grid.roughness",
+                "A roughness of {0} on a lattice of {1} is none",
+                {{roughness.height, "m"}, {roughness.spacing, "m"}}});
+    }
+    TerrainGrid rough = *this;
+    rough.m_roughness = roughness;
+    rough.m_lowest -= rough.mostRough();
+    rough.m_highest += rough.mostRough();
+    Hasher hasher;
+    rough.m_digest =
+        hasher.digest(m_digest).value(roughness.height).value(roughness.spacing).value(std::uint64_t{roughness.seed}).finish();
+    return rough;
+}
+
+double TerrainGrid::mostRough() const {
+    return m_roughness.height * deviationOfObstacles * mostDeviations;
+}
+
+/// Height of a node of the lattice of roughness, m. @param i, j  whole numbers
+double TerrainGrid::roughNode(double i, double j) const {
+    const double noise = m_roughness.height * deviationOfObstacles *
+                         standardDeviate(m_roughness.seed, static_cast<std::int64_t>(i), static_cast<std::int64_t>(j));
+    return smoothHeight(m_extent.x0 + i * m_roughness.spacing, m_extent.y0 + j * m_roughness.spacing) + noise;
+}
+
 double TerrainGrid::height(double x, double y) const {
+    if (!(m_roughness.height > 0.0) || !std::isfinite(x) || !std::isfinite(y)) {
+        return smoothHeight(x, y);
+    }
+    const double u = (x - m_extent.x0) / m_roughness.spacing, v = (y - m_extent.y0) / m_roughness.spacing;
+    const double i = std::floor(u), j = std::floor(v);
+    const double along = u - i, across = v - j;
+    if (along >= across) {
+        return (1.0 - along) * roughNode(i, j) + (along - across) * roughNode(i + 1, j) + across * roughNode(i + 1, j + 1);
+    }
+    return (1.0 - across) * roughNode(i, j) + (across - along) * roughNode(i, j + 1) + along * roughNode(i + 1, j + 1);
+}
+
+double TerrainGrid::smoothHeight(double x, double y) const {
     const Along u = along(x, xAxis(m_grid, m_extent));
     const Along v = along(y, yAxis(m_grid, m_extent));
     const double* low = &m_grid.heights[v.cell * m_grid.nx + u.cell];
@@ -146,6 +210,16 @@ double TerrainGrid::height(double x, double y) const {
 }
 
 Vec3 TerrainGrid::normal(double x, double y) const {
+    if (m_roughness.height > 0.0 && std::isfinite(x) && std::isfinite(y)) {
+        const double u = (x - m_extent.x0) / m_roughness.spacing, v = (y - m_extent.y0) / m_roughness.spacing;
+        const double i = std::floor(u), j = std::floor(v);
+        const double low = roughNode(i, j), high = roughNode(i + 1, j + 1);
+        const bool lower = u - i >= v - j;
+        const double other = lower ? roughNode(i + 1, j) : roughNode(i, j + 1);
+        const double alongX = lower ? other - low : high - other;
+        const double alongY = lower ? high - other : other - low;
+        return Vec3(-alongX, -alongY, m_roughness.spacing).normalized();
+    }
     const Axis xs = xAxis(m_grid, m_extent);
     const Axis ys = yAxis(m_grid, m_extent);
     const Along u = along(x, xs);
@@ -173,6 +247,13 @@ double TerrainGrid::highestOver(double xMin, double yMin, double xMax, double yM
     if (!(xMin <= xMax && yMin <= yMax)) {
         return m_highest;
     }
+    if (m_roughness.height > 0.0) {
+        const double beyond = m_roughness.spacing;
+        xMin -= beyond;
+        xMax += beyond;
+        yMin -= beyond;
+        yMax += beyond;
+    }
     const auto [iFrom, iTo] = nodesAround(xMin, xMax, xAxis(m_grid, m_extent));
     const auto [jFrom, jTo] = nodesAround(yMin, yMax, yAxis(m_grid, m_extent));
     double highest = node(iFrom, jFrom);
@@ -181,7 +262,7 @@ double TerrainGrid::highestOver(double xMin, double yMin, double xMax, double yM
             highest = std::max(highest, node(i, j));
         }
     }
-    return highest;
+    return highest + mostRough();
 }
 
 TerrainGrid::Source TerrainGrid::source(double x, double y) const {

@@ -29,6 +29,15 @@ struct TerrainExtent {
     std::vector<std::uint8_t> missing;  ///< [ny * nx] 1 where the raster has ended and the height is a guess; empty: nowhere
 };
 
+/// What a raster is too coarse to hold: a bump or hollow at every node of a finer lattice, each independent of the others, with
+/// level differences between neighbours that are on average as high as obstacles are (the mean obstacle height of Rockyfor3D,
+/// Dorren 2016).
+struct TerrainRoughness {
+    double height = 0.0;   ///< m, mean height of obstacles, that is of the difference of neighbouring nodes; 0: smooth
+    double spacing = 0.0;  ///< m, of the lattice, beyond which nothing is correlated
+    std::uint64_t seed = 1;
+};
+
 /// Heights on a regular grid in the local frame: a continuous surface of two triangles a cell, split along the diagonal from the
 /// south-west to the north-east corner (that of the lowest x and y to that of the highest). Beyond its edges the surface goes on
 /// level from the nearest edge point. Immutable; any number of threads may ask.
@@ -42,6 +51,11 @@ public:
     /// @param cell    m, distance of nodes along both axes
     /// @param heights [ny * nx] m, row by row from the lowest y
     TerrainGrid(double x0, double y0, double cell, std::size_t nx, std::size_t ny, std::vector<double> heights);
+
+    /// The same terrain with roughness on top, drawn from its seed alone: its heights are those of this one at the nodes of the
+    /// lattice, with a bump or hollow of at most 3.1 times the mean height of obstacles. The mean over many nodes is unchanged.
+    TerrainGrid roughened(const TerrainRoughness& roughness) const;
+    const TerrainRoughness& roughness() const { return m_roughness; }
 
     /// Height of the surface at a place, m; not a number where the place is none.
     double height(double x, double y) const;
@@ -78,12 +92,16 @@ public:
 private:
     void check() const;
     void takeExtent();
+    double smoothHeight(double x, double y) const;
+    double roughNode(double i, double j) const;
+    double mostRough() const;
 
     HeightGrid m_grid;
     TerrainExtent m_extent;
     Aabb m_window;
     double m_lowest = 0.0, m_highest = 0.0;
     Digest m_digest;
+    TerrainRoughness m_roughness;
 };
 
 /// How many of the nodes around a window can be taken: on all sides as many as there are, or alike, so that the grid holds no more

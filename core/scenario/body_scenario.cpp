@@ -14,6 +14,7 @@ void prepareForBodies(Scenario& scenario, const std::vector<LooseBody>& bodies) 
     scenario.fragments.birthWindow = 0.0;
     scenario.effects.of(EffectKind::StructureContact) = EffectSwitch::Off;
     scenario.simulation.settleTime = timeToRest;
+    scenario.simulation.bounceFriction = true;
     for (const LooseBody& body : bodies) {
         if (body.material) {
             scenario.components[partOf(body)].material = body.material;

@@ -34,6 +34,19 @@ void addSwitches(ParameterRows& table) {
                 "and the bodies so freed stay within bodies_max.");
 }
 
+void addTerrainRoughness(ParameterRows& table) {
+    table
+        .number("terrain_roughness", "m", 0, 10, RUBBLE_AT(effects.terrainRoughness), "Roughness of the terrain",
+                "Mean height of obstacles that the raster of the terrain is too coarse to hold: stones, tufts, ruts; what "
+                "Rockyfor3D calls "
+                "the mean obstacle height (Dorren 2016). Bumps and hollows are drawn at random on a lattice. 0: as smooth as the "
+                "raster.")
+        .number("terrain_roughness_spacing", "m", 0.01, 1000, RUBBLE_AT(effects.roughnessSpacing), "Spacing of the roughness",
+                "Distance of neighbouring bumps and hollows, beyond which they are independent of each other.")
+        .integer("terrain_roughness_seed", 0, 2147483647, RUBBLE_AT(effects.roughnessSeed), "Seed of the roughness",
+                 "Another seed gives other bumps and hollows of the same height and spacing. Repeats count on from it.");
+}
+
 void addWaterAndAir(ParameterRows& table) {
     table
         .number("water_level", "m", -1e6, 1e6, RUBBLE_AT(effects.waterLevel), "Level of the water",
@@ -91,6 +104,7 @@ void addMaterials(ParameterRows& table) {
 std::vector<Parameter> effectRows() {
     ParameterRows table(Stage::Simulation);
     addSwitches(table);
+    addTerrainRoughness(table);
     addWaterAndAir(table);
     addSteelAndStone(table);
     addMaterials(table);

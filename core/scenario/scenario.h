@@ -85,13 +85,14 @@ struct SimulationSettings {
     std::optional<double> friction;     ///< of every pair of materials; unset: by pair
     std::optional<double> restitution;  ///< the same
     bool freeze = true;
-    double freezeSpeed = 0.02;  ///< m/s of the fastest corner
-    double freezeDelay = 0.5;   ///< s below it
-    double overlapSpeed = 1.5;  ///< m/s at which overlap at birth is brought apart
-    double overlapTime = 7.0;   ///< s for each pair
-    double settleTime = 10.0;   ///< s at most after the last FE state
-    double frameRate = 25.0;    ///< recorded frames per second
-    bool autoRemedy = false;    ///< halve the steps for a while after a health breach
+    double freezeSpeed = 0.02;    ///< m/s of the fastest corner
+    double freezeDelay = 0.5;     ///< s below it
+    double overlapSpeed = 1.5;    ///< m/s at which overlap at birth is brought apart
+    double overlapTime = 7.0;     ///< s for each pair
+    bool bounceFriction = false;  ///< impulses of a bounce rub as well, soft-step solver
+    double settleTime = 10.0;     ///< s at most after the last FE state
+    double frameRate = 25.0;      ///< recorded frames per second
+    bool autoRemedy = false;      ///< halve the steps for a while after a health breach
     friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 
@@ -119,6 +120,9 @@ struct EffectSettings {
     double breakUpSpeed = 6.0;         ///< m/s, impulse per mass above which a cluster of stone or masonry breaks up
     LiveIslandPolicy islands = LiveIslandPolicy::Released;
     LooseStructurePolicy loose = LooseStructurePolicy::Fe;
+    double terrainRoughness = 0.0;   ///< m, mean height of obstacles that the raster does not hold
+    double roughnessSpacing = 0.25;  ///< m, between them
+    std::int64_t roughnessSeed = 1;
     friend bool operator==(const EffectSettings&, const EffectSettings&) = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/base/message.h"
 #include "core/base/standard_gravity.h"
+#include "core/engine/world/constants.h"
 #include "core/pipeline/pipeline.h"
 #include "core/selftest/collapse_scene.h"
 #include "core/selftest/element_scene.h"
@@ -81,6 +82,42 @@ void slide(const CaseSetting& setting, Outcome& outcome) {
         scene.run(4.0);
         const double law = 16.0 / (2.0 * friction * standardGravity);
         outcome.near("way from 4 m/s to rest, friction " + englishNumber(friction), scene.place(body).x(), law, 0.01 * law, "m");
+    }
+}
+
+/// m, way of what falls from `height` with a speed along the ground: every hit rubs with all that it presses with, and what is
+/// slower than the threshold of restitution does not bounce.
+double skidWay(double height, double speed, double friction, double restitution) {
+    double down = std::sqrt(2.0 * standardGravity * height);
+    double way = speed * down / standardGravity;
+    while (speed > 0.0) {
+        const double up = down > restitutionThreshold ? restitution * down : 0.0;
+        speed = std::max(0.0, speed - friction * (down + up));
+        if (up == 0.0) {
+            break;
+        }
+        way += speed * 2.0 * up / standardGravity;
+        down = up;
+    }
+    return way + speed * speed / (2.0 * friction * standardGravity);
+}
+
+void skid(const CaseSetting& setting, Outcome& outcome) {
+    for (const double restitution : {0.0, 0.2, 0.5}) {
+        // Heights that differ by the way of a step, so that hits fall into every phase of it.
+        double most = 0.0;
+        for (int phase = 0; phase < 8; ++phase) {
+            WorldScene scene(setting);
+            scene.settings.pairs = PairTable::uniform(0.3, restitution);
+            scene.settings.bounceFriction = true;
+            const double height = 0.2 + 0.004 * phase;
+            const BodyId body = scene.box({0, 0, 0.05 + height}, {1, 1, 0.1}, {3, 0, 0});
+            scene.run(3.0);
+            const double law = skidWay(height, 3.0, 0.3, restitution);
+            most = std::max(most, std::abs(scene.place(body).x() / law - 1.0));
+        }
+        // A substep of 1/240 s decides where a hit begins: 1 % of the way.
+        outcome.atMost("way off that of Coulomb's law at impact, restitution " + englishNumber(restitution), most, 0.01);
     }
 }
 
@@ -265,6 +302,8 @@ std::vector<HardCase> closedFormCases() {
         {"form-incline", "block on an incline, friction 0.5, 20 to 45 degrees", "creeps, slides too fast",
          "g (sin a - mu cos a) within 0.5 %", 0.1, incline},
         {"form-slide", "block slides to rest, friction 0.2 to 0.8", "stops elsewhere", "v2 / (2 mu g) within 1 %", 0.1, slide},
+        {"form-skid", "a plate lands while it slides, restitution 0 to 0.5", "hits do not rub, or by the phase of the step",
+         "Coulomb's law at every impact, way within 1 %", 0.3, skid},
         {"form-impact", "two bodies meet, masses 1 : 2", "momentum is lost", "momentum to 1e-9, speeds within 1 % of the approach",
          0.1, impact},
         {"form-carry", "a piece sets off under a fragment", "slips wrongly", "way and speed within 1 %", 0.1, carrying},

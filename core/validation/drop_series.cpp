@@ -1,29 +1,40 @@
 #include "core/validation/drop_series.h"
 
 #include "core/scenario/parameters.h"
+#include "core/simulation/effects/terrain.h"
 
 namespace rubble {
 
+namespace {
+
+SiteSurface surfaceOf(const std::shared_ptr<const TerrainGrid>& given, const Scenario& scenario) {
+    const EffectSettings& effects = scenario.effects;
+    const bool terrain = given && effects.of(EffectKind::Terrain) != EffectSwitch::Off;
+    return {effects.of(EffectKind::Ground) != EffectSwitch::Off, scenario.simulation.groundHeight,
+            terrain ? roughTerrain(given, effects) : nullptr};
+}
+
+}  // namespace
+
 SiteSurface surfaceOf(const DropSeries& series) {
-    const EffectSettings& effects = series.scenario.effects;
-    const bool terrain = series.terrain && effects.of(EffectKind::Terrain) != EffectSwitch::Off;
-    return {effects.of(EffectKind::Ground) != EffectSwitch::Off, series.scenario.simulation.groundHeight,
-            terrain ? series.terrain : nullptr};
+    return surfaceOf(series.terrain, series.scenario);
 }
 
 DropRepeat dropOnce(const DropSeries& series, std::int64_t repeat, const Execution& execution) {
     DropRepeat made;
     made.bodies = series.bodies;
-    if (series.turned) {
-        turnAtRandom(made.bodies, series.seed, repeat);
-    }
-    if (series.lifted) {
-        made.lifted = liftOut(made.bodies, surfaceOf(series));
-    }
     Scenario scenario = series.scenario;
     made.drawn = drawnValues({series.varied, series.repeats, series.seed}, repeat);
     for (const auto& [key, value] : made.drawn) {
         setParameterText(scenario, key, value);
+    }
+    // Nobody measured where the obstacles are.
+    scenario.effects.roughnessSeed += repeat;
+    if (series.turned) {
+        turnAtRandom(made.bodies, series.seed, repeat);
+    }
+    if (series.lifted) {
+        made.lifted = liftOut(made.bodies, surfaceOf(series.terrain, scenario));
     }
     if (series.apart) {
         scenario.effects.of(EffectKind::FragmentContact) = EffectSwitch::Off;

@@ -90,6 +90,8 @@ public:
     std::int64_t moving = 0;
     std::int64_t left = 0;
     std::int64_t lost = 0;
+    double stepRate = 0.0;
+    Message stepRateReason;
     ReleaseCount lifted;
     Findings findings;  ///< of all simulations
 
@@ -97,6 +99,8 @@ private:
     void take(const DropRepeat& repeat) {
         moving += repeat.result.count(Ending::Moving);
         left += repeat.result.count(Ending::Left);
+        stepRate = repeat.result.results.simulation->stepRate;
+        stepRateReason = repeat.result.results.simulation->stepRateReason;
         findings.append(repeat.result.results.simulation->findings);
         lost += repeat.result.count(Ending::Lost) + repeat.result.count(Ending::Refused);
         lifted.count += repeat.lifted.count;
@@ -371,6 +375,8 @@ VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, co
     result.moving = run.moving;
     result.left = run.left;
     result.lost = run.lost;
+    result.stepRate = run.stepRate;
+    result.stepRateReason = run.stepRateReason;
     lifted.count += run.lifted.count;
     lifted.measure = std::max(lifted.measure, run.lifted.measure);
     findings.append(run.findings);

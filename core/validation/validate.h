@@ -53,7 +53,9 @@ struct VariantResult {
     std::vector<Deposit> deposits;   ///< [bodies] that are judged
     std::vector<SetFigure> figures;  ///< all, those of the quantities among them
     std::vector<SetVerdict> verdicts;
-    double seconds = 0.0;  ///< wall time
+    double stepRate = 0.0;   ///< 1/s, at least; 0: a scene of its own
+    Message stepRateReason;  ///< why so many
+    double seconds = 0.0;    ///< wall time
 
     /// Its value; not a number if there is no such figure.
     double figure(const std::string& key) const;

@@ -22,7 +22,7 @@ using Keys = std::vector<std::string_view>;
 /// The settings of each effect besides its switch, in the order of EffectKind.
 const std::array<Keys, effectCount>& settingsOf() {
     static const std::array<Keys, effectCount> keys{{{"ground_height"},
-                                                     {},
+                                                     {"terrain_roughness", "terrain_roughness_spacing", "terrain_roughness_seed"},
                                                      {"pieces", "piece_size"},
                                                      {"overlap_speed", "overlap_time"},
                                                      {"water_level", "water_density", "water_current_x", "water_current_y",
@@ -34,7 +34,7 @@ const std::array<Keys, effectCount>& settingsOf() {
 }
 
 const Keys& contactKeys() {
-    static const Keys keys{"ground_material", "friction", "restitution"};
+    static const Keys keys{"ground_material", "friction", "restitution", "bounce_friction"};
     return keys;
 }
 

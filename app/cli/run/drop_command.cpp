@@ -215,11 +215,14 @@ ExitCode dropBodies(const Arguments& arguments, Session& session) {
         object["health_breaches"] = breachesOf(repeats);
         object["trajectory_hash"] = repeats.front().result.results.simulation->trajectoryHash.hex();
         object["steps"] = repeats.front().result.results.simulation->steps;
+        object["step_rate"] = repeats.front().result.results.simulation->stepRate;
+        object["step_rate_reason"] = englishText(repeats.front().result.results.simulation->stepRateReason);
         object["warnings"] = findingsJson(findings);
         printJson(session, object);
     } else {
         printHeading(session.out(), englishInteger(static_cast<std::int64_t>(subject.series.bodies.size())) + " bodies, " +
                                         englishInteger(subject.series.repeats) + " times");
+        session.out() << stepsText(*repeats.front().result.results.simulation) << '\n';
         dropSummary(repeats, subject.zero).print(session.out());
         printFindings(session.out(), findings);
     }

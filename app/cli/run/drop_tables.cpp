@@ -101,6 +101,10 @@ TextTable pathTable(const std::vector<DropRepeat>& repeats, const Vec3& zero) {
     return table;
 }
 
+std::string stepsText(const SimulationResult& simulation) {
+    return englishNumber(simulation.stepRate) + " steps a second: " + englishText(simulation.stepRateReason);
+}
+
 TextTable dropSummary(const std::vector<DropRepeat>& repeats, const Vec3& zero) {
     TextTable table({{"figure", "figure"},
                      {"bodies", "bodies"},

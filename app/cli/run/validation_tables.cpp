@@ -80,7 +80,8 @@ void printVariant(std::ostream& out, const VariantResult& variant) {
     }
     if (variant.bodies > 0) {
         out << "  " << variant.bodies << " bodies, " << variant.simulated << " falls; " << variant.moving << " still moving, "
-            << variant.left << " left the terrain, " << variant.lost << " lost; " << englishNumber(variant.seconds) << " s\n";
+            << variant.left << " left the terrain, " << variant.lost << " lost; " << englishNumber(variant.seconds) << " s\n"
+            << "  " << englishNumber(variant.stepRate) << " steps a second: " << englishText(variant.stepRateReason) << '\n';
         quantityTable(variant).print(out);
     }
     const TextTable figures = figureTable(variant);
@@ -127,6 +128,8 @@ Json variantJson(const VariantResult& variant) {
     object["moving"] = variant.moving;
     object["left"] = variant.left;
     object["lost"] = variant.lost;
+    object["step_rate"] = variant.stepRate;
+    object["step_rate_reason"] = englishText(variant.stepRateReason);
     object["quantities"] = Json::array();
     for (const QuantityComparison& quantity : variant.quantities) {
         object["quantities"].push_back(quantityJson(quantity));

@@ -29,12 +29,18 @@ Scenario readPart(const Scenario& scenario, const EffectDecisions& decisions) {
     } else {
         simulation.substeps = defaults.simulation.substeps;
         simulation.overlapTime = defaults.simulation.overlapTime;
+        simulation.bounceFriction = defaults.simulation.bounceFriction;
     }
     if (!isOn(decisions, EffectKind::StructureContact)) {
         simulation.pieces = defaults.simulation.pieces;
     }
     if (simulation.pieces != PieceKind::GridBoxes || !isOn(decisions, EffectKind::StructureContact)) {
         simulation.pieceSize = defaults.simulation.pieceSize;
+    }
+    if (!isOn(decisions, EffectKind::Terrain) || !(read.effects.terrainRoughness > 0.0)) {
+        read.effects.terrainRoughness = defaults.effects.terrainRoughness;
+        read.effects.roughnessSpacing = defaults.effects.roughnessSpacing;
+        read.effects.roughnessSeed = defaults.effects.roughnessSeed;
     }
     if (!simulation.freeze) {
         simulation.freezeSpeed = defaults.simulation.freezeSpeed;

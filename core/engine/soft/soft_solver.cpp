@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/engine/soft/restitution.h"
+
 namespace rubble {
 
 namespace {
@@ -23,8 +25,6 @@ constexpr int relaxPasses = 3;
 constexpr int fewestCorrectionPasses = 24, mostCorrectionPasses = 72;
 constexpr double contactsOfFewest = 16000;
 constexpr int holdPasses = 4;
-/// Rounds over the points of a contact that bounces.
-constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
 /// The same, side by side.
@@ -43,43 +43,6 @@ constexpr std::uint32_t mostColours = 63;
 int correctionPassesFor(std::size_t contacts) {
     const double wanted = fewestCorrectionPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
     return static_cast<int>(std::clamp<double>(wanted, fewestCorrectionPasses, mostCorrectionPasses));
-}
-
-Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoint& p) {
-    return b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA);
-}
-
-void apply(SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
-    // Threads may share an immovable body, so nothing is written to it.
-    if (a.inverseMass > 0.0) {
-        a.velocity -= a.inverseMass * impulse;
-        a.spin -= a.inverseInertia * p.fromA.cross(impulse);
-    }
-    if (b.inverseMass > 0.0) {
-        b.velocity += b.inverseMass * impulse;
-        b.spin += b.inverseInertia * p.fromB.cross(impulse);
-    }
-}
-
-void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
-    // The points of one face share a blow; a few rounds find their shares.
-    for (int round = 0; round < restitutionRounds; ++round) {
-        for (SolverPoint& p : points) {
-            if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
-                continue;
-            }
-            const double speed = c.normal.dot(relativeVelocity(a, b, p));
-            // Over the whole step a contact never pulls.
-            const double change = std::max(-p.normalMass * (speed - c.restitution * p.approachSpeed), -p.impulseSum);
-            // What a limit left of a moving piece's approach is not made up for here.
-            if (c.driven && change > 0.0) {
-                continue;
-            }
-            p.impulseSum += change;
-            p.normalImpulse = std::max(0.0, p.normalImpulse + change);
-            apply(a, b, p, change * c.normal);
-        }
-    }
 }
 
 }  // namespace
@@ -563,7 +526,7 @@ void SoftSolver::takeBack(const Target& target) {
     });
 }
 
-void SoftSolver::restitute(double threshold) {
+void SoftSolver::restitute(double threshold, bool friction) {
     m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const KeptLanes& fastest = m_tallies[i].fastest;
@@ -585,7 +548,7 @@ void SoftSolver::restitute(double threshold) {
             for (std::size_t i = from; i < to; ++i) {
                 SolverContact& c = contacts[hit[i]];
                 const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
-                restituteContact(c, own, bodies[c.a], bodies[c.b], threshold);
+                restituteContact(c, own, bodies[c.a], bodies[c.b], threshold, friction);
             }
         });
     }

@@ -145,7 +145,8 @@ public:
     /// What this moves and turns a body by.
     SolverWay correctionOf(std::size_t body) const;
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
-    void restitute(double threshold);
+    /// @param friction  what gives it back rubs as well, by Coulomb's law
+    void restitute(double threshold, bool friction = false);
     /// Where contacts go.
     struct Target {
         std::function<void(std::uint32_t contact)> take = [](std::uint32_t) {};      ///< is given each once it is complete

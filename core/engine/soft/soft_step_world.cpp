@@ -272,7 +272,7 @@ void SoftStepWorld::substeps(double dt) {
     }
     m_corrected = m_solver.correctPositions();
     m_solver.end();
-    m_solver.restitute(restitutionThreshold);
+    m_solver.restitute(restitutionThreshold, m_settings.bounceFriction);
     std::atomic<std::int64_t> held = 0;
     m_pool.loop(m_solids.awake.size(), 512, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

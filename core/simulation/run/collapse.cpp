@@ -42,6 +42,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     world.freezeDelay = s.freezeDelay;
     world.overlapSpeed = s.overlapSpeed;
     world.overlapTime = s.overlapTime;
+    world.bounceFriction = s.bounceFriction;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
 }
@@ -67,7 +68,7 @@ Collapse::Collapse(const WorldFactory& makeWorld, const RunDescription& descript
       m_execution(execution),
       m_activity(simulatedActivity(*description.fe, description.scenario.fragments)),
       m_decisions(decisionsOf(description)),
-      m_stepRate(stepRateOf(description, m_decisions)),
+      m_stepRate(chosenStepRate(description, m_decisions)),
       m_worldSettings(worldSettings(description, m_decisions, execution)),
       m_surface{m_worldSettings.ground, m_worldSettings.groundHeight, m_worldSettings.terrain},
       m_world(makeWorld(m_worldSettings)),
@@ -306,7 +307,7 @@ void Collapse::followStructure() {
             m_structure.beginInterval(*m_world, k);
         }
         const double span = m_times[k + 1] - m_times[k];
-        const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(span * m_stepRate - 1e-6)));
+        const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(span * m_stepRate.perSecond - 1e-6)));
         const double dt = span / static_cast<double>(steps);
         while (m_place.steps < steps) {
             const std::int64_t i = ++m_place.steps;
@@ -340,7 +341,7 @@ double Collapse::asleep() const {
 }
 
 void Collapse::settle() {
-    const auto steps = static_cast<std::int64_t>(std::ceil(m_settings.settleTime * m_stepRate - 1e-6));
+    const auto steps = static_cast<std::int64_t>(std::ceil(m_settings.settleTime * m_stepRate.perSecond - 1e-6));
     const double from = m_times.back();
     if (!m_place.settling) {
         m_place = {true, m_times.size() - 1, 0, from + 1.0};
@@ -447,6 +448,7 @@ void Collapse::warn() {
     m_result.findings.append(m_result.checkpoints.findings);
     m_health.addFindings(m_result.findings);
     warnOfTerrain();
+    addTerrainRoughness(m_surface.terrain.get(), m_description.scenario.effects, m_result.findings);
     const std::int64_t held = m_effects.heldTogether();
     if (held > 0) {
         m_result.findings.add(
@@ -490,6 +492,8 @@ void Collapse::finish() {
     }
     m_outcomes.finish(*m_world);
     m_result.endTime = m_time;
+    m_result.stepRate = m_stepRate.perSecond;
+    m_result.stepRateReason = m_stepRate.reason;
     m_result.fragments = m_outcomes.fragments();
     m_result.stepTimes = m_clock.times();
     reportCosts();

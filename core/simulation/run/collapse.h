@@ -20,6 +20,7 @@
 #include "core/simulation/run/frame_recorder.h"
 #include "core/simulation/run/islands.h"
 #include "core/simulation/run/step_clock.h"
+#include "core/simulation/run/step_rate.h"
 
 namespace rubble {
 
@@ -108,7 +109,7 @@ private:
     const Execution& m_execution;
     Activity m_activity;
     EffectDecisions m_decisions;
-    const double m_stepRate;  ///< 1/s
+    const StepRate m_stepRate;
     WorldSettings m_worldSettings;
     SiteSurface m_surface;
     std::unique_ptr<RigidWorld> m_world;

@@ -6,6 +6,7 @@
 #include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/base/hash.h"
+#include "core/base/message.h"
 #include "core/simulation/bodies/run_account.h"
 #include "core/simulation/effects/decisions.h"
 #include "core/simulation/health/health.h"
@@ -20,6 +21,8 @@ struct SimulationResult {
     std::int64_t bodiesPeak = 0;             ///< of clusters, at one time
     std::int64_t awakePeak = 0;              ///< of these, awake at one recorded instant
     std::int64_t steps = 0;
+    double stepRate = 0.0;   ///< 1/s, at least
+    Message stepRateReason;  ///< why so many
     double firstTime = 0.0;  ///< s, first hand-over
     double feEndTime = 0.0;  ///< s, last FE state
     double endTime = 0.0;    ///< s, the end

@@ -66,4 +66,23 @@ void addTerrainEnds(const TerrainGrid& terrain, std::span<const Vec3> places, co
     }
 }
 
+void addTerrainRoughness(const TerrainGrid* terrain, const EffectSettings& effects, Findings& findings) {
+    if (!(effects.terrainRoughness > 0.0)) {
+        return;
+    }
+    if (terrain == nullptr) {
+        findings.add({"simulation.roughness_alone",
+                      "terrain_roughness = {0} has no terrain to lie on: the level ground is smooth",
+                      {{effects.terrainRoughness, "m"}}},
+                     {"simulation.roughness_alone.remedy", "give a terrain, or set terrain_roughness to 0", {}});
+        return;
+    }
+    const TerrainRoughness& rough = terrain->roughness();
+    findings.add(
+        {"simulation.terrain_rough",
+         "the terrain was given obstacles of {0} on average, {1} apart, at random (seed {2}): nobody measured where they are",
+         {{rough.height, "m"}, {rough.spacing, "m"}, static_cast<std::int64_t>(rough.seed)}},
+        {"simulation.terrain_rough.remedy", "repeat with other seeds, or give a finer terrain and no terrain_roughness", {}});
+}
+
 }  // namespace rubble

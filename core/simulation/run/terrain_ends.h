@@ -7,6 +7,7 @@
 #include "core/base/finding.h"
 #include "core/base/geometry.h"
 #include "core/fe/terrain_grid.h"
+#include "core/scenario/scenario.h"
 
 namespace rubble {
 
@@ -16,5 +17,9 @@ namespace rubble {
 /// @param nameOf   of the piece with that index, for the example
 void addTerrainEnds(const TerrainGrid& terrain, std::span<const Vec3> places, const std::function<std::string(std::size_t)>& nameOf,
                     Findings& findings);
+
+/// Tells of roughness: how high, how far apart and from which seed; or that it lies on nothing.
+/// @param terrain  that carries debris; null: there is none
+void addTerrainRoughness(const TerrainGrid* terrain, const EffectSettings& effects, Findings& findings);
 
 }  // namespace rubble

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fe/loose_bodies.h"
 #include "core/pipeline/pipeline.h"
+#include "core/scenario/body_scenario.h"
 #include "core/simulation/effects/decisions.h"
 #include "tests/scenes/fe_scenes.h"
 
@@ -53,6 +55,31 @@ TEST(StepRate, IsThatOfItsDefaultsForBullet) {
     Scenario scenario;
     scenario.simulation.solver = SolverKind::Bullet;
     EXPECT_EQ(rateOf(5.0, scenario), 60.0);
+}
+
+StepRate tableRate(double side, Scenario scenario = {}) {
+    LooseBody body;
+    body.id = "cube";
+    body.sides = Vec3::Constant(side);
+    body.mass = 2400.0 * side * side * side;
+    body.pose.position = Vec3(0, 0, 2.0 * side);
+    prepareForBodies(scenario, {body});
+    const Inputs inputs{std::make_shared<const FeResult>(contentsOf({body})), {}};
+    const Results results = run(inputs, scenario, Stage::Clusters, {}, nullptr, Execution());
+    return chosenStepRate(describeRun(inputs, scenario, results), {});
+}
+
+TEST(StepRate, OfATableTurnsACubeByThreeDegreesInAStep) {
+    // 0.788 sqrt(9.80665 / 0.1048) rad/s over 3 degrees.
+    EXPECT_NEAR(tableRate(0.1048).perSecond, 145.6, 0.1);
+    EXPECT_NEAR(tableRate(0.4192).perSecond, 72.8, 0.1);
+    EXPECT_EQ(tableRate(0.02).perSecond, 240.0);
+    EXPECT_EQ(tableRate(3.0).perSecond, 40.0);
+    EXPECT_EQ(tableRate(0.1048).reason.id, "simulation.step_rate.tumbling");
+    Scenario scenario;
+    scenario.simulation.stepRate = 90.0;
+    EXPECT_EQ(tableRate(0.1048, scenario).perSecond, 90.0);
+    EXPECT_EQ(tableRate(0.1048, scenario).reason.id, "simulation.step_rate.set");
 }
 
 }  // namespace

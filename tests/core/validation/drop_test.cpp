@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/scenario/body_scenario.h"
@@ -44,6 +45,39 @@ TEST(Drop, FallsAsFarAndAsLongAsTheLawSays) {
     EXPECT_GT(body.trace.path, 10.0);
 }
 
+TEST(Drop, RubsWithAllThatAHitPressesWith) {
+    LooseBody plate = cubeAt({0, 0, 0.25});
+    plate.sides = {1.0, 1.0, 0.1};
+    plate.velocity = {3.0, 0.0, 0.0};
+    Scenario scenario;
+    scenario.simulation.friction = 0.3;
+    scenario.simulation.restitution = 0.3;
+    // 0.606 m in the air; each hit takes mu (1 + e) of its speed, which is 1.98, 0.594 and (no longer bouncing) 0.178 m/s; then it
+    // slides.
+    const double law = 1.589;
+    EXPECT_NEAR(dropped({plate}, scenario).bodies.front().runOut, law, 0.01 * law);
+}
+
+TEST(Drop, RoughTerrainIsAnotherInEveryRepeatAndIsTold) {
+    DropSeries series;
+    series.bodies = {cubeAt({5.0, 5.0, 3.0}, 0.3)};
+    series.terrain = std::make_shared<const TerrainGrid>(0.0, 0.0, 5.0, 3, 3, std::vector<double>{4, 2, 0, 4, 2, 0, 4, 2, 0});
+    prepareForBodies(series.scenario, series.bodies);
+    series.scenario.effects.terrainRoughness = 0.05;
+    series.repeats = 2;
+    const DropRepeat first = dropOnce(series, 0, Execution{}), again = dropOnce(series, 0, Execution{}),
+                     second = dropOnce(series, 1, Execution{});
+    EXPECT_EQ(first.result.results.simulation->trajectoryHash, again.result.results.simulation->trajectoryHash);
+    EXPECT_NE(first.result.results.simulation->trajectoryHash, second.result.results.simulation->trajectoryHash);
+    const auto& list = first.result.results.simulation->findings.list();
+    EXPECT_TRUE(std::any_of(list.begin(), list.end(), [](const Finding& f) { return f.what.id == "simulation.terrain_rough"; }));
+    series.terrain = nullptr;
+    const DropRepeat level = dropOnce(series, 0, Execution{});
+    const auto& alone = level.result.results.simulation->findings.list();
+    EXPECT_TRUE(
+        std::any_of(alone.begin(), alone.end(), [](const Finding& f) { return f.what.id == "simulation.roughness_alone"; }));
+}
+
 TEST(Drop, SlidesAsFarAsTheLawSays) {
     LooseBody block = cubeAt({0, 0, 0.25});
     block.sides = {2.0, 2.0, 0.5};  // too flat to topple
@@ -73,7 +107,7 @@ TEST(Drop, EachIsLetGoAtItsTime) {
     second.id = "late";
     second.time = 0.75;
     const DropResult result = dropped({second, first});
-    EXPECT_DOUBLE_EQ(result.bodies[0].trace.from, 0.75);
+    EXPECT_NEAR(result.bodies[0].trace.from, 0.75, 1e-12);
     EXPECT_DOUBLE_EQ(result.bodies[1].trace.from, 0.0);
     EXPECT_NEAR(result.bodies[0].trace.start.position.x(), 4.0, 1e-12);
     EXPECT_NEAR(result.bodies[0].fall, result.bodies[1].fall, 1e-3);

@@ -98,6 +98,20 @@ std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube) 
     return before;
 }
 
+std::size_t CubeThinning::Hash::operator()(const std::array<std::int64_t, 3>& cube) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t k : cube) {
+        hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15ULL;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+bool CubeThinning::takes(const Vec3& place) {
+    const Vec3 cube = (place / m_cube).array().floor();
+    return m_taken.insert({std::llround(cube.x()), std::llround(cube.y()), std::llround(cube.z())}).second;
+}
+
 PointIndex::PointIndex(std::vector<Vec3> places) : m_tree(std::make_unique<Tree>(std::move(places))) {}
 
 PointIndex::~PointIndex() = default;

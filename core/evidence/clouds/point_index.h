@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -11,6 +13,23 @@ namespace rubble {
 /// Puts places beside each other that lie beside each other, cube by cube, so that finding them takes fewer ways through memory.
 /// Within a cube they keep their order. @return for each place where it stood before
 std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube);
+
+/// Takes one point of each cube, the first of them.
+class CubeThinning {
+public:
+    /// @param cube  side, above zero
+    explicit CubeThinning(double cube) : m_cube(cube) {}
+    /// @return true: it is the first in its cube
+    bool takes(const Vec3& place);
+
+private:
+    struct Hash {
+        std::size_t operator()(const std::array<std::int64_t, 3>& cube) const;
+    };
+
+    double m_cube;
+    std::unordered_set<std::array<std::int64_t, 3>, Hash> m_taken;
+};
 
 /// Points that are found by their place. May be asked by several threads at once.
 class PointIndex {

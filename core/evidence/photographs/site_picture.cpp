@@ -78,6 +78,7 @@ void SiteShape::add(SiteThing thing, const Vec3& a, const Vec3& b, const Vec3& c
     points.insert(points.end(), {a, b, c});
     triangles.push_back({first, first + 1, first + 2});
     things.push_back(thing);
+    parts.push_back(0);
 }
 
 double distortionReach(const CameraModel& camera) {

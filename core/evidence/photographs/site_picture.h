@@ -18,10 +18,15 @@ struct SiteShape {
     std::vector<Vec3> points;                             ///< m
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of points
     std::vector<SiteThing> things;                        ///< [triangles]
+    std::vector<std::uint32_t> parts;                     ///< [triangles] number of the fragment, or of the element; 0 of ground
 
     /// Adds a triangle with points of its own.
     void add(SiteThing thing, const Vec3& a, const Vec3& b, const Vec3& c);
 };
+
+/// Adds ground within a box in plan: all nodes of a terrain there while there is room, or level ground.
+/// @return  by how many nodes at a time the terrain was taken; 1: all of them
+std::size_t addGround(SiteShape& site, const SiteSurface& ground, const Aabb& around, double trianglesMost);
 
 /// The site of a run at a time within its span; unset means its end. Live structure that moved farther than a threshold [m] is
 /// fallen. Of a terrain that part is taken which may hide debris from a place.

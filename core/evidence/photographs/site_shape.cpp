@@ -13,13 +13,15 @@ namespace {
 using Face = std::array<std::int8_t, 4>;
 
 /// Adds a face of a solid whose corners are in a row of points that begins at `first`.
-void addFace(SiteShape& site, SiteThing thing, std::uint32_t first, const Face& face) {
+void addFace(SiteShape& site, SiteThing thing, std::uint32_t part, std::uint32_t first, const Face& face) {
     const auto corner = [&](std::size_t k) { return first + static_cast<std::uint32_t>(face[k]); };
     site.triangles.push_back({corner(0), corner(1), corner(2)});
     site.things.push_back(thing);
+    site.parts.push_back(part);
     if (face[3] >= 0) {
         site.triangles.push_back({corner(0), corner(2), corner(3)});
         site.things.push_back(thing);
+        site.parts.push_back(part);
     }
 }
 
@@ -37,7 +39,7 @@ void addDebris(SiteShape& site, const FragmentSet& fragments, const Debris& debr
             site.points.push_back(now.centre + turn * (vertex - before.centre));
         }
         for (const Face& face : facesOf(fragments.solid[f])) {
-            addFace(site, SiteThing::Debris, first, face);
+            addFace(site, SiteThing::Debris, static_cast<std::uint32_t>(f), first, face);
         }
     }
 }
@@ -106,19 +108,40 @@ void addStructure(SiteShape& site, const Mesh& mesh, const ElementPlaces& places
         for (const std::uint32_t node : corners) {
             site.points.push_back(places.place(e, node));
         }
-        addFace(site, fallen ? SiteThing::FallenStructure : SiteThing::Structure, first,
+        addFace(site, fallen ? SiteThing::FallenStructure : SiteThing::Structure, side.element, first,
                 facesOf(mesh.shapes[side.element])[side.face]);
     }
 }
 
+/// Triangles of the terrain that may hide debris from a camera; what is finer is left out.
+constexpr double hidingTriangles = 200000.0;
+
 /// The terrain between the debris and a place.
-void addTerrain(SiteShape& site, const TerrainGrid& terrain, const Vec3& seenFrom) {
+void addTerrain(SiteShape& site, const SiteSurface& ground, const Vec3& seenFrom) {
     Aabb around(seenFrom);
     for (const Vec3& point : site.points) {
         if (point.allFinite()) {
             around.extend(point);
         }
     }
+    addGround(site, ground, around, hidingTriangles);
+}
+
+}  // namespace
+
+std::size_t addGround(SiteShape& site, const SiteSurface& ground, const Aabb& around, double trianglesMost) {
+    if (!ground.present()) {
+        return 1;
+    }
+    if (!ground.terrain) {
+        const auto corner = [&](const Vec3& x, const Vec3& y) { return Vec3(x.x(), y.y(), ground.levelHeight); };
+        const Vec3 low = around.min();
+        const Vec3 high = around.max();
+        site.add(SiteThing::Ground, corner(low, low), corner(high, low), corner(high, high));
+        site.add(SiteThing::Ground, corner(low, low), corner(high, high), corner(low, high));
+        return 1;
+    }
+    const TerrainGrid& terrain = *ground.terrain;
     const auto range = [&](double origin, std::size_t count, double from, double to) {
         const double last = static_cast<double>(count - 1);
         return std::pair(static_cast<std::size_t>(std::floor(std::clamp((from - origin) / terrain.cell(), 0.0, last))),
@@ -126,7 +149,6 @@ void addTerrain(SiteShape& site, const TerrainGrid& terrain, const Vec3& seenFro
     };
     const auto [i0, i1] = range(terrain.x0(), terrain.nx(), around.min().x(), around.max().x());
     const auto [j0, j1] = range(terrain.y0(), terrain.ny(), around.min().y(), around.max().y());
-    constexpr double trianglesMost = 200000.0;
     const double cells = static_cast<double>(i1 - i0) * static_cast<double>(j1 - j0);
     const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * cells / trianglesMost))));
     const auto node = [&](std::size_t i, std::size_t j) {
@@ -141,9 +163,8 @@ void addTerrain(SiteShape& site, const TerrainGrid& terrain, const Vec3& seenFro
             site.add(SiteThing::Ground, node(i, j), node(i + step, j + step), node(i, j + step));
         }
     }
+    return step;
 }
-
-}  // namespace
 
 SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liveThreshold, const Vec3& seenFrom,
                     const Execution& execution) {
@@ -170,7 +191,7 @@ SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liv
     const ElementPlaces places(*run.fe, activity, *run.fragments, *run.trajectory, when);
     addStructure(site, run.fe->mesh(), places, *run.fragments, debris, liveThreshold, execution);
     if (const SiteSurface ground = groundOf(run); ground.terrain) {
-        addTerrain(site, *ground.terrain, seenFrom);
+        addTerrain(site, ground, seenFrom);
     }
     return site;
 }
@@ -185,7 +206,7 @@ SiteShape siteAtRest(const FeResult& fe, const FragmentSettings& settings, const
     const ElementPlaces places(fe, activity, islands, debris.time);
     addStructure(site, fe.mesh(), places, fragments, debris, liveThreshold, execution);
     if (ground.terrain) {
-        addTerrain(site, *ground.terrain, seenFrom);
+        addTerrain(site, ground, seenFrom);
     }
     return site;
 }

@@ -47,6 +47,9 @@ public:
 private:
     /// Of the plane through the points of the first cloud about the core, upwards; NaN where they give none.
     Vec3 normalAt(const Vec3& core) {
+        if (m_settings.upwards) {
+            return Vec3::UnitZ();
+        }
         const Vec3 none = Vec3::Constant(unknown);
         m_first.within(core, m_settings.normalRadius, m_found);
         if (m_found.size() < 3) {

@@ -16,6 +16,7 @@ struct CloudDistanceSettings {
     double depth = 0.0;             ///< of the cylinder, to each side of the core
     /// By which one cloud may be out of place against the other; unset: nobody stated it.
     std::optional<double> registrationError;
+    bool upwards = false;  ///< straight up is taken for the normal everywhere
 };
 
 /// Why a core has no distance.

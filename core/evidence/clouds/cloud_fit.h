@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/evidence/clouds/point_index.h"
+
+namespace rubble {
+
+/// How one cloud is fitted to another. Lengths are in units of the places.
+struct CloudFitSettings {
+    /// Points of the first cloud within it about a point of the second give the plane that it belongs on. What is out of place by
+    /// more does not find its way.
+    double radius = 0.0;
+    double kept = 0.8;  ///< share of the pairs that count: the others may have moved, or lie on what one cloud alone has
+    int rounds = 60;    ///< at most
+};
+
+/// A rigid move that brings the second cloud onto the first, and how well it is known.
+struct CloudFit {
+    Mat3 turn = Mat3::Identity();
+    Vec3 about = Vec3::Zero();  ///< middle of the points that were fitted; the turn is about it
+    Vec3 shift = Vec3::Zero();
+    std::int64_t pairs = 0;  ///< points with a plane
+    int rounds = 0;
+    bool settled = false;
+    double before = 0.0;             ///< root mean square of the distances to their planes of the pairs that count
+    double after = 0.0;              ///< the same once moved
+    Vec3 shiftError = Vec3::Zero();  ///< standard deviation of the shift along each axis
+    Vec3 turnError = Vec3::Zero();   ///< rad, of the turn about each axis
+    double unevenness = 0.0;         ///< standard deviation of the mean distance from patch to patch, beyond that of noise
+    /// Standard deviation along the normals that the place of the second cloud then has: of the fit and of unevenness.
+    double error = 0.0;
+
+    Vec3 operator()(const Vec3& place) const { return about + shift + turn * (place - about); }
+    /// m, rad: how far it moves and turns.
+    double distance() const { return shift.norm(); }
+    double angle() const;
+};
+
+/// Fits by trimmed iterated closest planes (Chen & Medioni 1992; Chetverikov et al. 2002): each point of the second cloud is held
+/// against the plane through the points of the first about it, and the nearest share of them decides.
+/// @param second  points of what did not move; at most as many are used as fit into 200,000 cubes of the radius
+/// Throws UsageError (fewer than 50 points have a plane; planes that leave a direction or a turn open), Cancelled.
+CloudFit fitCloud(const PointIndex& first, const std::vector<Vec3>& second, const CloudFitSettings& settings,
+                  const Execution& execution);
+
+}  // namespace rubble

@@ -1,0 +1,51 @@
+#include "core/evidence/clouds/cloud_volumes.h"
+
+#include <cmath>
+
+#include "core/base/unknown.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double confidence = 1.96;
+
+/// Of the mean of a side, squared.
+double meanVariance(const CoreSide& side) {
+    return side.roughness * side.roughness / side.points;
+}
+
+}  // namespace
+
+CloudVolumes cloudVolumes(std::span<const CoreDistance> cells, double cell, const std::optional<double>& registrationError) {
+    CloudVolumes made;
+    made.cell = cell;
+    made.cells = static_cast<std::int64_t>(cells.size());
+    const double area = cell * cell;
+    double ofFill = 0.0;
+    double ofCut = 0.0;
+    for (const CoreDistance& at : cells) {
+        if (std::isnan(at.detection)) {
+            continue;
+        }
+        ++made.measured;
+        if (!at.significant()) {
+            made.undetected += std::abs(at.distance) * area;
+            continue;
+        }
+        const bool above = at.distance > 0.0;
+        (above ? made.fill : made.cut) += std::abs(at.distance) * area;
+        (above ? ofFill : ofCut) += meanVariance(at.first) + meanVariance(at.second);
+        ++(above ? made.fillCells : made.cutCells);
+    }
+    const auto error = [&](double variance, std::int64_t count) {
+        return CloudVolumeError{confidence * area * std::sqrt(variance),
+                                registrationError ? confidence * *registrationError * area * static_cast<double>(count) : unknown};
+    };
+    made.fillError = error(ofFill, made.fillCells);
+    made.cutError = error(ofCut, made.cutCells);
+    made.netError = error(ofFill + ofCut, made.fillCells + made.cutCells);
+    return made;
+}
+
+}  // namespace rubble

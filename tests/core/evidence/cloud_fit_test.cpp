@@ -1,0 +1,112 @@
+#include "core/evidence/clouds/cloud_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/sequence.h"
+
+namespace rubble {
+
+namespace {
+
+/// Ground that rolls, and a wall on either side of a corner: nothing about its place is open.
+std::vector<Vec3> site(std::uint64_t seed, double noise) {
+    Sequence numbers(seed);
+    const auto error = [&] { return noise * (numbers.between(-1, 1) + numbers.between(-1, 1) + numbers.between(-1, 1)); };
+    std::vector<Vec3> places;
+    for (int k = 0; k < 40'000; ++k) {
+        const double x = numbers.between(-10, 10);
+        const double y = numbers.between(-10, 10);
+        places.emplace_back(x, y, 0.3 * std::sin(0.5 * x) + 0.2 * std::cos(0.4 * y) + error());
+    }
+    for (int k = 0; k < 8'000; ++k) {
+        places.emplace_back(-10.5 + error(), numbers.between(-10, 10), numbers.between(0, 4));
+        places.emplace_back(numbers.between(-10, 10), 10.5 + error(), numbers.between(0, 4));
+    }
+    return places;
+}
+
+const Mat3 turned(Eigen::AngleAxisd(0.01, Vec3(0.2, -0.1, 1.0).normalized()));
+const Vec3 shifted(0.12, -0.08, 0.06);
+
+/// A cloud as it lies when it is out of place: what brings it back is the inverse of this.
+std::vector<Vec3> misplaced(std::vector<Vec3> places) {
+    for (Vec3& place : places) {
+        place = turned * place + shifted;
+    }
+    return places;
+}
+
+/// How far the fit leaves places from where they were, at most.
+double leftOver(const CloudFit& fit, const std::vector<Vec3>& was, const std::vector<Vec3>& misplaced) {
+    double most = 0.0;
+    for (std::size_t k = 0; k < was.size(); ++k) {
+        most = std::max(most, (fit(misplaced[k]) - was[k]).norm());
+    }
+    return most;
+}
+
+TEST(CloudFit, FindsTheMoveThatWasMade) {
+    const PointIndex first(site(1, 0.005));
+    const std::vector<Vec3> was = site(2, 0.005);
+    const std::vector<Vec3> cloud = misplaced(was);
+    const CloudFit fit = fitCloud(first, cloud, {0.5}, Execution());
+    EXPECT_TRUE(fit.settled);
+    EXPECT_LT(leftOver(fit, was, cloud), 0.003);
+    EXPECT_NEAR(fit.angle(), 0.01, 2e-4);
+    EXPECT_GT(fit.before, 0.03);
+    EXPECT_LT(fit.after, 0.01);
+    EXPECT_GT(fit.pairs, 1000);
+    EXPECT_LT(fit.error, 0.003);
+    EXPECT_EQ(fitCloud(first, cloud, {0.5}, Execution().withThreads(1)).shift, fit.shift);
+}
+
+TEST(CloudFit, WhatMovedIsTrimmed) {
+    const PointIndex first(site(1, 0.005));
+    std::vector<Vec3> was = site(2, 0.005);
+    std::vector<Vec3> cloud = was;
+    for (Vec3& place : cloud) {
+        // A sixth of the ground was dug away by 0.3 m.
+        if (place.x() > 2.0 && place.y() < -2.0 && place.z() < 1.0) {
+            place.z() -= 0.3;
+        }
+    }
+    const CloudFit fit = fitCloud(first, misplaced(cloud), {0.5, 0.7}, Execution());
+    EXPECT_LT(leftOver(fit, was, misplaced(was)), 0.01);
+}
+
+TEST(CloudFit, ItsErrorIsThatOfManyTrials) {
+    const PointIndex first(site(1, 0.02));
+    Vec3 squares = Vec3::Zero();
+    Vec3 stated = Vec3::Zero();
+    constexpr int trials = 12;
+    for (std::uint64_t seed = 2; seed < 2 + trials; ++seed) {
+        const std::vector<Vec3> was = site(seed, 0.02);
+        const CloudFit fit = fitCloud(first, was, {0.5, 0.9}, Execution());
+        squares += fit.shift.cwiseAbs2();
+        stated += fit.shiftError / trials;
+    }
+    const Vec3 found = (squares / trials).cwiseSqrt();
+    for (int axis = 0; axis < 3; ++axis) {
+        // The planes of the first cloud have an error of their own, the same in all trials.
+        EXPECT_LT(found[axis], 3.0 * stated[axis]) << axis;
+        EXPECT_GT(found[axis], 0.2 * stated[axis]) << axis;
+    }
+}
+
+TEST(CloudFit, SaysWhatIsOpen) {
+    Sequence numbers(3);
+    std::vector<Vec3> level;
+    for (int k = 0; k < 20'000; ++k) {
+        level.emplace_back(numbers.between(-10, 10), numbers.between(-10, 10), 0.001 * numbers.between(-1, 1));
+    }
+    const PointIndex first(level);
+    EXPECT_THROW(fitCloud(first, level, {0.5}, Execution()), UsageError) << "a plane slides along itself";
+    EXPECT_THROW(fitCloud(first, {Vec3(0, 0, 50)}, {0.5}, Execution()), UsageError);
+}
+
+}  // namespace
+
+}  // namespace rubble

@@ -13,6 +13,7 @@
 #include "io/case/mesh_terrain.h"
 #include "io/site/file_words.h"
 #include "io/site/height_reading.h"
+#include "io/site/meshes/ply_header.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -238,7 +239,7 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
                          const Site& site) {
     checkTerrain(path);
     execution.check();
-    HeightReading heights = isMeshPath(path)
+    HeightReading heights = isMeshPath(path) && !isPlyOfPoints(path)
                                 ? heightsOfMesh(path, frame, site, execution)
                                 : readHeights(path, frame, site, around, execution, {.alongAxes = true}, HeightReach::Whole);
     if (heights.debrisMap) {

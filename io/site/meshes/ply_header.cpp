@@ -107,4 +107,20 @@ PlyHeader readPlyHeader(MeshLines& lines, const std::string& path) {
                   "The file may be cut short: copy it again from where it came.");
 }
 
+bool isPlyOfPoints(const std::string& path) {
+    try {
+        MeshLines lines(path);
+        const PlyHeader header = readPlyHeader(lines, path);
+        bool points = false;
+        bool faces = false;
+        for (const PlyElement& element : header.elements) {
+            points = points || (element.name == "vertex" && element.count > 0);
+            faces = faces || ((element.name == "face" || element.name == "tristrips") && element.count > 0);
+        }
+        return points && !faces;
+    } catch (const Error&) {
+        return false;  // what is said of it as a mesh says more
+    }
+}
+
 }  // namespace rubble::io

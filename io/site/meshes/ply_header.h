@@ -30,6 +30,9 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
+/// Whether a file is a PLY of points alone: without faces and strips of them. False for what is no PLY that can be read.
+bool isPlyOfPoints(const std::string& path);
+
 /// Reads the head of a PLY, so that the lines stand behind it. Throws ParseError naming the line that cannot be read.
 PlyHeader readPlyHeader(MeshLines& lines, const std::string& path);
 

@@ -216,6 +216,29 @@ TEST_F(CloudTerrain, CoordinatesKeptCoarselyAndColoursOfEitherDepthAreSaid) {
     EXPECT_LT(apart(words, slope), 0.012);
 }
 
+TEST_F(CloudTerrain, APlyOfPointsIsACloudAndOneOfFacesAMesh) {
+    std::string points = "ply\nformat ascii 1.0\nelement vertex 1681\nproperty double x\nproperty double y\nproperty double z\n";
+    const std::string none = "element face 0\nproperty list uchar int vertex_indices\n";
+    const std::string one = "element face 2\nproperty list uchar int vertex_indices\n";
+    std::string rows = "end_header\n";
+    for (int k = 0; k < 1'681; ++k) {
+        const double x = k % 41 - 20;
+        const double y = k / 41 - 20;
+        rows += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(slope(x, y)) + "\n";
+    }
+    const auto opened = [&](const std::string& name, const std::string& text) {
+        return openTerrain(layCloud(m_folder / name, text), m_frame, m_structure, Execution());
+    };
+    for (const std::string& text : {points + rows, points + none + rows}) {
+        const TerrainInput cloud = opened("points.ply", text);
+        EXPECT_EQ(cloud.findings.count("cloud.gridded"), 1);
+        EXPECT_NEAR(cloud.grid->height(2.0, 3.0), slope(2.0, 3.0), 1e-3);
+    }
+    const TerrainInput mesh = opened("mesh.ply", points + one + rows + "3 0 40 1680\n3 0 1680 1640\n");
+    EXPECT_EQ(mesh.findings.count("cloud.gridded"), 0);
+    EXPECT_NEAR(mesh.grid->height(2.0, 3.0), slope(2.0, 3.0), 1e-3);
+}
+
 TEST_F(CloudTerrain, TextIsARasterWhereItIsOneAndElseACloud) {
     std::string lattice;
     std::string cloud = "x,y,z\n";

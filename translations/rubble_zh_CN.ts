@@ -9733,6 +9733,174 @@
         <source>wall across, 120 steps</source>
         <translation>墙沿厚度方向，120 步</translation>
     </message>
+    <message>
+        <source>A scan takes 1 to {0} scanners at places that are numbers</source>
+        <translation>扫描需要 1 至 {0} 台扫描仪，其位置必须是数</translation>
+    </message>
+    <message>
+        <source>Check the coordinate systems of the cloud and of the case, and its control points.</source>
+        <translation>请检查点云和案例的坐标系以及案例的控制点。</translation>
+    </message>
+    <message>
+        <source>Correct them.</source>
+        <translation>请更正。</translation>
+    </message>
+    <message>
+        <source>Give a cloud of the site, and an area of interest that it covers.</source>
+        <translation>请给出该现场的点云，以及它所覆盖的关注区域。</translation>
+    </message>
+    <message>
+        <source>Give a greater step, a shorter range or fewer scanners.</source>
+        <translation>请给出更大的步长、更短的射程或更少的扫描仪。</translation>
+    </message>
+    <message>
+        <source>Give a greater step, or fewer scanners.</source>
+        <translation>请给出更大的步长或更少的扫描仪。</translation>
+    </message>
+    <message>
+        <source>Give a larger area that did not move, or a greater radius.</source>
+        <translation>请给出更大的未移动区域，或更大的半径。</translation>
+    </message>
+    <message>
+        <source>Give places with easting, northing and height.</source>
+        <translation>请给出带东坐标、北坐标和高程的位置。</translation>
+    </message>
+    <message>
+        <source>Only {0} points of what did not move lie on a surface of the other cloud; a fit takes {1}</source>
+        <translation>未移动部分只有 {0} 个点位于另一点云的表面上；拟合需要 {1} 个</translation>
+    </message>
+    <message>
+        <source>Project the cloud to the system of the case first.</source>
+        <translation>请先把点云投影到案例的坐标系。</translation>
+    </message>
+    <message>
+        <source>Sending rays</source>
+        <translation>正在发出射线</translation>
+    </message>
+    <message>
+        <source>Step and range of a scan must be above zero, its noise not below</source>
+        <translation>扫描的步长和射程必须大于零，噪声不得小于零</translation>
+    </message>
+    <message>
+        <source>Take in surfaces that look other ways, such as walls, kerbs and slopes.</source>
+        <translation>请纳入朝向其他方向的表面，例如墙、路缘和斜坡。</translation>
+    </message>
+    <message>
+        <source>The scan has more than {0} points</source>
+        <translation>扫描的点多于 {0} 个</translation>
+    </message>
+    <message>
+        <source>The scan would take {0} rays; at most {1} are sent</source>
+        <translation>该扫描需要 {0} 条射线；最多发出 {1} 条</translation>
+    </message>
+    <message>
+        <source>What did not move leaves a direction or a turn open: its surfaces look too much alike</source>
+        <translation>未移动的部分使某个方向或转动悬而未决：其表面朝向过于一致</translation>
+    </message>
+    <message>
+        <source>cells are in no volume: a cloud has fewer than {0} points there within the depth</source>
+        <translation>方格不计入任何体积：某个点云在那里的深度之内少于 {0} 个点</translation>
+    </message>
+    <message>
+        <source>check the coordinate systems of the cloud and of the case</source>
+        <translation>请检查点云和案例的坐标系</translation>
+    </message>
+    <message>
+        <source>core points have no distance: the scan would not have seen the simulated site within the depth</source>
+        <translation>核心点没有距离：扫描在深度之内不会看到模拟的现场</translation>
+    </message>
+    <message>
+        <source>give a greater depth if the surfaces are farther apart; else something simulated hides the place</source>
+        <translation>如果两个表面相距更远，请给出更大的深度；否则该处被模拟的物体遮挡</translation>
+    </message>
+    <message>
+        <source>give a greater normal scale, or clouds that lie nearer to each other</source>
+        <translation>请给出更大的法向尺度，或相距更近的点云</translation>
+    </message>
+    <message>
+        <source>give a shorter range, or an area of interest</source>
+        <translation>请给出更短的射程，或关注区域</translation>
+    </message>
+    <message>
+        <source>give greater cells or a greater depth; the clouds may end or have holes there</source>
+        <translation>请给出更大的方格或更大的深度；点云可能在那里终止或有空缺</translation>
+    </message>
+    <message>
+        <source>give the scans with their poses (E57, PTX)</source>
+        <translation>请给出带位姿的测站（E57、PTX）</translation>
+    </message>
+    <message>
+        <source>heights of the cloud count from &quot;{0}&quot;, and the case names no vertical datum; they were not converted</source>
+        <translation>点云的高程自“{0}”起算，而案例未写明高程基准；未作换算</translation>
+    </message>
+    <message>
+        <source>heights of the cloud count from &quot;{0}&quot;, those of the case from &quot;{1}&quot;; they were not converted</source>
+        <translation>点云的高程自“{0}”起算，案例的自“{1}”起算；未作换算</translation>
+    </message>
+    <message>
+        <source>leave it out, unless control points tell it better than the fit</source>
+        <translation>除非控制点比拟合更准，请不要给出</translation>
+    </message>
+    <message>
+        <source>make sure that both are in the same one, or name that of the cloud (--crs)</source>
+        <translation>请确认两者在同一坐标系中，或写明点云的坐标系（--crs）</translation>
+    </message>
+    <message>
+        <source>name an area of interest (--area)</source>
+        <translation>请指明关注区域（--area）</translation>
+    </message>
+    <message>
+        <source>name the places of the scanners (--scanner) if it was taken from the ground</source>
+        <translation>如果是从地面扫描的，请指明扫描仪的位置（--scanner）</translation>
+    </message>
+    <message>
+        <source>points beyond the area of interest, or within what is left out, were not compared</source>
+        <translation>关注区域之外或不计部分之内的点未作比较</translation>
+    </message>
+    <message>
+        <source>points without a place in the system of the case were left out</source>
+        <translation>在案例坐标系中没有位置的点已略去</translation>
+    </message>
+    <message>
+        <source>the cloud does not fit into memory: one point in {0} was taken</source>
+        <translation>点云放不进内存：每 {0} 个点取一个</translation>
+    </message>
+    <message>
+        <source>the cloud does not say where its scanners stood: the run is seen straight from above, as from an aircraft</source>
+        <translation>点云未说明扫描仪的位置：计算按从正上方所见，如同航空测量</translation>
+    </message>
+    <message>
+        <source>the cloud names no coordinate system; it is taken to be that of the case</source>
+        <translation>点云未写明坐标系；按案例的坐标系处理</translation>
+    </message>
+    <message>
+        <source>the fit had not settled after {0} rounds</source>
+        <translation>拟合在 {0} 轮之后仍未稳定</translation>
+    </message>
+    <message>
+        <source>the points were projected from &quot;{0}&quot; to the system of the case</source>
+        <translation>点已从“{0}”投影到案例的坐标系</translation>
+    </message>
+    <message>
+        <source>the stated registration error, {0}, is less than that of the fit, {1}; the stated one was taken</source>
+        <translation>给定的配准误差 {0} 小于拟合的 {1}；采用给定的</translation>
+    </message>
+    <message>
+        <source>the terrain has too many nodes to be scanned: one in {0} was taken each way</source>
+        <translation>地形的节点过多，无法全部扫描：每个方向每 {0} 个取一个</translation>
+    </message>
+    <message>
+        <source>which of {0} scanners saw a point is not known: the nearest one is taken</source>
+        <translation>不知道 {0} 台扫描仪中哪一台看到了某个点：取最近的一台</translation>
+    </message>
+    <message>
+        <source>{0} has no point that could be compared</source>
+        <translation>{0} 没有可以比较的点</translation>
+    </message>
+    <message>
+        <source>{0} lies elsewhere: its middle is {1} from that of the site in plan</source>
+        <translation>{0} 位于别处：其中心在平面上距现场中心 {1}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

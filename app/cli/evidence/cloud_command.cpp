@@ -5,12 +5,21 @@
 
 #include "app/cli/evidence/cloud_distance_output.h"
 #include "app/cli/evidence/cloud_output.h"
+#include "app/cli/evidence/scanned_site.h"
+#include "app/cli/evidence/scope_options.h"
+#include "app/cli/exports/map_subject.h"
 #include "app/cli/frame/commands.h"
+#include "app/cli/frame/health_output.h"
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/output_file.h"
+#include "app/cli/frame/run_inputs.h"
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/run/acknowledgements.h"
 #include "io/site/clouds/distance_files.h"
+#include "io/site/clouds/point_writer.h"
+#include "io/site/survey_file.h"
 
 namespace rubble::cli {
 
@@ -106,8 +115,14 @@ io::CloudRequest cloudRequestFrom(const Arguments& arguments) {
 }
 
 /// Options that ask for distances, and mean nothing without another cloud.
-constexpr std::array<std::string_view, 7> distanceOptions{
-    "--out", "--cores", "--normal-scale", "--projection-scale", "--depth", "--registration-error", "--metres"};
+constexpr std::array<std::string_view, 16> distanceOptions{"--fit",          "--cell",
+                                                           "--out",          "--cores",
+                                                           "--normal-scale", "--projection-scale",
+                                                           "--depth",        "--registration-error",
+                                                           "--metres",       "--scanner",
+                                                           "--time",         "--live-threshold",
+                                                           "--area",         "--leave-out",
+                                                           "--fe",           "--terrain"};
 
 double scaleFrom(const Arguments& arguments, std::string_view option) {
     if (!arguments.has(option)) {
@@ -120,39 +135,139 @@ double scaleFrom(const Arguments& arguments, std::string_view option) {
     return parseLength(arguments, option, 0.0);
 }
 
-ExitCode compareCloud(const Arguments& arguments, Session& session) {
-    io::CloudComparisonRequest request;
-    request.first = arguments.operand();
-    request.second = *arguments.value("--against");
-    request.cores = arguments.value("--cores").value_or("");
-    request.read = cloudRequestFrom(arguments);
-    request.metres = arguments.has("--metres");
-    request.settings.normalRadius = scaleFrom(arguments, "--normal-scale");
-    request.settings.projectionRadius = scaleFrom(arguments, "--projection-scale");
-    request.settings.depth = scaleFrom(arguments, "--depth");
+CloudDistanceSettings distanceSettingsFrom(const Arguments& arguments) {
+    CloudDistanceSettings settings;
+    settings.normalRadius = scaleFrom(arguments, "--normal-scale");
+    settings.projectionRadius = scaleFrom(arguments, "--projection-scale");
+    settings.depth = scaleFrom(arguments, "--depth");
     if (arguments.has("--registration-error")) {
-        request.settings.registrationError = parseLength(arguments, "--registration-error", 0.0, true);
+        settings.registrationError = parseLength(arguments, "--registration-error", 0.0, true);
     }
-    const std::vector<std::string> inputs{request.first, request.second, request.cores.empty() ? request.first : request.cores};
+    return settings;
+}
+
+/// What --fit names as not moved; unset if it was not given. @param unit  m to each unit of the polygons that are returned
+std::optional<Outline> stableFrom(const Arguments& arguments, const Frame& frame, const Site& site, double unit, Findings& findings,
+                                  const Execution& execution) {
+    const auto given = arguments.value("--fit");
+    if (!given) {
+        return std::nullopt;
+    }
+    Outline stable;
+    if (*given == "all") {
+        return stable;
+    }
+    stable = io::readScope(*given, frame, site, findings, execution);
+    for (OutlinePolygon& polygon : stable.polygons) {
+        for (OutlineRing& ring : polygon) {
+            for (Eigen::Vector2d& corner : ring) {
+                corner /= unit;
+            }
+        }
+    }
+    return stable;
+}
+
+void checkDistanceFiles(const Arguments& arguments, const std::vector<std::string>& inputs) {
     checkCsvPath(arguments, inputs);
-    const std::vector<std::string> files = arguments.values("--out");
-    for (const std::string& path : files) {
-        if (!io::namesDistanceCloud(path)) {
+    for (const std::string& path : arguments.values("--out")) {
+        if (!io::namesWrittenCloud(path)) {
             throw wrongValue("--out", path, "a path that ends in .las or .ply");
         }
         checkOutputPath(path, inputs);
     }
-    const io::CloudComparison made = io::compareClouds(request, session.execution());
+}
+
+void writeDistanceFiles(const Arguments& arguments, const io::CloudComparison& made) {
     if (const auto path = arguments.value("--csv")) {
         io::writeAtomically(*path, [&](std::ostream& out) { writeDistances(out, made); });
     }
-    for (const std::string& path : files) {
+    for (const std::string& path : arguments.values("--out")) {
         io::writeDistanceCloud(path, made);
     }
+}
+
+/// Options that mean something against a run alone.
+constexpr std::array<std::string_view, 7> runOptions{"--scanner",   "--time", "--live-threshold", "--area",
+                                                     "--leave-out", "--fe",   "--terrain"};
+
+ExitCode compareWithRun(const Arguments& arguments, Session& session, const std::string& path, const io::RunReader& run) {
+    for (const std::string_view option : {"--cores", "--metres", "--cell"}) {
+        if (arguments.has(option)) {
+            throw UsageError(
+                {"cli.not_against_run", "{0} has no meaning against a run", {std::string(option)}},
+                {"cli.not_against_run.remedy",
+                 "Leave it out: a run is in metres, cores are points of the cloud, and volumes are those of rubble-cli survey.",
+                 {}});
+        }
+    }
+    io::RunDistanceRequest request;
+    request.cloud = arguments.operand();
+    request.run = path;
+    request.read = cloudRequestFrom(arguments);
+    request.site = run.origin().site;
+    request.scanners = scannersFrom(arguments);
+    request.settings = distanceSettingsFrom(arguments);
+    checkDistanceFiles(arguments, {request.cloud, path});
+    const std::optional<double> time = instantFrom(arguments);
+    Findings findings;
+    const Inputs inputs = openInputsOfRun(path, run.origin(), arguments, session, &findings);
+    request.frame = inputs.frame;
+    request.stable = stableFrom(arguments, request.frame, request.site, 1.0, findings, session.execution());
+    request.scope = scopeFrom(arguments, request.frame, request.site, findings, session.execution());
+    ScannedSite site = scannedSite(run, inputs, time, parseLength(arguments, "--live-threshold", 1.0, true), session.execution());
+    io::RunDistance made = io::compareCloudWithSite(request, std::move(site.shape), site.ground, site.volumes, session.execution());
+    findings.append(made.compared.findings);
+    made.compared.findings = std::move(findings);
+    writeDistanceFiles(arguments, made.compared);
     if (arguments.json()) {
-        printJson(session, cloudDistanceJson(made, request));
+        printJson(session, runDistanceJson(made, request.settings));
     } else {
-        printCloudDistance(session.out(), made, request);
+        printRunDistance(session.out(), made, request.settings);
+    }
+    warnIfTainted(session, path, io::taintOf(run));
+    return ExitCode::Ok;
+}
+
+ExitCode compareCloud(const Arguments& arguments, Session& session) {
+    const std::string against = *arguments.value("--against");
+    if (io::isCaseFile(against)) {
+        throw UsageError({"cli.against_case", "{0} is a case, and what it leads to is not simulated yet", {against}},
+                         {"cli.against_case.remedy", "Simulate it with rubble-cli run, and give the file of the run.", {}});
+    }
+    if (const std::shared_ptr<io::RunReader> run = runAt(against)) {
+        return compareWithRun(arguments, session, against, *run);
+    }
+    for (const std::string_view option : runOptions) {
+        if (arguments.has(option)) {
+            throw UsageError({"cli.needs_run", "{0} means something against a run alone", {std::string(option)}},
+                             {"cli.needs_run.remedy", "Leave it out, or give the file of a run with --against.", {}});
+        }
+    }
+    io::CloudComparisonRequest request;
+    request.first = arguments.operand();
+    request.second = against;
+    request.cores = arguments.value("--cores").value_or("");
+    request.read = cloudRequestFrom(arguments);
+    request.metres = arguments.has("--metres");
+    request.settings = distanceSettingsFrom(arguments);
+    if (arguments.has("--fit")) {
+        const io::CloudHead head = io::openCloud(request.first, request.read)->head();
+        Frame frame;
+        frame.crs = head.crs;
+        Findings ignored;
+        request.stable = stableFrom(arguments, frame, {}, request.metres ? 1.0 : head.units.metres, ignored, session.execution());
+    }
+    if (arguments.has("--cell")) {
+        request.cell = parseLength(arguments, "--cell", 0.0);
+    }
+    checkDistanceFiles(arguments, {request.first, request.second, request.cores.empty() ? request.first : request.cores});
+    const io::CloudComparison made = io::compareClouds(request, session.execution());
+    writeDistanceFiles(arguments, made);
+    if (arguments.json()) {
+        printJson(session, cloudDistanceJson(made, request.settings));
+    } else {
+        printCloudDistance(session.out(), made, request.settings);
     }
     return ExitCode::Ok;
 }
@@ -190,11 +305,12 @@ Command cloudCommand() {
         "what is in a point cloud of a laser scanner or of photographs",
         "Reads every point of a LAS, LAZ, E57, PLY, PCD, PTX, PTS or table of text, and tells format, points, bounds in the "
         "numbers of the file and in metres, system, units, classes and scans, and what was left out and why. With --against it "
-        "measures the distance to another cloud, with roughness and level of detection at 95 %.",
+        "measures the distance to another cloud or to a run, with roughness and level of detection at 95 %.",
         {{"--crs", "SYSTEM", false, "coordinate system of a cloud that names none: EPSG code, WKT or PROJ"},
          {"--columns", "LIST", false, "columns of a table without a heading, such as x,y,z,intensity,red,green,blue,class,skip"},
          {"--photographs", "FOLDER", false, "write the pictures that lie in an E57"},
-         {"--against", "CLOUD", false, "measure the distance from FILE to this cloud along the local normal (M3C2)"},
+         {"--against", "CLOUD|RUN", false,
+          "measure the distance from FILE to this cloud, or to the simulated site of a run, along the local normal (M3C2)"},
          {"--cores", "CLOUD", false,
           "points to measure at (default: those of FILE, one to each cube as wide as the projection scale)"},
          {"--normal-scale", "R", false, "radius about a core within which points of FILE give the normal"},
@@ -202,7 +318,18 @@ Command cloudCommand() {
          {"--depth", "D", false, "of the cylinder, to each side of the core"},
          {"--registration-error", "E", false, "by which one cloud may be out of place against the other (default: not known)"},
          {"--out", "FILE", true, "write the core points with their distances as a cloud: .las or .ply, significant ones coloured"},
+         {"--fit", "FILE|all", false,
+          "fit one to the other first by what did not move: polygons of it, or all; the error of the fit is the registration "
+          "error"},
+         {"--cell", "M", false, "also the volumes between two clouds, over square cells of this side: cut, fill and net"},
          {"--metres", "", false, "bring all to metres first (default: lengths are in units of the files)"},
+         scannerOption("against a run: where a scanner stood, easting, northing and height, m (default: as FILE says)"),
+         {"--time", "SECONDS", false, "against a run: instant on the file's clock, or end (default: end)"},
+         {"--live-threshold", "M", false, "against a run: live structure has fallen if it moved farther than this, m (default: 1)"},
+         areaOption(),
+         leaveOutOption(),
+         feOption(),
+         runTerrainOption(),
          csvOption("write the points that were taken, in the numbers of the file, or the distances")},
         tellCloud};
 }

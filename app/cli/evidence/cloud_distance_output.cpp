@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "app/cli/evidence/scanned_site.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/csv_text.h"
 #include "core/base/message.h"
@@ -14,6 +16,8 @@ namespace rubble::cli {
 namespace {
 
 constexpr std::array<const char*, coreStateCount> stateNames{"measured", "no_normal", "no_first", "no_second", "no_point"};
+
+constexpr std::array<const char*, 3> sightsNames{"cloud", "asked", "above"};
 
 /// What all measured distances are together.
 struct DistanceTotals {
@@ -85,6 +89,54 @@ Json comparedJson(const io::ComparedCloud& cloud) {
             {"points_near", cloud.near}};
 }
 
+constexpr double degreesOfRadian = 180.0 / std::numbers::pi;
+
+Json fitJson(const CloudFit& fit) {
+    const auto three = [](const Vec3& of, double by) { return Json{by * of.x(), by * of.y(), by * of.z()}; };
+    const Eigen::AngleAxisd turn(fit.turn);
+    return {{"shift", three(fit.shift, 1.0)},
+            {"turn_deg", three(turn.axis(), degreesOfRadian * turn.angle())},
+            {"about", three(fit.about, 1.0)},
+            {"pairs", fit.pairs},
+            {"rounds", fit.rounds},
+            {"settled", fit.settled},
+            {"rms_before", fit.before},
+            {"rms_after", fit.after},
+            {"shift_errors", three(fit.shiftError, 1.0)},
+            {"turn_errors_deg", three(fit.turnError, degreesOfRadian)},
+            {"unevenness", fit.unevenness},
+            {"error", fit.error}};
+}
+
+std::string fitText(const CloudFit& fit) {
+    return "fitted to what did not move: shifted by " + englishNumber(fit.distance()) + ", turned by " +
+           englishNumber(degreesOfRadian * fit.angle()) + " degrees; RMS " + englishNumber(fit.before) + " before, " +
+           englishNumber(fit.after) + " after, error " + englishNumber(fit.error);
+}
+
+Json volumesJson(const CloudVolumes& volumes, double cube) {
+    const auto error = [&](const CloudVolumeError& of) { return Json{known(cube * of.random), known(cube * of.systematic)}; };
+    return {{"cell", volumes.cell},
+            {"cells", volumes.cells},
+            {"cells_measured", volumes.measured},
+            {"cells_fill", volumes.fillCells},
+            {"cells_cut", volumes.cutCells},
+            {"fill_m3", cube * volumes.fill},
+            {"cut_m3", cube * volumes.cut},
+            {"net_m3", cube * volumes.net()},
+            {"not_detected_m3", cube * volumes.undetected},
+            {"fill_errors_m3", error(volumes.fillError)},
+            {"cut_errors_m3", error(volumes.cutError)},
+            {"net_errors_m3", error(volumes.netError)}};
+}
+
+/// "12.5 m3 (+- 0.3 random, +- not known systematic)"
+std::string cubeText(double volume, const CloudVolumeError& error, double cube) {
+    const auto text = [&](double part) { return std::isfinite(part) ? englishNumber(cube * part) : std::string("not known"); };
+    return englishNumber(cube * volume) + " m3 (+- " + text(error.random) + " random, +- " + text(error.systematic) +
+           " systematic)";
+}
+
 std::string unitOf(const io::CloudComparison& made) {
     if (std::isnan(made.unit)) {
         return " (numbers of the file, of mixed units)";
@@ -100,9 +152,50 @@ std::string cloudText(const io::ComparedCloud& cloud) {
            englishInteger(static_cast<std::int64_t>(cloud.near)) + " of them near the cores";
 }
 
+FactList distanceFacts(const io::CloudComparison& made, const CloudDistanceSettings& settings) {
+    const DistanceTotals totals = totalsOf(made);
+    const std::string unit = unitOf(made);
+    FactList facts;
+    facts.add("from", cloudText(made.first));
+    facts.add("to", made.againstRun ? made.second.path + ", " + englishInteger(static_cast<std::int64_t>(made.second.points)) +
+                                          " points seen of it alike"
+                                    : cloudText(made.second));
+    facts.add("core points", englishInteger(static_cast<std::int64_t>(made.cores.size())) + " of " +
+                                 (made.coresFrom.empty() ? "the first cloud, thinned" : made.coresFrom));
+    facts.add("scales", "normal " + englishNumber(settings.normalRadius) + ", projection " +
+                            englishNumber(settings.projectionRadius) + ", depth " + englishNumber(settings.depth) + unit);
+    if (made.fit) {
+        facts.add("registration", fitText(*made.fit) + unit);
+    }
+    const auto& registration = made.settings.registrationError;
+    facts.add("registration error", registration ? englishNumber(*registration) + unit : "not known: nobody stated it");
+    facts.add("measured",
+              englishInteger(totals.states[0]) + ", " + englishInteger(totals.detectable) + " of them with a level of detection");
+    if (totals.states[0] > 0) {
+        facts.add("distance", "median " + englishNumber(totals.median) + ", mean " + englishNumber(totals.mean) + ", deviation " +
+                                  englishNumber(totals.deviation) + ", " + englishNumber(totals.least) + " to " +
+                                  englishNumber(totals.most) + unit);
+    }
+    if (totals.detectable > 0) {
+        facts.add("level of detection",
+                  "median " + englishNumber(totals.detection) + unit + (registration ? "" : ", of roughness alone") + " (95 %)");
+        facts.add("significant", englishInteger(totals.significant) + " of " + englishInteger(totals.detectable));
+    }
+    if (made.volumes) {
+        const CloudVolumes& volumes = *made.volumes;
+        facts.add("volumes", "fill " + cubeText(volumes.fill, volumes.fillError, made.cubicMetres) + ", cut " +
+                                 cubeText(volumes.cut, volumes.cutError, made.cubicMetres) + ", net " +
+                                 cubeText(volumes.net(), volumes.netError, made.cubicMetres));
+        facts.add("volume cells", englishInteger(volumes.measured) + " of " + englishInteger(volumes.cells) +
+                                      " measured; below the level " + "of detection " +
+                                      englishNumber(made.cubicMetres * volumes.undetected) + " m3");
+    }
+    return facts;
+}
+
 }  // namespace
 
-Json cloudDistanceJson(const io::CloudComparison& made, const io::CloudComparisonRequest& request) {
+Json cloudDistanceJson(const io::CloudComparison& made, const CloudDistanceSettings& settings) {
     const DistanceTotals totals = totalsOf(made);
     Json object;
     object["first"] = comparedJson(made.first);
@@ -110,10 +203,12 @@ Json cloudDistanceJson(const io::CloudComparison& made, const io::CloudCompariso
     object["cores"] = {{"path", made.coresFrom.empty() ? Json() : Json(made.coresFrom)}, {"points", made.cores.size()}};
     object["unit_m"] = known(made.unit);
     object["unit_stated"] = made.metresStated;
-    object["normal_scale"] = request.settings.normalRadius;
-    object["projection_scale"] = request.settings.projectionRadius;
-    object["depth"] = request.settings.depth;
-    object["registration_error"] = request.settings.registrationError ? Json(*request.settings.registrationError) : Json();
+    object["normal_scale"] = settings.normalRadius;
+    object["projection_scale"] = settings.projectionRadius;
+    object["depth"] = settings.depth;
+    const std::optional<double>& error = made.settings.registrationError;
+    object["registration_error"] = error ? Json(*error) : Json();
+    object["registration"] = made.fit ? fitJson(*made.fit) : Json();
     object["distance"] = {{"mean", known(totals.mean)},
                           {"median", known(totals.median)},
                           {"deviation", known(totals.deviation)},
@@ -128,38 +223,39 @@ Json cloudDistanceJson(const io::CloudComparison& made, const io::CloudCompariso
     }
     object["states"] = std::move(states);
     object["parts"] = made.parts;
+    object["volumes"] = made.volumes ? volumesJson(*made.volumes, made.cubicMetres) : Json();
     object["warnings"] = findingsJson(made.findings);
     return object;
 }
 
-void printCloudDistance(std::ostream& out, const io::CloudComparison& made, const io::CloudComparisonRequest& request) {
-    const DistanceTotals totals = totalsOf(made);
-    const std::string unit = unitOf(made);
-    FactList facts;
-    facts.add("from", cloudText(made.first));
-    facts.add("to", cloudText(made.second));
-    facts.add("core points", englishInteger(static_cast<std::int64_t>(made.cores.size())) + " of " +
-                                 (made.coresFrom.empty() ? "the first cloud, thinned" : made.coresFrom));
-    facts.add("scales", "normal " + englishNumber(request.settings.normalRadius) + ", projection " +
-                            englishNumber(request.settings.projectionRadius) + ", depth " + englishNumber(request.settings.depth) +
-                            unit);
-    const auto& registration = request.settings.registrationError;
-    facts.add("registration error", registration ? englishNumber(*registration) + unit : "not known: nobody stated it");
-    facts.add("measured",
-              englishInteger(totals.states[0]) + ", " + englishInteger(totals.detectable) + " of them with a level of detection");
-    if (totals.states[0] > 0) {
-        facts.add("distance", "median " + englishNumber(totals.median) + ", mean " + englishNumber(totals.mean) + ", deviation " +
-                                  englishNumber(totals.deviation) + ", " + englishNumber(totals.least) + " to " +
-                                  englishNumber(totals.most) + unit);
-    }
-    if (totals.detectable > 0) {
-        facts.add("level of detection",
-                  "median " + englishNumber(totals.detection) + unit + (registration ? "" : ", of roughness alone") + " (95 %)");
-        facts.add("significant", englishInteger(totals.significant) + " of " + englishInteger(totals.detectable));
-    }
+void printCloudDistance(std::ostream& out, const io::CloudComparison& made, const CloudDistanceSettings& settings) {
     printHeading(out, "Distance between two clouds");
-    facts.print(out);
+    distanceFacts(made, settings).print(out);
     printFindings(out, made.findings);
+}
+
+Json runDistanceJson(const io::RunDistance& made, const CloudDistanceSettings& settings) {
+    Json object = cloudDistanceJson(made.compared, settings);
+    object["seen_from"] = sightsNames[static_cast<std::size_t>(made.sights)];
+    object["scanners"] = made.scanners;
+    object["points_compared"] = made.taken;
+    object["points_of_plants"] = made.plants;
+    object["points_beyond"] = made.beyond;
+    object["one_point_in"] = made.stride;
+    object["debris"] = sightedJson(made.debris);
+    return object;
+}
+
+void printRunDistance(std::ostream& out, const io::RunDistance& made, const CloudDistanceSettings& settings) {
+    printHeading(out, "Distance from a cloud to a run");
+    FactList facts = distanceFacts(made.compared, settings);
+    facts.add("seen from", made.sights == io::SightsFrom::Above
+                               ? std::string("straight above: where the scanners stood is not known")
+                               : englishInteger(static_cast<std::int64_t>(made.scanners)) + " scanners, " +
+                                     (made.sights == io::SightsFrom::Cloud ? "as the cloud says" : "as asked for"));
+    facts.add("simulated debris", sightedText(made.debris));
+    facts.print(out);
+    printFindings(out, made.compared.findings);
 }
 
 void writeDistances(std::ostream& out, const io::CloudComparison& made) {

@@ -11,7 +11,17 @@ namespace rubble::cli {
 
 namespace {
 
-/// The run of a file; null if the file is none.
+void refuseSettingsOfRun(const Arguments& arguments) {
+    for (const std::string_view option : {"--set", "--scenario", "--mesh-offset"}) {
+        if (arguments.has(option)) {
+            throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
+                             {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});
+        }
+    }
+}
+
+}  // namespace
+
 std::shared_ptr<io::RunReader> runAt(const std::string& path) {
     if (io::isCaseFile(path)) {
         return nullptr;
@@ -26,17 +36,6 @@ std::shared_ptr<io::RunReader> runAt(const std::string& path) {
         throw;
     }
 }
-
-void refuseSettingsOfRun(const Arguments& arguments) {
-    for (const std::string_view option : {"--set", "--scenario", "--mesh-offset"}) {
-        if (arguments.has(option)) {
-            throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
-                             {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});
-        }
-    }
-}
-
-}  // namespace
 
 MapSubject openMapSubject(const Arguments& arguments, Session& session) {
     MapSubject subject;

@@ -22,6 +22,9 @@ struct MapSubject {
     Findings findings;
 };
 
+/// The run of a file; null if the file is none. Throws what reading a run throws.
+std::shared_ptr<io::RunReader> runAt(const std::string& path);
+
 /// Opens a run, or simulates a case or FE file. Throws UsageError for settings of a run that is recorded already, and what opening
 /// and simulating throw.
 MapSubject openMapSubject(const Arguments& arguments, Session& session);

@@ -23,6 +23,7 @@ Command figureCommand();
 Command mapCommand();
 Command surveyCommand();
 Command cloudCommand();
+Command scanCommand();
 Command movieCommand();
 Command cameraCommand();
 Command photoCommand();

@@ -55,4 +55,9 @@ struct CloudBlock {
     void add(const CloudBlock& other, std::size_t i);
 };
 
+/// Classes of LAS for what neither is ground nor debris: vegetation, wires and what carries them.
+inline bool isPlantOrWire(std::uint16_t kind) {
+    return (kind >= 3 && kind <= 5) || kind == 13 || kind == 14 || kind == 16;
+}
+
 }  // namespace rubble::io

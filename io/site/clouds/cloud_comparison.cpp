@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <thread>
-#include <unordered_set>
 
+#include "core/base/outline_cover.h"
 #include "core/base/unknown.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/clouds/cloud_system.h"
@@ -21,18 +23,6 @@ namespace {
 /// Parts of the box of the cores that points are counted in before strips are cut.
 constexpr std::size_t countedParts = 4096;
 
-/// A cube of the first cloud that has its core already.
-struct CubeHash {
-    std::size_t operator()(const std::array<std::int64_t, 3>& cube) const {
-        std::uint64_t hash = 0;
-        for (const std::int64_t k : cube) {
-            hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15ULL;
-            hash ^= hash >> 29;
-        }
-        return hash;
-    }
-};
-
 /// Cores between two places along the longest side of their box.
 struct CoreStrip {
     double low = 0.0;
@@ -41,8 +31,9 @@ struct CoreStrip {
 
 class CloudComparing {
 public:
-    CloudComparing(const CloudComparisonRequest& request, const Execution& execution)
-        : m_request(request), m_execution(execution) {}
+    /// @param given  core points, instead of those of a cloud; empty: none
+    CloudComparing(const CloudComparisonRequest& request, const Execution& execution, std::vector<Vec3> given = {})
+        : m_request(request), m_execution(execution), m_given(std::move(given)) {}
 
     CloudComparison compare() {
         open(m_request.first, m_made.first, "");
@@ -56,9 +47,16 @@ public:
                           "Bring both to one system, such as the UTM zone of the place.");
         }
         takeUnit();
+        if (m_request.stable) {
+            fit();
+        }
+        m_settings = settingsAfterFit(m_made, m_request.settings);
         readCores();
         measure();
-        judge();
+        judgeDistances(m_made, m_settings);
+        if (m_request.cell > 0.0) {
+            takeVolumes();
+        }
         return std::move(m_made);
     }
 
@@ -123,6 +121,11 @@ private:
                     place = place.cwiseProduct(m_unit);
                 }
             }
+            if (m_made.fit && path == m_request.second) {
+                for (Vec3& place : places) {
+                    place = (*m_made.fit)(place);
+                }
+            }
             visit(places);
         });
         if (tell) {
@@ -131,23 +134,50 @@ private:
         return summary;
     }
 
+    /// Points of a cloud where nothing moved, about an origin near them.
+    std::vector<Vec3> stablePoints(const std::string& path, const std::string& crs, std::optional<Vec3>& origin) {
+        std::vector<Vec3> taken;
+        CubeThinning thinning(0.25 * m_request.settings.normalRadius);
+        read(path, crs, false, [&](const std::vector<Vec3>& places) {
+            for (const Vec3& place : places) {
+                const bool counts = m_request.stable->empty() || covers(*m_request.stable, place.head<2>());
+                if (counts && thinning.takes(place)) {
+                    if (!origin) {
+                        origin = place.array().round();
+                    }
+                    taken.push_back(place - *origin);
+                }
+            }
+        });
+        return taken;
+    }
+
+    void fit() {
+        std::optional<Vec3> origin;
+        const PointIndex first(stablePoints(m_made.first.path, "", origin));
+        const std::vector<Vec3> second = stablePoints(m_made.second.path, m_made.first.head.crs, origin);
+        CloudFitSettings settings;
+        settings.radius = m_request.settings.normalRadius;
+        CloudFit made = fitCloud(first, second, settings, m_execution);
+        made.about += origin.value_or(Vec3::Zero());
+        m_made.fit = made;
+    }
+
     void addCore(const Vec3& place) {
-        if (m_made.cores.size() == coresMost) {
-            throw UsageError({"distance.cores", "There are more than {0} core points", {coresMost}},
-                             {"distance.cores.remedy", "Give a file with fewer of them, or a greater projection radius.", {}});
-        }
+        checkCores(m_made.cores.size() + 1);
         m_made.cores.push_back(place);
         m_box.extend(place);
     }
 
     void readCores() {
         m_made.coresFrom = m_request.cores;
-        if (m_request.cores.empty()) {
-            std::unordered_set<std::array<std::int64_t, 3>, CubeHash> taken;
+        if (!m_given.empty()) {
+            std::for_each(m_given.begin(), m_given.end(), [&](const Vec3& place) { addCore(place); });
+        } else if (m_request.cores.empty()) {
+            CubeThinning thinning(m_request.settings.projectionRadius);
             read(m_request.first, "", false, [&](const std::vector<Vec3>& places) {
                 for (const Vec3& place : places) {
-                    const Vec3 cube = (place / m_request.settings.projectionRadius).array().floor();
-                    if (taken.insert({std::llround(cube.x()), std::llround(cube.y()), std::llround(cube.z())}).second) {
+                    if (thinning.takes(place)) {
                         addCore(place);
                     }
                 }
@@ -272,7 +302,7 @@ private:
             const PointIndex first(ordered(std::move(firstPlaces)));
             building.join();
             const std::vector<std::uint32_t> before = orderByCubes(cores, m_request.settings.projectionRadius);
-            const std::vector<CoreDistance> made = cloudDistances(cores, first, *second, m_request.settings, m_execution);
+            const std::vector<CoreDistance> made = cloudDistances(cores, first, *second, m_settings, m_execution);
             for (std::size_t k = 0; k < which.size(); ++k) {
                 m_made.distances[which[before[k]]] = made[k];
             }
@@ -280,39 +310,56 @@ private:
         }
     }
 
-    void judge() {
-        std::array<std::int64_t, coreStateCount> states{};
-        std::int64_t few = 0;
-        std::int64_t deep = 0;
-        for (const CoreDistance& core : m_made.distances) {
-            ++states[static_cast<std::size_t>(core.state)];
-            const bool measured = core.state == CoreState::Measured;
-            few += measured && std::isnan(core.detection) ? 1 : 0;
-            const auto cut = [&](const CoreSide& side) { return std::abs(side.mean) + side.roughness > m_request.settings.depth; };
-            deep += measured && (cut(core.first) || cut(core.second)) ? 1 : 0;
+    /// A core at the middle of each cell that a cloud has points in, as high as those of the first are in the mean.
+    std::vector<Vec3> middlesOfCells() {
+        struct Cell {
+            std::array<double, 2> sums{};
+            std::array<std::uint32_t, 2> counts{};
+        };
+        // In order of the cells, so that no result depends on the order of the points.
+        std::map<std::pair<std::int64_t, std::int64_t>, Cell> cells;
+        const auto add = [&](const ComparedCloud& cloud, const std::string& crs, std::size_t which) {
+            read(cloud.path, crs, false, [&](const std::vector<Vec3>& places) {
+                for (const Vec3& place : places) {
+                    Cell& cell = cells[{std::llround(std::floor(place.x() / m_request.cell)),
+                                        std::llround(std::floor(place.y() / m_request.cell))}];
+                    cell.sums[which] += place.z();
+                    ++cell.counts[which];
+                }
+                checkCores(cells.size());
+            });
+        };
+        add(m_made.first, "", 0);
+        add(m_made.second, m_made.first.head.crs, 1);
+        std::vector<Vec3> middles;
+        for (const auto& [at, cell] : cells) {
+            const std::size_t which = cell.counts[0] > 0 ? 0 : 1;
+            middles.emplace_back((static_cast<double>(at.first) + 0.5) * m_request.cell,
+                                 (static_cast<double>(at.second) + 0.5) * m_request.cell, cell.sums[which] / cell.counts[which]);
         }
-        const auto count = [&](CoreState state) { return states[static_cast<std::size_t>(state)]; };
-        find({"distance.no_normal", "core points have no normal: fewer than three points of the first cloud lie about them", {}},
-             "give a greater normal scale, or cores on the first cloud", count(CoreState::NoNormal));
-        find({"distance.no_first", "core points have no distance: no point of the first cloud lies in their cylinder", {}},
-             "give cores on the first cloud, or a greater projection scale", count(CoreState::NoFirst));
-        find({"distance.no_second", "core points have no distance: no point of the second cloud lies in their cylinder", {}},
-             "give a greater depth if the surface moved farther; else the second cloud has a hole there",
-             count(CoreState::NoSecond));
-        find({"distance.no_point", "core points have no distance: no point of either cloud lies in their cylinder", {}},
-             "give cores on the first cloud, or a greater projection scale", count(CoreState::NoPoint));
-        find({"distance.few_points",
-              "distances have no level of detection: fewer than {0} points of a cloud lie in their cylinder",
+        return middles;
+    }
+
+    /// Straight up at each cell, in a cylinder of its area.
+    void takeVolumes() {
+        CloudComparisonRequest cells = m_request;
+        cells.cell = 0.0;
+        cells.stable.reset();
+        cells.settings = m_settings;
+        cells.settings.upwards = true;
+        cells.settings.projectionRadius = m_request.cell / std::sqrt(std::numbers::pi);
+        CloudComparing comparing(cells, m_execution, middlesOfCells());
+        comparing.m_made.fit = m_made.fit;
+        const CloudComparison measured = comparing.compare();
+        m_made.volumes = cloudVolumes(measured.distances, m_request.cell, m_settings.registrationError);
+        const CloudUnits& units = m_made.first.head.units;
+        m_made.cubicMetres = m_request.metres ? 1.0 : units.metres * units.metres * units.heightMetres;
+        const std::int64_t left = m_made.volumes->cells - m_made.volumes->measured;
+        find("",
+             {"distance.cells_left",
+              "cells are in no volume: a cloud has fewer than {0} points there within the depth",
               {std::size_t{roughnessPoints}}},
-             "give a greater projection scale; these distances are not called significant", few);
-        find({"distance.deep", "distances may be too short: a surface in the cylinder reaches its end", {}}, "give a greater depth",
-             deep);
-        if (!m_request.settings.registrationError) {
-            find({"distance.registration_unknown",
-                  "nobody stated how well one cloud lies against the other: the level of detection holds their roughness alone",
-                  {}},
-                 "state the registration error (--registration-error), 0 only if it is known to be none");
-        }
+             "give greater cells or a greater depth; the clouds may end or have holes there", left);
     }
 
     void find(Message what, std::string_view remedy, std::int64_t count = 1) { find("", std::move(what), remedy, count); }
@@ -324,7 +371,9 @@ private:
 
     const CloudComparisonRequest& m_request;
     const Execution& m_execution;
+    std::vector<Vec3> m_given;
     CloudComparison m_made;
+    CloudDistanceSettings m_settings;
     Vec3 m_unit = Vec3::Ones();
     Aabb m_box;  ///< of the cores
     Vec3 m_origin = Vec3::Zero();
@@ -332,6 +381,82 @@ private:
 };
 
 }  // namespace
+
+void checkCores(std::size_t count) {
+    if (count > coresMost) {
+        throw UsageError({"distance.cores", "There are more than {0} core points", {coresMost}},
+                         {"distance.cores.remedy", "Give a file with fewer of them, or a greater projection radius.", {}});
+    }
+}
+
+CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanceSettings& settings) {
+    made.settings = settings;
+    if (!made.fit) {
+        return made.settings;
+    }
+    const CloudFit& fit = *made.fit;
+    const auto find = [&](Message what, std::string_view remedy) { addFinding(made.findings, "", std::move(what), remedy); };
+    if (!settings.registrationError) {
+        made.settings.registrationError = fit.error;
+    } else if (*settings.registrationError < fit.error) {
+        find({"fit.better_stated",
+              "the stated registration error, {0}, is less than that of the fit, {1}; the stated one was taken",
+              {*settings.registrationError, fit.error}},
+             "leave it out, unless control points tell it better than the fit");
+    }
+    if (!fit.settled) {
+        find({"fit.not_settled", "the fit had not settled after {0} rounds", {std::int64_t{fit.rounds}}},
+             "give a greater normal scale, or clouds that lie nearer to each other");
+    }
+    return made.settings;
+}
+
+void judgeDistances(CloudComparison& made, const CloudDistanceSettings& settings) {
+    const auto find = [&](Message what, std::string_view remedy, std::int64_t count) {
+        if (count > 0) {
+            addFinding(made.findings, "", std::move(what), remedy, count);
+        }
+    };
+    std::array<std::int64_t, coreStateCount> states{};
+    std::int64_t few = 0;
+    std::int64_t deep = 0;
+    for (const CoreDistance& core : made.distances) {
+        ++states[static_cast<std::size_t>(core.state)];
+        const bool measured = core.state == CoreState::Measured;
+        few += measured && std::isnan(core.detection) ? 1 : 0;
+        const auto cut = [&](const CoreSide& side) { return std::abs(side.mean) + side.roughness > settings.depth; };
+        deep += measured && (cut(core.first) || cut(core.second)) ? 1 : 0;
+    }
+    const auto count = [&](CoreState state) { return states[static_cast<std::size_t>(state)]; };
+    find({"distance.no_normal", "core points have no normal: fewer than three points of the first cloud lie about them", {}},
+         "give a greater normal scale, or cores on the first cloud", count(CoreState::NoNormal));
+    find({"distance.no_first", "core points have no distance: no point of the first cloud lies in their cylinder", {}},
+         "give cores on the first cloud, or a greater projection scale", count(CoreState::NoFirst));
+    const std::int64_t unseen = count(CoreState::NoSecond);
+    if (made.againstRun) {
+        find({"distance.not_seen",
+              "core points have no distance: the scan would not have seen the simulated site within the depth",
+              {}},
+             "give a greater depth if the surfaces are farther apart; else something simulated hides the place", unseen);
+    } else {
+        find({"distance.no_second", "core points have no distance: no point of the second cloud lies in their cylinder", {}},
+             "give a greater depth if the surface moved farther; else the second cloud has a hole there", unseen);
+    }
+    find({"distance.no_point", "core points have no distance: no point of either cloud lies in their cylinder", {}},
+         "give cores on the first cloud, or a greater projection scale", count(CoreState::NoPoint));
+    find({"distance.few_points",
+          "distances have no level of detection: fewer than {0} points of a cloud lie in their cylinder",
+          {std::size_t{roughnessPoints}}},
+         "give a greater projection scale; these distances are not called significant", few);
+    find({"distance.deep", "distances may be too short: a surface in the cylinder reaches its end", {}}, "give a greater depth",
+         deep);
+    if (!settings.registrationError) {
+        find({"distance.registration_unknown",
+              "nobody stated how well one cloud lies against the other: the level of detection holds their roughness alone",
+              {}},
+             "state the registration error (--registration-error), 0 only if it is known to be none", 1);
+    }
+}
 
 CloudComparison compareClouds(const CloudComparisonRequest& request, const Execution& execution) {
     return CloudComparing(request, execution).compare();

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
+#include "core/base/outline.h"
 #include "core/evidence/clouds/cloud_distance.h"
+#include "core/evidence/clouds/cloud_fit.h"
+#include "core/evidence/clouds/cloud_volumes.h"
 #include "io/site/clouds/cloud_head.h"
 #include "io/site/clouds/cloud_source.h"
 
@@ -23,6 +27,10 @@ struct CloudComparisonRequest {
     CloudRequest read;  ///< how the first is read, and the others where they say nothing themselves
     bool metres = false;  ///< places are brought to metres first; else all lengths are in units of the files
     CloudDistanceSettings settings;
+    /// What did not move, as polygons in the unit of the comparison: the second cloud is fitted to the first there. Empty:
+    /// everywhere. Unset: it lies where it lies.
+    std::optional<Outline> stable;
+    double cell = 0.0;  ///< side of the cells that volumes are taken over, a length as the others; 0: none are
     std::uint64_t heldPoints = heldPointsMost;
 };
 
@@ -41,9 +49,14 @@ struct CloudComparison {
     std::string coresFrom;    ///< path; empty: they are points of the first cloud
     std::vector<Vec3> cores;  ///< units of the file, or m
     std::vector<CoreDistance> distances;
-    double unit = 0.0;          ///< m to each unit of length; NaN: those of heights differ from those of x and y
-    bool metresStated = false;  ///< the files say so, for plan and heights
-    int parts = 0;              ///< strips that the cores were taken in, so that memory stays bounded
+    double unit = 0.0;                    ///< m to each unit of length; NaN: those of heights differ from those of x and y
+    bool metresStated = false;            ///< the files say so, for plan and heights
+    bool againstRun = false;              ///< the second is a run, as the scan would have seen it
+    int parts = 0;                        ///< strips that the cores were taken in, so that memory stays bounded
+    CloudDistanceSettings settings;       ///< with the registration error that was taken
+    std::optional<CloudFit> fit;          ///< set if one cloud was fitted to the other
+    std::optional<CloudVolumes> volumes;  ///< set if they were asked for
+    double cubicMetres = 0.0;             ///< in a cube of the unit that they are in
     Findings findings;
 };
 
@@ -52,5 +65,15 @@ struct CloudComparison {
 /// Throws ParseError (other systems, degrees, clouds that do not meet, no points), UsageError (too many cores), WorldError,
 /// Cancelled.
 CloudComparison compareClouds(const CloudComparisonRequest& request, const Execution& execution);
+
+/// Refuses more core points than there is room for. Throws UsageError.
+void checkCores(std::size_t count);
+
+/// What the level of detection takes for the registration error: as stated, else that of the fit.
+/// Says what speaks against the fit: counted findings.
+CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanceSettings& settings);
+
+/// Says which cores have no distance or no level of detection, and why: counted findings.
+void judgeDistances(CloudComparison& made, const CloudDistanceSettings& settings);
 
 }  // namespace rubble::io

@@ -29,10 +29,6 @@ constexpr double metresInADegree = 111'320.0;
 constexpr std::size_t samplesMost = 200'000;
 constexpr std::uint16_t groundClass = 2;
 
-bool plantOrWire(std::uint16_t kind) {
-    return (kind >= 3 && kind <= 5) || kind == 13 || kind == 14 || kind == 16;
-}
-
 /// Points that may make the surface: how many, where, and a share of them in plan.
 class PointShare {
 public:
@@ -118,7 +114,7 @@ private:
         if (block.classes.empty()) {
             return true;
         }
-        return m_groundAlone ? block.classes[i] == groundClass : !plantOrWire(block.classes[i]);
+        return m_groundAlone ? block.classes[i] == groundClass : !isPlantOrWire(block.classes[i]);
     }
 
     void look() {
@@ -127,7 +123,7 @@ private:
         const CloudSummary summary = summariseCloud(*cloud, m_execution, [&](const CloudBlock& block) {
             for (std::size_t i = 0; i < block.size(); ++i) {
                 const std::uint16_t kind = classes ? block.classes[i] : 0;
-                if (plantOrWire(kind)) {
+                if (isPlantOrWire(kind)) {
                     ++m_plants;
                     continue;
                 }

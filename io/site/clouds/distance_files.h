@@ -6,9 +6,6 @@
 
 namespace rubble::io {
 
-/// Whether a path ends as a cloud that distances are written to: .las or .ply.
-bool namesDistanceCloud(const std::string& path);
-
 /// Writes the core points as a cloud with what was measured at each: distance, level of detection, roughness, points, whether the
 /// distance is significant (0, 1; 255: not known). What is not known is not a number. Significant distances are coloured, red
 /// where the second cloud lies above and blue below, as strong as the greatest of all; all others are grey. LAS 1.4 (format 7,

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -104,6 +105,108 @@ TEST_F(CloudCommand, MeasuresTheDistanceBetweenTwoClouds) {
     EXPECT_THAT(read.out, HasSubstr("78 of 89"));
     EXPECT_EQ(with({"--normal-scale", "1"}).exitCode, 2);
     EXPECT_EQ(cli({"cloud", folder + "2010.las", "--depth", "5"}).exitCode, 2);
+}
+
+TEST_F(CloudCommand, GivesVolumesBetweenTwoClouds) {
+    // A square of 20 m, half of which was raised by 0.5 m and a quarter lowered by 0.2 m; the rest stayed.
+    std::string before = "x,y,z\n";
+    std::string after = "x,y,z\n";
+    for (int k = 0; k < 20'000; ++k) {
+        const double x = 20.0 * std::fmod(0.754877666 * k, 1.0);
+        const double y = 20.0 * std::fmod(0.569840291 * k, 1.0);
+        const double noise = 0.02 * (std::fmod(0.618033989 * k, 1.0) - 0.5);
+        const std::string place = std::to_string(x) + ',' + std::to_string(y) + ',';
+        before += place + std::to_string(noise) + '\n';
+        after += place + std::to_string((x < 10.0 ? 0.5 : y < 10.0 ? -0.2 : 0.0) - noise) + '\n';
+    }
+    std::vector<std::string> words{"cloud",
+                                   lay("before.csv", before),
+                                   "--against",
+                                   lay("after.csv", after),
+                                   "--normal-scale",
+                                   "0.5",
+                                   "--projection-scale",
+                                   "0.5",
+                                   "--depth",
+                                   "2",
+                                   "--cell",
+                                   "1",
+                                   "--json"};
+    const Outcome told = cli(words);
+    ASSERT_EQ(told.exitCode, 0) << told.err;
+    const nlohmann::json volumes = told.json()["volumes"];
+    EXPECT_EQ(volumes["cells"], 400);
+    EXPECT_EQ(volumes["cells_measured"], 400);
+    // 200 m2 by 0.5 m and 100 m2 by 0.2 m; cylinders reach 0.06 m beyond their cells.
+    EXPECT_NEAR(volumes["fill_m3"], 100.0, 1.0);
+    EXPECT_NEAR(volumes["cut_m3"], 20.0, 1.0);
+    EXPECT_NEAR(volumes["net_m3"], 80.0, 1.5);
+    EXPECT_LT(volumes["not_detected_m3"], 1.0);
+    EXPECT_LT(volumes["fill_errors_m3"][0], 0.5);
+    EXPECT_TRUE(volumes["fill_errors_m3"][1].is_null()) << "nobody stated how well the clouds lie";
+    words.insert(words.end(), {"--registration-error", "0.01"});
+    const nlohmann::json stated = cli(words).json()["volumes"];
+    EXPECT_NEAR(stated["cut_errors_m3"][1], 1.96 * 0.01 * 100.0, 0.1);
+    EXPECT_NEAR(stated["net_errors_m3"][1].get<double>(),
+                stated["fill_errors_m3"][1].get<double>() + stated["cut_errors_m3"][1].get<double>(), 1e-9);
+    words.pop_back();
+    words.push_back("0.3");
+    const nlohmann::json poor = cli(words).json()["volumes"];
+    EXPECT_EQ(poor["fill_m3"], 0.0) << "0.5 m is less than 1.96 times 0.3 m";
+    EXPECT_NEAR(poor["not_detected_m3"], 120.0, 2.0);
+    EXPECT_TRUE(cli({"cloud", m_folder / "before.csv", "--against", m_folder / "after.csv", "--normal-scale", "0.5",
+                     "--projection-scale", "0.5", "--depth", "2", "--json"})
+                    .json()["volumes"]
+                    .is_null());
+}
+
+TEST_F(CloudCommand, FitsByWhatDidNotMove) {
+    // Ground that rolls and two walls; the second cloud lies elsewhere by a shift, and half a metre of ground was dug away.
+    std::string before = "x,y,z\n";
+    std::string after = "x,y,z\n";
+    const auto add = [&](double x, double y, double z, double dug) {
+        before += std::to_string(x) + ',' + std::to_string(y) + ',' + std::to_string(z) + '\n';
+        after += std::to_string(x + 0.12) + ',' + std::to_string(y - 0.08) + ',' + std::to_string(z - dug + 0.06) + '\n';
+    };
+    for (int k = 1; k <= 12'000; ++k) {
+        const double u = 16.0 * std::fmod(0.754877666 * k, 1.0);
+        const double v = 16.0 * std::fmod(0.569840291 * k, 1.0);
+        add(u, v, 0.3 * std::sin(0.5 * u) + 0.2 * std::cos(0.4 * v), u > 12.0 && v > 12.0 ? 0.5 : 0.0);
+        add(k % 2 == 0 ? u : -0.5, k % 2 == 0 ? -0.5 : u, 0.25 * v, 0.0);
+    }
+    const std::vector<std::string> words{"cloud",
+                                         lay("before.csv", before),
+                                         "--against",
+                                         lay("after.csv", after),
+                                         "--normal-scale",
+                                         "0.5",
+                                         "--projection-scale",
+                                         "0.5",
+                                         "--depth",
+                                         "1",
+                                         "--json"};
+    const nlohmann::json loose = cli(words).json();
+    EXPECT_TRUE(loose["registration"].is_null());
+    const auto fitted = [&](const std::string& by) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"--fit", by});
+        const Outcome outcome = cli(all);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    };
+    const std::string stable =
+        lay("stable.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+                              R"({"type":"Polygon","coordinates":[[[-500,-500],[500,-500],[500,10],[-500,10],[-500,-500]]]}}]})");
+    for (const std::string& by : {std::string("all"), stable}) {
+        const nlohmann::json made = fitted(by);
+        const nlohmann::json& registration = made["registration"];
+        EXPECT_NEAR(registration["shift"][0], -0.12, 0.02);
+        EXPECT_NEAR(registration["shift"][1], 0.08, 0.02);
+        EXPECT_NEAR(registration["shift"][2], -0.06, 0.02);
+        EXPECT_EQ(made["registration_error"], registration["error"]) << "nobody stated another";
+        EXPECT_LT(made["significant"], loose["significant"]);
+        EXPECT_NEAR(made["distance"]["least"], -0.5, 0.05) << "what was dug away stays";
+    }
 }
 
 }  // namespace

@@ -171,6 +171,17 @@ TEST_F(Compare, FindsTheHiddenCause) {
     EXPECT_EQ(object["blind_tests"][1]["wrong"], 0);
 }
 
+TEST_F(Compare, FindsTheHiddenCauseByAPointCloud) {
+    const std::string cloud = m_folder / "truth.las";
+    const Outcome scan = rubble::cli::cli(
+        {"scan", m_other, "--set", "friction=0.43", "--set", "settle_time=1", "--step", "0.25", "--range", "30", "--out", cloud});
+    ASSERT_EQ(scan.exitCode, 0) << scan.err;
+    const nlohmann::json object = compare({"--against", "surface=" + cloud});
+    EXPECT_EQ(object["closest"], "other");
+    EXPECT_EQ(object["ranking"][0]["cause"], "other");
+    EXPECT_THAT(object["warnings"].dump(), HasSubstr("cloud.gridded"));
+}
+
 TEST_F(Compare, OneCauseUnderTwoNamesIsNotToldApart) {
     fs::copy_file(m_path, m_other, fs::copy_options::overwrite_existing);
     const std::string tiff = m_folder / "truth.tif";

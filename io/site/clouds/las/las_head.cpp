@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "io/base/trimmed.h"
+#include "io/site/clouds/point_writer.h"
 #include "io/site/file_words.h"
 
 namespace rubble::io {
@@ -103,6 +105,20 @@ void takeRecords(const CloudFile& file, const unsigned char* bytes, std::size_t 
     }
 }
 
+/// Where the scanners of a scan of ours stood; nothing where the record is damaged.
+void takeScanners(const CloudFile& file, LasHead& head) {
+    const LasRecord* record = head.record(scannerUser, scannerRecord);
+    if (record == nullptr || !head.layout.wide || record->bytes == 0 || record->bytes % scannerBytes != 0 ||
+        record->bytes > std::numeric_limits<std::uint16_t>::max()) {
+        return;
+    }
+    const std::vector<unsigned char> bytes = file.bytes(record->start, record->bytes);
+    for (std::size_t at = 0; at < bytes.size(); at += scannerBytes) {
+        const Vec3 place(littleAt<double>(&bytes[at]), littleAt<double>(&bytes[at + 8]), littleAt<double>(&bytes[at + 16]));
+        head.scanners.push_back({place, littleAt<std::uint64_t>(&bytes[at + 24])});
+    }
+}
+
 /// What one descriptor of the extra bytes names.
 constexpr std::size_t extraDescriptor = 192;
 
@@ -158,6 +174,7 @@ LasHead readLasHead(const CloudFile& file, Findings& findings) {
         head.points = wide > 0 ? wide : head.points;
     }
     takeRecords(file, bytes.data(), headBytes, head, findings);
+    takeScanners(file, head);
     return head;
 }
 

@@ -33,6 +33,12 @@ struct LasLayout {
 /// The layout of a point format from 0 to 10; nothing for any other.
 std::optional<LasLayout> lasLayout(int format);
 
+/// Where a scanner stood, in units of the file, and how many points it has.
+struct LasScanner {
+    Vec3 place = Vec3::Zero();
+    std::uint64_t points = 0;
+};
+
 /// The head of a LAS file, checked against its length.
 struct LasHead {
     int minor = 0;
@@ -46,6 +52,7 @@ struct LasHead {
     Vec3 offset = Vec3::Zero();
     Aabb stated;
     std::vector<LasRecord> records;
+    std::vector<LasScanner> scanners;  ///< of a scan that we wrote; else empty
 
     const LasRecord* record(std::string_view user, std::uint16_t id) const;
 };

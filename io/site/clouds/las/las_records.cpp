@@ -1,5 +1,7 @@
 #include "io/site/clouds/las/las_records.h"
 
+#include <algorithm>
+
 #include "io/site/clouds/las/las_system.h"
 
 namespace rubble::io {
@@ -49,8 +51,10 @@ void decodeMarks(const LasHead& head, const unsigned char* records, std::size_t 
 
 }  // namespace
 
-CloudColumns lasColumns(const LasLayout& layout) {
+CloudColumns lasColumns(const LasHead& head) {
+    const LasLayout& layout = head.layout;
     CloudColumns columns;
+    columns.scans = !head.scanners.empty();
     columns.intensity = columns.classes = columns.returns = true;
     columns.colour = layout.colour >= 0;
     columns.times = layout.time >= 0;
@@ -58,7 +62,7 @@ CloudColumns lasColumns(const LasLayout& layout) {
 }
 
 void decodeLasRecords(const LasHead& head, const unsigned char* records, std::size_t count, CloudBlock& block) {
-    block.resize(count, lasColumns(head.layout));
+    block.resize(count, lasColumns(head));
     const std::size_t step = head.recordBytes;
     for (std::size_t i = 0; i < count; ++i) {
         const unsigned char* record = records + i * step;
@@ -69,6 +73,11 @@ void decodeLasRecords(const LasHead& head, const unsigned char* records, std::si
     head.layout.wide ? decodeMarks<true>(head, records, count, block) : decodeMarks<false>(head, records, count, block);
     for (std::size_t i = 0; i < block.times.size(); ++i) {
         block.times[i] = littleAt<double>(records + i * step + head.layout.time);
+    }
+    for (std::size_t i = 0; i < block.scans.size(); ++i) {
+        constexpr int source = 20;
+        const int scanner = littleAt<std::uint16_t>(records + i * step + source) - 1;
+        block.scans[i] = static_cast<std::uint16_t>(std::clamp(scanner, 0, static_cast<int>(head.scanners.size()) - 1));
     }
     for (std::size_t i = 0; i < block.colours.size(); ++i) {
         const unsigned char* colour = records + i * step + head.layout.colour;
@@ -81,10 +90,17 @@ void decodeLasRecords(const LasHead& head, const unsigned char* records, std::si
 void describeLas(const CloudFile& file, const LasHead& las, CloudHead& head) {
     head.version = "1." + std::to_string(las.minor);
     head.promised = las.points;
-    head.columns = lasColumns(las.layout);
+    head.columns = lasColumns(las);
     head.scale = las.scale;
     head.offset = las.offset;
     head.stated = las.stated;
+    for (const LasScanner& scanner : las.scanners) {
+        CloudScan scan;
+        scan.promised = scanner.points;
+        scan.pose.position = scanner.place;
+        scan.pose.stated = scan.pose.applied = true;
+        head.scans.push_back(std::move(scan));
+    }
     head.unread = lasExtraNames(file, las);
     if (las.layout.format == 8 || las.layout.format == 10) {
         head.unread.emplace_back("near infrared");

@@ -8,7 +8,7 @@
 namespace rubble::io {
 
 /// The columns that points of a format fill.
-CloudColumns lasColumns(const LasLayout& layout);
+CloudColumns lasColumns(const LasHead& head);
 
 /// What the head of a LAS or LAZ says, in the words of every cloud: version, columns, scale, bounds and coordinate system.
 void describeLas(const CloudFile& file, const LasHead& las, CloudHead& head);

@@ -1,0 +1,303 @@
+#include "io/site/clouds/run_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/outline_cover.h"
+#include "io/site/clouds/cloud_place.h"
+#include "io/site/clouds/cloud_summary.h"
+#include "io/site/file_words.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// A cloud in the local frame of a case, as much of it as is held.
+class HeldCloud {
+public:
+    HeldCloud(const RunDistanceRequest& request, RunDistance& made, const Execution& execution)
+        : m_request(request),
+          m_made(made),
+          m_cloud(openCloud(request.cloud, request.read)),
+          m_place(*m_cloud, request.frame, request.site, made.compared.findings) {
+        std::vector<Vec3> places;
+        ComparedCloud& told = made.compared.first;
+        const CloudSummary summary = summariseCloud(*m_cloud, execution, [&](const CloudBlock& block) {
+            places = block.places;
+            m_place.toLocal(places);
+            take(block, places);
+        });
+        told.path = request.cloud;
+        told.head = m_cloud->head();
+        told.points = summary.points();
+        told.near = points.size();
+        made.taken = points.size();
+        made.stride = m_stride;
+        made.compared.findings.append(summary.findings);
+        takeSights();
+        tell();
+    }
+
+    std::vector<Vec3> points;  ///< m, local
+    std::vector<std::uint16_t> scans;
+    std::vector<Vec3> scanners;
+    Aabb box;
+
+private:
+    void take(const CloudBlock& block, const std::vector<Vec3>& places) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!block.classes.empty() && isPlantOrWire(block.classes[i])) {
+                ++m_made.plants;
+                continue;
+            }
+            if (!places[i].allFinite()) {
+                ++m_unplaced;
+                continue;
+            }
+            if (!compared(places[i].head<2>())) {
+                ++m_made.beyond;
+                continue;
+            }
+            if (m_seen++ % m_stride != 0) {
+                continue;
+            }
+            box.extend(places[i]);
+            points.push_back(places[i]);
+            if (!block.scans.empty()) {
+                scans.push_back(block.scans[i]);
+            }
+            if (points.size() > m_request.heldPoints) {
+                halve();
+            }
+        }
+    }
+
+    bool compared(const Eigen::Vector2d& place) const {
+        const SurveyScope& scope = m_request.scope;
+        return (scope.area.empty() || covers(scope.area, place)) && !covers(scope.leftOut, place);
+    }
+
+    void halve() {
+        for (std::size_t k = 0; 2 * k < points.size(); ++k) {
+            points[k] = points[2 * k];
+            if (!scans.empty()) {
+                scans[k] = scans[2 * k];
+            }
+        }
+        points.resize((points.size() + 1) / 2);
+        scans.resize((scans.size() + 1) / 2);
+        m_stride *= 2;
+    }
+
+    void takeSights() {
+        scanners = m_request.scanners;
+        const std::vector<CloudScan>& told = m_cloud->head().scans;
+        const bool stated =
+            !told.empty() && std::all_of(told.begin(), told.end(), [](const CloudScan& scan) { return scan.pose.stated; });
+        if (!scanners.empty()) {
+            m_made.sights = SightsFrom::Asked;
+            const SitePlace place(m_request.frame, m_request.site);
+            std::transform(scanners.begin(), scanners.end(), scanners.begin(), [&](const Vec3& at) { return place.toLocal(at); });
+            scans.clear();
+        } else if (stated) {
+            m_made.sights = SightsFrom::Cloud;
+            for (const CloudScan& scan : told) {
+                scanners.push_back(scan.pose.position);
+            }
+            m_place.toLocal(scanners);
+        }
+        m_made.scanners = scanners.size();
+    }
+
+    void tell() {
+        const auto find = [&](Message what, std::string_view remedy, std::uint64_t count) {
+            if (count > 0) {
+                addFinding(m_made.compared.findings, m_request.cloud, std::move(what), remedy, static_cast<std::int64_t>(count));
+            }
+        };
+        find({"distance.plants", "points of vegetation and wires were left out", {}}, "none is needed", m_made.plants);
+        find({"distance.beyond", "points beyond the area of interest, or within what is left out, were not compared", {}},
+             "none is needed", m_made.beyond);
+        find({"distance.unplaced", "points without a place in the system of the case were left out", {}},
+             "check the coordinate systems of the cloud and of the case", m_unplaced);
+        if (m_stride > 1) {
+            find({"distance.thinned",
+                  "the cloud does not fit into memory: one point in {0} was taken",
+                  {static_cast<std::int64_t>(m_stride)}},
+                 "name an area of interest (--area)", 1);
+        }
+        if (m_made.sights == SightsFrom::Above) {
+            find({"distance.from_above",
+                  "the cloud does not say where its scanners stood: the run is seen straight from above, as from an aircraft",
+                  {}},
+                 "name the places of the scanners (--scanner) if it was taken from the ground", 1);
+        } else if (scans.empty() && scanners.size() > 1) {
+            find({"distance.nearest_scanner",
+                  "which of {0} scanners saw a point is not known: the nearest one is taken",
+                  {static_cast<std::int64_t>(scanners.size())}},
+                 "give the scans with their poses (E57, PTX)", 1);
+        }
+    }
+
+    const RunDistanceRequest& m_request;
+    RunDistance& m_made;
+    std::unique_ptr<PointCloud> m_cloud;
+    CloudPlace m_place;
+    std::uint64_t m_seen = 0;
+    std::uint64_t m_stride = 1;
+    std::uint64_t m_unplaced = 0;
+};
+
+Aabb boxOf(const SiteShape& site) {
+    Aabb box;
+    for (const Vec3& point : site.points) {
+        if (point.allFinite()) {
+            box.extend(point);
+        }
+    }
+    return box;
+}
+
+void checkMeeting(const RunDistanceRequest& request, const Aabb& cloud, const Aabb& site) {
+    if (cloud.isEmpty()) {
+        refuseContent({"distance.no_points", "{0} has no point that could be compared", {request.cloud}},
+                      "Give a cloud of the site, and an area of interest that it covers.");
+    }
+    Aabb plan = site;
+    plan.min().z() = -1e300;
+    plan.max().z() = 1e300;
+    if (!site.isEmpty() && !plan.intersects(cloud)) {
+        const Vec3 away = cloud.center() - site.center();
+        refuseContent({"distance.elsewhere",
+                       "{0} lies elsewhere: its middle is {1} from that of the site in plan",
+                       {request.cloud, {away.head<2>().norm(), "m"}}},
+                      "Check the coordinate systems of the cloud and of the case, and its control points.");
+    }
+}
+
+/// Brings the cloud and its scanners onto the simulated site, by what neither simulation nor collapse moved.
+void fitToSite(const RunDistanceRequest& request, const SurfaceTree& tree, HeldCloud& held, CloudComparison& made,
+               const Execution& execution) {
+    std::vector<Vec3> stable;
+    std::vector<std::uint16_t> scans;
+    CubeThinning thinning(0.25 * request.settings.normalRadius);
+    for (std::size_t k = 0; k < held.points.size(); ++k) {
+        const bool counts = request.stable->empty() || covers(*request.stable, held.points[k].head<2>());
+        if (counts && thinning.takes(held.points[k])) {
+            stable.push_back(held.points[k]);
+            if (!held.scans.empty()) {
+                scans.push_back(held.scans[k]);
+            }
+        }
+    }
+    const PointIndex site(seenAlike(tree, stable, {held.scanners, scans}, request.settings.projectionRadius, execution).places);
+    CloudFitSettings settings;
+    settings.radius = request.settings.normalRadius;
+    made.fit = fitCloud(site, stable, settings, execution);
+    for (std::vector<Vec3>* places : {&held.points, &held.scanners}) {
+        for (Vec3& place : *places) {
+            place = (*made.fit)(place);
+        }
+    }
+}
+
+/// Cores and normals as the system of the case has them.
+void bringToWorld(CloudComparison& made, const SitePlace& place) {
+    const double scale = place.transform().scale;
+    for (std::size_t k = 0; k < made.cores.size(); ++k) {
+        Vec3& normal = made.distances[k].normal;
+        const Vec3 tip = place.toWorld(made.cores[k] + normal);
+        made.cores[k] = place.toWorld(made.cores[k]);
+        if (!place.upright()) {
+            const Vec3 turned = tip - made.cores[k];
+            normal = Vec3(turned.x() / scale, turned.y() / scale, turned.z());
+        }
+    }
+}
+
+}  // namespace
+
+void addCoarseGround(Findings& findings, std::size_t step) {
+    if (step > 1) {
+        addFinding(findings, "",
+                   {"scan.coarse_ground",
+                    "the terrain has too many nodes to be scanned: one in {0} was taken each way",
+                    {static_cast<std::int64_t>(step)}},
+                   "give a shorter range, or an area of interest");
+    }
+}
+
+SightedDebris sightedDebris(const SiteShape& site, const SiteScan& scan, std::span<const double> volumes) {
+    std::vector<bool> seen(volumes.size());
+    std::vector<bool> there(volumes.size());
+    for (std::size_t t = 0; t < site.things.size(); ++t) {
+        if (site.things[t] == SiteThing::Debris) {
+            there[site.parts[t]] = true;
+        }
+    }
+    for (const std::uint32_t t : scan.triangles) {
+        if (site.things[t] == SiteThing::Debris) {
+            seen[site.parts[t]] = true;
+        }
+    }
+    SightedDebris made;
+    for (std::size_t f = 0; f < volumes.size(); ++f) {
+        if (there[f]) {
+            ++(seen[f] ? made.seen : made.unseen);
+            (seen[f] ? made.seenVolume : made.unseenVolume) += volumes[f];
+        }
+    }
+    return made;
+}
+
+RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground,
+                                 std::span<const double> volumes, const Execution& execution) {
+    RunDistance made;
+    HeldCloud held(request, made, execution);
+    Aabb around = boxOf(site);
+    checkMeeting(request, held.box, around);
+    around.extend(held.box);
+    const Vec3 margin = Vec3::Constant(request.settings.depth + 2.0 * request.settings.projectionRadius);
+    around = Aabb(around.min() - margin, around.max() + margin);
+    addCoarseGround(made.compared.findings, addGround(site, ground, around, scannedTriangles));
+    const double radius = request.settings.projectionRadius;
+    const SurfaceTree tree(site.points, site.triangles);
+    if (request.stable) {
+        fitToSite(request, tree, held, made.compared, execution);
+    }
+    const CloudDistanceSettings settings = settingsAfterFit(made.compared, request.settings);
+    // Rays side by side go through the same boxes, which is twice as fast.
+    const std::vector<std::uint32_t> before = orderByCubes(held.points, radius);
+    std::vector<std::uint16_t> scans(held.scans.size());
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+        scans[k] = held.scans[before[k]];
+    }
+    SiteScan seen = seenAlike(tree, held.points, {held.scanners, scans}, radius, execution);
+    made.debris = sightedDebris(site, seen, volumes);
+    CloudComparison& compared = made.compared;
+    compared.second.path = request.run;
+    compared.second.head.format = "run";
+    compared.second.points = compared.second.near = seen.places.size();
+    compared.unit = 1.0;
+    compared.metresStated = true;
+    compared.againstRun = true;
+    compared.parts = 1;
+    CubeThinning thinning(radius);
+    for (const Vec3& point : held.points) {
+        if (thinning.takes(point)) {
+            compared.cores.push_back(point);
+        }
+    }
+    checkCores(compared.cores.size());
+    orderByCubes(seen.places, radius);
+    const PointIndex first(std::move(held.points));
+    const PointIndex second(std::move(seen.places));
+    compared.distances = cloudDistances(compared.cores, first, second, settings, execution);
+    judgeDistances(compared, settings);
+    bringToWorld(compared, SitePlace(request.frame, request.site));
+    compared.first.head.crs = request.frame.crs;
+    compared.first.head.units.metres = compared.first.head.units.heightMetres = 1.0;
+    return made;
+}
+
+}  // namespace rubble::io

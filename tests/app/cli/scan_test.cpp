@@ -1,0 +1,156 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::vector<std::string> scales{"--normal-scale", "0.4", "--projection-scale", "0.4", "--depth", "1"};
+
+class ScanOfRun : public SmallRun {
+protected:
+    nlohmann::json compared(const std::string& cloud, std::vector<std::string> more) {
+        more.insert(more.begin(), {"cloud", cloud, "--against", m_out, "--registration-error", "0", "--json"});
+        more.insert(more.end(), scales.begin(), scales.end());
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    }
+};
+
+double significantShare(const nlohmann::json& made) {
+    return made["significant"].get<double>() / made["with_level_of_detection"].get<double>();
+}
+
+bool warns(const nlohmann::json& made, const std::string& id) {
+    for (const nlohmann::json& warning : made["warnings"]) {
+        if (warning["id"] == id) {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST_F(ScanOfRun, LiesWithinTheLevelOfDetectionOfItsRun) {
+    run({}, "2");
+    const std::string las = m_folder / "scan.las";
+    const std::string csv = m_folder / "scan.csv";
+    const Outcome outcome = cli({"scan", m_out, "--step", "0.25", "--range", "20", "--noise", "0.01", "--out", las, "--out", csv,
+                                 "--out", m_folder / "scan.ply", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const nlohmann::json scan = outcome.json();
+    EXPECT_EQ(scan["scanners"].size(), 4u);
+    EXPECT_GT(scan["points_on"]["debris"], 200);
+    EXPECT_GT(scan["points_on"]["structure"], 50);
+    EXPECT_EQ(scan["debris"]["fragments_seen"].get<int>() + scan["debris"]["fragments_not_seen"].get<int>(), smallDead);
+    EXPECT_TRUE(fs::exists(las + ".provenance.json"));
+    const nlohmann::json told = cli({"cloud", las, "--json"}).json();
+    EXPECT_EQ(told["scans"].size(), 4u) << "it says where its scanners stood";
+    EXPECT_EQ(told["scans"][2]["points"], scan["scanners"][2]["points"]);
+    EXPECT_EQ(told["points"], scan["points"]);
+    EXPECT_EQ(cli({"cloud", m_folder / "scan.ply", "--json"}).json()["points"], scan["points"]);
+
+    const nlohmann::json itself =
+        compared(las, {"--out", m_folder / "d.las", "--out", m_folder / "d.ply", "--csv", m_folder / "d.csv"});
+    EXPECT_EQ(itself["seen_from"], "cloud");
+    EXPECT_GT(itself["with_level_of_detection"], 300);
+    // Far away few points tell the roughness, so that a few more distances than 5 % are significant.
+    EXPECT_LT(significantShare(itself), 0.15);
+    EXPECT_TRUE(fs::exists(m_folder / "d.las") && fs::exists(m_folder / "d.ply") && fs::exists(m_folder / "d.csv"));
+    EXPECT_GE(itself["debris"]["fragments_seen"], 1);
+    // The same at another instant, when the blocks had not fallen yet.
+    const nlohmann::json before = compared(las, {"--time", "0.05"});
+    EXPECT_EQ(before["debris"]["fragments_seen"], 0);
+    EXPECT_EQ(before["debris"]["fragments_not_seen"], 0);
+    // A table does not say where its scanners stood.
+    const nlohmann::json above = compared(csv, {});
+    EXPECT_EQ(above["seen_from"], "above");
+    EXPECT_TRUE(warns(above, "distance.from_above"));
+    const nlohmann::json asked = compared(csv, {"--scanner", "0,0,3", "--scanner", "9,9,3"});
+    EXPECT_EQ(asked["seen_from"], "asked");
+    EXPECT_TRUE(warns(asked, "distance.nearest_scanner"));
+}
+
+TEST_F(ScanOfRun, MovedByTwentyCentimetresItIsNot) {
+    run({}, "2");
+    const std::string csv = m_folder / "scan.csv";
+    const std::vector<std::string> scanner{"--scanner", "-6,-6,3"};
+    std::vector<std::string> words{"scan", m_out, "--step", "0.2", "--range", "20", "--noise", "0.01", "--out", csv};
+    words.insert(words.end(), scanner.begin(), scanner.end());
+    ASSERT_EQ(cli(words).exitCode, 0);
+    std::ifstream in(csv);
+    std::ofstream out(m_folder / "moved.csv");
+    std::string line;
+    std::getline(in, line);
+    out << line << '\n';
+    while (std::getline(in, line)) {
+        const auto first = line.find(',');
+        const auto second = line.find(',', first + 1);
+        const auto third = line.find(',', second + 1);
+        out << line.substr(0, second + 1) << std::stod(line.substr(second + 1, third)) + 0.2 << line.substr(third) << '\n';
+    }
+    out.close();
+    EXPECT_LT(significantShare(compared(csv, scanner)), 0.1);
+    const nlohmann::json moved = compared(m_folder / "moved.csv", scanner);
+    EXPECT_GT(significantShare(moved), 0.8);
+    EXPECT_NEAR(moved["distance"]["median"], -0.2, 0.02) << "the run lies below the cloud";
+    // Level ground alone does not say where the cloud belongs in plan.
+    const std::string ground = m_folder / "ground.geojson";
+    std::ofstream(ground) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+                          << R"({"type":"Polygon","coordinates":[[[-500,-500],[-4,-500],[-4,500],[-500,500],[-500,-500]]]}}]})";
+    std::vector<std::string> fitting{"cloud", m_folder / "moved.csv", "--against", m_out, "--fit", ground};
+    fitting.insert(fitting.end(), scales.begin(), scales.end());
+    const Outcome open = cli(fitting);
+    EXPECT_EQ(open.exitCode, 2);
+    EXPECT_THAT(open.err, HasSubstr("leaves a direction or a turn open"));
+}
+
+TEST_F(ScanOfRun, WhatIsHiddenIsNotSeenAndNotMissing) {
+    run({}, "2");
+    const std::string las = m_folder / "scan.las";
+    // From one side alone, from low down.
+    const nlohmann::json scan =
+        cli({"scan", m_out, "--step", "0.1", "--range", "20", "--scanner", "-12,0.5,0.5", "--out", las, "--json"}).json();
+    const nlohmann::json made = compared(las, {});
+    // A fragment of which one ray met a corner may be met by none.
+    EXPECT_NEAR(made["debris"]["fragments_seen"].get<double>(), scan["debris"]["fragments_seen"].get<double>(), 1.0);
+    EXPECT_LT(significantShare(made), 0.12) << "shadows are no differences";
+}
+
+TEST_F(ScanOfRun, RefusesWhatCannotBeMeant) {
+    run({}, "0.5");
+    EXPECT_EQ(cli({"scan", m_out, "--scanner", "1,2"}).exitCode, 2);
+    EXPECT_EQ(cli({"scan", m_out, "--out", m_folder / "scan.xyz"}).exitCode, 2);
+    EXPECT_EQ(cli({"scan", m_out, "--step", "0.0001"}).exitCode, 2);
+    const Outcome nothing = cli({"scan", m_out, "--scanner", "0,0,500", "--range", "5"});
+    EXPECT_EQ(nothing.exitCode, 2);
+    EXPECT_THAT(nothing.err, HasSubstr("see nothing within 5 m"));
+    EXPECT_THAT(cli({"scan", m_out, "--scanner", "0,0,-3", "--step", "2"}).out, HasSubstr("scanners stand below the ground"));
+    const std::string csv = m_folder / "far.csv";
+    std::ofstream(csv) << "x,y,z\n500000,5000000,1\n500001,5000000,1\n500000,5000001,1\n500001,5000001,1\n";
+    std::vector<std::string> words{"cloud", csv, "--against", m_out};
+    words.insert(words.end(), scales.begin(), scales.end());
+    const Outcome far = cli(words);
+    EXPECT_EQ(far.exitCode, 1);
+    EXPECT_THAT(far.err, HasSubstr("lies elsewhere"));
+    words.insert(words.end(), {"--cores", csv});
+    EXPECT_EQ(cli(words).exitCode, 2);
+    EXPECT_EQ(cli({"cloud", csv, "--scanner", "0,0,1"}).exitCode, 2) << "without anything to hold it against";
+    words[3] = csv;
+    words.insert(words.end(), {"--scanner", "0,0,1"});
+    EXPECT_EQ(cli(words).exitCode, 2) << "two clouds have no scanners";
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

@@ -13,6 +13,21 @@
     </message>
 </context>
 <context>
+    <name>HealthGrade</name>
+    <message>
+        <source>notice</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>发现项</translation>
+    </message>
+    <message>
+        <source>tainted</source>
+        <translation>存疑</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>Open…</source>
@@ -997,6 +1012,22 @@
     <message>
         <source>Save fragments and active structure over time for ParaView 5.12 and newer, as VTKHDF</source>
         <translation>将随时间变化的碎块和有效结构保存为 VTKHDF，供 ParaView 5.12 及更新版本使用</translation>
+    </message>
+    <message>
+        <source>Debris map…</source>
+        <translation>堆积物图…</translation>
+    </message>
+    <message>
+        <source>Save where the debris of the run lies, as GeoTIFF, GeoPackage, CSV or PNG</source>
+        <translation>将本次计算的堆积物位置保存为 GeoTIFF、GeoPackage、CSV 或 PNG</translation>
+    </message>
+    <message>
+        <source>Debris map</source>
+        <translation>堆积物图</translation>
+    </message>
+    <message>
+        <source>Where the debris of this run lies, seen from above, beside the views</source>
+        <translation>本次计算的堆积物位于何处，俯视，显示在视图旁</translation>
     </message>
 </context>
 <context>
@@ -3430,10 +3461,6 @@
         <translation>静止的堆积体被唤醒</translation>
     </message>
     <message>
-        <source>a pile at rest woke again, {0} times</source>
-        <translation>静止的堆积体又被唤醒 {0} 次</translation>
-    </message>
-    <message>
         <source>a pointer of Git LFS, not the file itself</source>
         <translation>Git LFS 指针，而非文件本身</translation>
     </message>
@@ -3732,10 +3759,6 @@
     <message>
         <source>energy rose by {0} of the work of gravity beyond gravity, births, overlap, pieces and effects; the limit is {1} ({2} gained most)</source>
         <translation>除重力、产生、重叠、运动结构和效应外，能量增加了重力功的 {0}；限值为 {1}（{2} 增加最多）</translation>
-    </message>
-    <message>
-        <source>energy rose {0} times beyond what gravity, births, pieces and effects put in</source>
-        <translation>能量 {0} 次增加，超出重力、产生、运动结构和效应的输入</translation>
     </message>
     <message>
         <source>far outside the site</source>
@@ -4218,10 +4241,6 @@
         <translation>pieces = none 使结构没有碰撞形状</translation>
     </message>
     <message>
-        <source>place or velocity of {0} was no number: it was taken out ({1} bodies)</source>
-        <translation>{0} 的位置或速度不是数值：已移出（{1} 个刚体）</translation>
-    </message>
-    <message>
         <source>quadratic edge</source>
         <translation>二次边</translation>
     </message>
@@ -4436,10 +4455,6 @@
     <message>
         <source>the cells</source>
         <translation>单元格</translation>
-    </message>
-    <message>
-        <source>the centre of {0} was {1} below the ground ({2} bodies)</source>
-        <translation>{0} 的中心低于地面 {1}（{2} 个刚体）</translation>
     </message>
     <message>
         <source>the cluster of {0} can hit at {1}, above the assumed threshold of {2}; at most {3} bodies result</source>
@@ -5066,32 +5081,12 @@
         <translation>{0} 个刚体超出本机标定的范围</translation>
     </message>
     <message>
-        <source>{0} bodies became no number and were taken out</source>
-        <translation>{0} 个刚体变为非数值，已移出</translation>
-    </message>
-    <message>
         <source>{0} bodies cannot be calibrated with.</source>
         <translation>不能以 {0} 个刚体标定。</translation>
     </message>
     <message>
         <source>{0} bodies have no finite, positive mass, inertia, place or size and were left out</source>
         <translation>{0} 个刚体没有有限且为正的质量、惯量、位置或尺寸，已略去</translation>
-    </message>
-    <message>
-        <source>{0} bodies lay inside others for over 0.5 s</source>
-        <translation>{0} 个刚体侵入其他刚体超过 0.5 s</translation>
-    </message>
-    <message>
-        <source>{0} bodies went further from the structure than 10 times its height and the drop of the terrain</source>
-        <translation>{0} 个刚体离结构超过结构高度与地形落差之和的 10 倍</translation>
-    </message>
-    <message>
-        <source>{0} bodies were below the ground</source>
-        <translation>{0} 个刚体位于地面以下</translation>
-    </message>
-    <message>
-        <source>{0} bodies were faster than gravity and their birth allow</source>
-        <translation>{0} 个刚体快于重力及其产生所能</translation>
     </message>
     <message>
         <source>{0} cannot be &quot;{1}&quot;.</source>
@@ -5442,10 +5437,6 @@
         <translation>{0} 个未失效的孤立部分没有有限的位置、质量或惯量，固定于原处</translation>
     </message>
     <message>
-        <source>{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4} bodies)</source>
-        <translation>{0} 侵入另一刚体 {1} 深超过 0.5 s，为其最小边的 {2}；限值为 {3}（{4} 个刚体）</translation>
-    </message>
-    <message>
         <source>{0} lie in one plane, which leaves the focal length open.</source>
         <translation>{0}位于同一平面，焦距无法确定。</translation>
     </message>
@@ -5460,10 +5451,6 @@
     <message>
         <source>{0} names the file {1}, which is not there</source>
         <translation>{0} 所指的文件 {1} 不存在</translation>
-    </message>
-    <message>
-        <source>{0} of the bodies lay more than 5 % of their smallest side inside another for over 0.5 s, {1} at most; {2} worst</source>
-        <translation>{0} 个刚体有超过最小边 5 % 的部分侵入其他刚体超过 0.5 s，至多 {1}；最差为 {2}</translation>
     </message>
     <message>
         <source>{0} of time are {1}</source>
@@ -5496,14 +5483,6 @@
     <message>
         <source>{0} was written by a newer Rubble: case version {1}, this program reads up to {2}</source>
         <translation>{0} 由更新版本的 Rubble 写出：案例版本 {1}，本程序最高可读 {2}</translation>
-    </message>
-    <message>
-        <source>{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3} bodies)</source>
-        <translation>{0} 距结构 {1}；结构高度与地形落差之和的 10 倍为 {2}（{3} 个刚体）</translation>
-    </message>
-    <message>
-        <source>{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3} bodies)</source>
-        <translation>{0} 的速度为其产生和下落所能的 {1} 倍；限值为 {2}（{3} 个刚体）</translation>
     </message>
     <message>
         <source>{0} would be written over {1}, which is read</source>
@@ -9901,6 +9880,202 @@
         <source>{0} lies elsewhere: its middle is {1} from that of the site in plan</source>
         <translation>{0} 位于别处：其中心在平面上距现场中心 {1}</translation>
     </message>
+    <message>
+        <source>{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4})</source>
+        <translation>{0} 嵌入另一刚体 {1} 深超过 0.5 s，为其最短边的 {2}；限值为 {3}（{4}）</translation>
+    </message>
+    <message>
+        <source>{0} lay {1} deep in another for over 0.5 s, {2} times its smallest side: it has gone through; the limit is {3} of that side ({4})</source>
+        <translation>{0} 嵌入另一刚体 {1} 深超过 0.5 s，为其最短边的 {2} 倍：已穿过；限值为该边的 {3}（{4}）</translation>
+    </message>
+    <message>
+        <source>{0} at once lay more than 5 % of a smallest side inside another for over 0.5 s, {1} of all; {2} worst</source>
+        <translation>{0} 同时嵌入其他刚体超过最短边的 5 % 达 0.5 s 以上，占全部的 {1}；{2} 最差</translation>
+    </message>
+    <message>
+        <source>{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3})</source>
+        <translation>{0} 的速度为其产生和下落所允许的 {1} 倍；限值为 {2}（{3}）</translation>
+    </message>
+    <message>
+        <source>the centre of {0} was {1} below the ground ({2})</source>
+        <translation>{0} 的形心在地面以下 {1}（{2}）</translation>
+    </message>
+    <message>
+        <source>{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3})</source>
+        <translation>{0} 距结构 {1}；其高度与地形落差的 10 倍为 {2}（{3}）</translation>
+    </message>
+    <message>
+        <source>place or velocity of {0} was no number: it was taken out ({1})</source>
+        <translation>{0} 的位置或速度不是数值：已移出（{1}）</translation>
+    </message>
+    <message>
+        <source>1 body</source>
+        <translation>1 个刚体</translation>
+    </message>
+    <message>
+        <source>{0} bodies</source>
+        <translation>{0} 个刚体</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>一次</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0} 次</translation>
+    </message>
+    <message>
+        <source>1 limit of health</source>
+        <translation>1 个健康限值</translation>
+    </message>
+    <message>
+        <source>{0} limits of health</source>
+        <translation>{0} 个健康限值</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;Tables (*.csv);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;表格 (*.csv);;图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>a pile at rest woke again, {0}</source>
+        <translation>静止的堆积体再次醒来，{0}</translation>
+    </message>
+    <message>
+        <source>a pile smaller than its material lies inside itself</source>
+        <translation>小于其材料的堆积体嵌入自身</translation>
+    </message>
+    <message>
+        <source>at least {0} stayed at rest: the end comes later, the pile is the same</source>
+        <translation>至少 {0} 保持静止：结束较晚，堆积体不变</translation>
+    </message>
+    <message>
+        <source>below the ground: {0}</source>
+        <translation>位于地面以下：{0}</translation>
+    </message>
+    <message>
+        <source>beyond {0} debris is thrown farther than it can fall</source>
+        <translation>超过 {0} 时堆积物被抛得比能落到的更远</translation>
+    </message>
+    <message>
+        <source>beyond {0} heights and volumes are those of its shapes</source>
+        <translation>超过 {0} 时高度和体积是其形状的</translation>
+    </message>
+    <message>
+        <source>beyond {0} something launched it, and whatever it hit</source>
+        <translation>超过 {0} 时有东西把它弹出，连同它所撞的</translation>
+    </message>
+    <message>
+        <source>bodies that carry the fragments: {0} for {1}</source>
+        <translation>带动碎块的刚体：{0} 个，碎块 {1} 个</translation>
+    </message>
+    <message>
+        <source>deeper than it is thick a body has gone through another: where it lies means nothing</source>
+        <translation>深度超过其厚度的刚体已穿过另一个：其位置没有意义</translation>
+    </message>
+    <message>
+        <source>deeper than {0} it has fallen through the ground and lies nowhere</source>
+        <translation>深于 {0} 时它已穿过地面，不在任何位置</translation>
+    </message>
+    <message>
+        <source>energy rose beyond what gravity, births, pieces and effects put in, {0}</source>
+        <translation>能量超出重力、产生、块体和效应带入的量，{0}</translation>
+    </message>
+    <message>
+        <source>faster than gravity and their birth allow: {0}</source>
+        <translation>比重力和产生所允许的更快：{0}</translation>
+    </message>
+    <message>
+        <source>it is single bodies, no deeper than they are thick: the pile keeps its shape</source>
+        <translation>只是个别刚体，深度不超过其厚度：堆积体保持其形状</translation>
+    </message>
+    <message>
+        <source>its mass is missing from then on</source>
+        <translation>其质量此后缺失</translation>
+    </message>
+    <message>
+        <source>less than {0} stayed at rest: the pile was not at rest before</source>
+        <translation>保持静止的少于 {0}：堆积体此前并未静止</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>非数值</translation>
+    </message>
+    <message>
+        <source>not all at rest: at {0}, the last instant, {1} of {2} bodies still moved</source>
+        <translation>未全部静止：在最后时刻 {0}，{2} 个刚体中有 {1} 个仍在运动</translation>
+    </message>
+    <message>
+        <source>not complete: the run goes up to {0}, what comes later is not in it</source>
+        <translation>不完整：计算到 {0} 为止，其后的内容不在其中</translation>
+    </message>
+    <message>
+        <source>nothing of this collapse can be there: covered area and run-out hold debris that is none</source>
+        <translation>本次倒塌的任何东西都不可能在那里：覆盖面积和散落距离含有并非堆积物的东西</translation>
+    </message>
+    <message>
+        <source>poor match of the camera: do not rest a conclusion on it</source>
+        <translation>相机匹配差：不要据此下结论</translation>
+    </message>
+    <message>
+        <source>tainted: {0} passed, and nobody vouches for the run</source>
+        <translation>存疑：超过 {0}，且无人为本次计算担保</translation>
+    </message>
+    <message>
+        <source>the photograph shows all at rest, but {0} of {1} bodies still move at {2}, where they are compared with it</source>
+        <translation>照片显示全部静止，但在与其比较的时刻 {2}，{1} 个刚体中仍有 {0} 个在运动</translation>
+    </message>
+    <message>
+        <source>the pile lies too low, yet holds its material</source>
+        <translation>堆积体过低，但容得下其材料</translation>
+    </message>
+    <message>
+        <source>there are no fragments</source>
+        <translation>没有碎块</translation>
+    </message>
+    <message>
+        <source>up to {0} it has sunk in: it lies a little too low</source>
+        <translation>至 {0} 时它已陷入：位置略低</translation>
+    </message>
+    <message>
+        <source>up to {0} of the bodies the pile lies only a little too low</source>
+        <translation>至刚体的 {0} 时堆积体只是略低</translation>
+    </message>
+    <message>
+        <source>up to {0} single bodies fly too far</source>
+        <translation>至 {0} 时个别刚体飞得过远</translation>
+    </message>
+    <message>
+        <source>up to {0} single bodies move otherwise, and hardly the shape of the debris</source>
+        <translation>至 {0} 时个别刚体的运动不同，堆积物的形状几乎不变</translation>
+    </message>
+    <message>
+        <source>up to {0} the pile lies too high, and in its place</source>
+        <translation>至 {0} 时堆积体过高，位置正确</translation>
+    </message>
+    <message>
+        <source>with more than {0} of the bodies the pile is squeezed into itself: its heights are too small</source>
+        <translation>超过刚体的 {0} 时堆积体自身压缩：其高度过小</translation>
+    </message>
+    <message>
+        <source>{0} became no number and left the simulation</source>
+        <translation>{0} 不再是数值，已移出模拟</translation>
+    </message>
+    <message>
+        <source>{0} lay inside others for over 0.5 s</source>
+        <translation>{0} 嵌入其他刚体超过 0.5 s</translation>
+    </message>
+    <message>
+        <source>{0} passed</source>
+        <translation>超过 {0}</translation>
+    </message>
+    <message>
+        <source>{0} passed, acknowledged</source>
+        <translation>超过 {0}，已确认</translation>
+    </message>
+    <message>
+        <source>{0} went further from the structure than 10 times its height and the drop of the terrain</source>
+        <translation>{0} 离结构的距离超过其高度与地形落差的 10 倍</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -11528,6 +11703,10 @@
         <source>Inspector</source>
         <translation>检查器</translation>
     </message>
+    <message>
+        <source>Shaded edges are off: a picture took %1 s with them</source>
+        <translation>边缘阴影已关闭：带它的一幅画面用了 %1 s</translation>
+    </message>
 </context>
 <context>
     <name>rubble::MainWindow</name>
@@ -11677,6 +11856,29 @@
     <message>
         <source>This page is in English.</source>
         <translation>此页为英文。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::MapDisplay</name>
+    <message>
+        <source>Debris map</source>
+        <translation>堆积物图</translation>
+    </message>
+    <message>
+        <source>The debris is being mapped: save the map once it stands here.</source>
+        <translation>正在绘制堆积物图：显示后再保存。</translation>
+    </message>
+    <message>
+        <source>Simulate first: there is no debris yet.</source>
+        <translation>请先模拟：还没有堆积物。</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;Tables (*.csv);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;表格 (*.csv);;图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
     </message>
 </context>
 <context>
@@ -13186,18 +13388,6 @@
         <translation>超过的健康限值</translation>
     </message>
     <message>
-        <source>from [s]</source>
-        <translation>从 [s]</translation>
-    </message>
-    <message>
-        <source>to [s]</source>
-        <translation>到 [s]</translation>
-    </message>
-    <message>
-        <source>what</source>
-        <translation>内容</translation>
-    </message>
-    <message>
         <source>worst</source>
         <translation>最差</translation>
     </message>
@@ -13642,14 +13832,6 @@
         <translation>其中最高的单元平均高出地面 %1 m;%2 % 的刚体静止。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Limits of health were passed in this run (%1).&lt;/b&gt; %2 vouches for its use: %3 (see section Health).</source>
-        <translation>&lt;b&gt;本次计算超过了健康限值（%1 项）。&lt;/b&gt;%2 为其使用担保：%3(见“计算的健康”一节)。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;This run is tainted: limits of health were passed (%1) and nobody has acknowledged it.&lt;/b&gt; Its figures should not be relied on (see section Health).</source>
-        <translation>&lt;b&gt;本次计算存疑：超过了健康限值（%1 项），且无人确认。&lt;/b&gt;其数值不应作为依据(见“计算的健康”一节)。</translation>
-    </message>
-    <message>
         <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that.</source>
         <translation>测量按单元在其所在位置比较，不作移动；体积位于地面与顶面之间，包含空隙。陡峭的边缘使测得的面积偏大：两侧以同样方式测量的数值不受此影响。</translation>
     </message>
@@ -13733,6 +13915,42 @@
         <source>mass and momenta of what was born and left against what there was, likewise</source>
         <translation>产生与余下之和相对原有的质量和动量，同上</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;The evidence was not asked&lt;/b&gt;: no photograph and no survey was held against this run. What follows is what the simulation says, under the assumptions of this report.</source>
+        <translation>&lt;b&gt;未询问证据&lt;/b&gt;：没有照片或测量与本次计算对照。以下是模拟在本报告的假设下所说的。</translation>
+    </message>
+    <message>
+        <source>The evidence was asked: photographs held against this run: %1, surveys: %2 (see section Evidence).</source>
+        <translation>已询问证据：与本次计算对照的照片：%1，测量：%2（见“证据”一节）。</translation>
+    </message>
+    <message>
+        <source>Its figures should not be relied on (see section Health).</source>
+        <translation>不应依据其数值（见“健康”一节）。</translation>
+    </message>
+    <message>
+        <source>%1 vouches for its use: %2 (see section Health).</source>
+        <translation>%1 为其使用担保：%2（见“健康”一节）。</translation>
+    </message>
+    <message>
+        <source>notice</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>tainted</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>when [s]</source>
+        <translation>何时 [s]</translation>
+    </message>
+    <message>
+        <source>grade</source>
+        <translation>等级</translation>
+    </message>
+    <message>
+        <source>what, and why this grade</source>
+        <translation>内容及该等级的原因</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -13779,6 +13997,18 @@
     <message>
         <source>%1; %2 members of an ensemble, %3, cells of %4</source>
         <translation>%1；系综成员 %2 个，%3，单元格 %4</translation>
+    </message>
+    <message>
+        <source>height, every %1</source>
+        <translation>高度，每 %1</translation>
+    </message>
+    <message>
+        <source>stood before the collapse</source>
+        <translation>倒塌前的位置</translation>
+    </message>
+    <message>
+        <source>found on the site</source>
+        <translation>现场所见</translation>
     </message>
 </context>
 <context>
@@ -16306,10 +16536,6 @@ What the file fits: %2.</source>
         <translation>增加在深度上分散并靠近角落的点可改善匹配。</translation>
     </message>
     <message>
-        <source>Poor match: do not rest a conclusion on it.</source>
-        <translation>匹配较差：不要据此下结论。</translation>
-    </message>
-    <message>
         <source>Add points, spread in depth and to the corners of the picture.</source>
         <translation>请增加在深度上分散并靠近照片角落的点。</translation>
     </message>
@@ -16463,6 +16689,14 @@ What the file fits: %2.</source>
     <message>
         <source>In print %1 × %2 mm</source>
         <translation>印刷尺寸 %1 × %2 毫米</translation>
+    </message>
+    <message>
+        <source>Show what is selected</source>
+        <translation>显示选中的内容</translation>
+    </message>
+    <message>
+        <source>Selected elements in their colour; without it the figure is as if nothing were selected</source>
+        <translation>选中的单元以其颜色显示；不勾选时，图如同没有选中任何内容</translation>
     </message>
 </context>
 <context>
@@ -16769,10 +17003,6 @@ What the file fits: %2.</source>
         <translation>最差时 %1 个刚体</translation>
     </message>
     <message>
-        <source>no number</source>
-        <translation>非数值</translation>
-    </message>
-    <message>
         <source> at %1 s</source>
         <translation> 于 %1 s</translation>
     </message>
@@ -16833,14 +17063,6 @@ What the file fits: %2.</source>
         <translation>显示 %1 s</translation>
     </message>
     <message>
-        <source>Go to this instant and point out the body</source>
-        <translation>转到此时刻并指出该刚体</translation>
-    </message>
-    <message>
-        <source>Go to this instant</source>
-        <translation>转到此时刻</translation>
-    </message>
-    <message>
         <source>Show %1, %2</source>
         <translation>显示 %1，%2</translation>
     </message>
@@ -16867,6 +17089,22 @@ What the file fits: %2.</source>
     <message>
         <source>Change this setting; Ctrl+Z takes it back</source>
         <translation>更改此设置；Ctrl+Z 可撤销</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more times</source>
+        <translation>%1，另有 %2 次</translation>
+    </message>
+    <message>
+        <source>%1: single bodies are not as they should be.</source>
+        <translation>%1：个别刚体不是应有的样子。</translation>
+    </message>
+    <message>
+        <source>Go to the worst of its times and point out the body</source>
+        <translation>转到其中最差的一次并指出刚体</translation>
+    </message>
+    <message>
+        <source>Go to the worst of its times</source>
+        <translation>转到其中最差的一次</translation>
     </message>
 </context>
 <context>
@@ -17882,6 +18120,26 @@ What the file fits: %2.</source>
         <source>Redo %1 (Ctrl+Shift+Z)</source>
         <translation>重做 %1 (Ctrl+Shift+Z)</translation>
     </message>
+    <message>
+        <source>Densities of no material</source>
+        <translation>没有材料有的密度</translation>
+    </message>
+    <message>
+        <source>No material has the density of %1 in these units.</source>
+        <translation>按这些单位，没有材料具有 %1 的密度。</translation>
+    </message>
+    <message>
+        <source>Masses, and all that follows from them, would be wrong by the same factor. Choose the units that the file is in, or set the densities under Components.</source>
+        <translation>质量以及由其得出的一切都会错同样的倍数。请选择文件所用的单位，或在“构件”中设置密度。</translation>
+    </message>
+    <message>
+        <source>Back to the units</source>
+        <translation>返回单位</translation>
+    </message>
+    <message>
+        <source>Go on all the same</source>
+        <translation>仍然继续</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::Panel</name>
@@ -18187,6 +18445,14 @@ What the file fits: %2.</source>
     <message>
         <source>How to find out</source>
         <translation>如何得知</translation>
+    </message>
+    <message>
+        <source>crude: %1</source>
+        <translation>粗略：%1</translation>
+    </message>
+    <message>
+        <source>Crude: from bodies, their births and what this machine did within a second. Settings that were compared make it better.</source>
+        <translation>粗略：由刚体数、其产生时刻和本机一秒内的表现得出。比较过的设置会使其更好。</translation>
     </message>
 </context>
 <context>
@@ -18643,6 +18909,117 @@ Program: %3</source>
     <message>
         <source>%1 is not there any more, so it cannot be shown.</source>
         <translation>%1 已不存在，无法显示。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::RunMapPanel</name>
+    <message>
+        <source>Save map…</source>
+        <translation>保存图…</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>What the colours of the map say</source>
+        <translation>图中颜色的含义</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>铺在地面上</translation>
+    </message>
+    <message>
+        <source>Lay this map on the ground of the views, below the debris</source>
+        <translation>把此图铺在视图的地面上，位于堆积物之下</translation>
+    </message>
+    <message>
+        <source>Save the map as GeoTIFF, GeoPackage or CSV with all layers, or as the picture that stands here</source>
+        <translation>将图保存为含全部图层的 GeoTIFF、GeoPackage 或 CSV，或保存为此处所示的图片</translation>
+    </message>
+    <message>
+        <source>at the end</source>
+        <translation>结束时</translation>
+    </message>
+    <message>
+        <source>as the views</source>
+        <translation>与视图相同</translation>
+    </message>
+    <message>
+        <source>Debris</source>
+        <translation>堆积物</translation>
+    </message>
+    <message>
+        <source>At the end of the run, or at the instant that the views show</source>
+        <translation>计算结束时，或视图所示的时刻</translation>
+    </message>
+    <message>
+        <source>Cells [%1]</source>
+        <translation>单元 [%1]</translation>
+    </message>
+    <message>
+        <source>Side of a cell of the map</source>
+        <translation>图中单元的边长</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>等高线</translation>
+    </message>
+    <message>
+        <source>Lines of equal height of the debris, so far apart</source>
+        <translation>堆积物等高的线，间距如此</translation>
+    </message>
+    <message>
+        <source>Fallen live structure</source>
+        <translation>坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>Live elements that fell, in layers of their own</source>
+        <translation>坠落的未失效单元，有自己的图层</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>Outline in plan of what collapsed, as it stood</source>
+        <translation>倒塌部分原先站立时的平面轮廓</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>Outlines that were surveyed, and the areas in which surveys are compared</source>
+        <translation>测得的轮廓，以及比较测量的区域</translation>
+    </message>
+    <message>
+        <source>Mapping the debris …</source>
+        <translation>正在绘制堆积物图 …</translation>
+    </message>
+    <message>
+        <source>fragments: %1</source>
+        <translation>碎块：%1</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>占 %1</translation>
+    </message>
+    <message>
+        <source>fallen live structure beside them: %1</source>
+        <translation>另有坠落的未失效结构：%1</translation>
+    </message>
+    <message>
+        <source>mapping anew …</source>
+        <translation>正在重新绘制 …</translation>
     </message>
 </context>
 <context>

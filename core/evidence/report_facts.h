@@ -10,6 +10,7 @@
 #include "core/analysis/accuracy/prediction.h"
 #include "core/analysis/accuracy/repeat_floor.h"
 #include "core/analysis/debris/debris_measures.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/ensembles/ensemble.h"
 #include "core/evidence/maps/run_map.h"
 #include "core/evidence/photographs/photo_comparison.h"
@@ -35,6 +36,7 @@ struct ReportPhoto {
     std::vector<std::uint8_t> rgb;  ///< [height * width * 3], the photograph made smaller, upright; empty: it cannot be read
     std::optional<CameraMatch> match;
     std::optional<PhotoComparison> comparison;
+    std::vector<Caution> cautions;
     Message problem;  ///< why there is no match, no comparison or no picture; empty if there is
 };
 
@@ -83,7 +85,7 @@ struct ReportFacts {
     std::shared_ptr<const SimulationResult> result;
     std::vector<LedgerRow> ledger;
     Findings findings;
-    std::size_t breaches = 0;
+    std::vector<Caution> cautions;  ///< of the run
     std::optional<Acknowledgement> acknowledged;
 
     DebrisFigures atRest;

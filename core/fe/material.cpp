@@ -19,6 +19,10 @@ std::optional<Material> materialNamed(std::string_view name) {
     return std::nullopt;
 }
 
+bool isMaterialDensity(double density) {
+    return density >= 25.0 && density <= 22000.0;
+}
+
 Material materialOfDensity(double density) {
     if (density >= 7000.0 && density < 9000.0) {
         return Material::Steel;

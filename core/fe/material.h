@@ -20,6 +20,9 @@ std::optional<Material> materialNamed(std::string_view name);
 /// slab that carries the mass of something else).
 Material materialOfDensity(double density);
 
+/// Whether anything that is built has this density [kg/m3]: 25 (foam) to 22,000 (heavier than lead).
+bool isMaterialDensity(double density);
+
 /// Whether a body may be made of it; soil and water bed are only ground.
 bool isBodyMaterial(Material material);
 

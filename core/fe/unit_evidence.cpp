@@ -6,6 +6,7 @@
 
 #include "core/base/standard_gravity.h"
 #include "core/fe/frame_transform.h"
+#include "core/fe/material.h"
 
 namespace rubble {
 
@@ -218,7 +219,7 @@ private:
             const auto known = std::find_if(materials.begin(), materials.end(), [&](const KnownMaterial& material) {
                 return si >= material.low && si <= material.high;
             });
-            const bool possible = si >= 25.0 && si <= 22000.0;
+            const bool possible = isMaterialDensity(si);
             sum += known != materials.end() ? (known->usual ? 4.0 : 2.0) : possible ? 0.0 : -8.0;
             if (&density == &m_evidence.densities.front()) {
                 m_fit.reasons.push_back({"units.density",

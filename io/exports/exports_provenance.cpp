@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include "io/exports/exports.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_json.h"
 #include "io/site/site_place.h"
 
@@ -9,9 +10,21 @@ namespace rubble::io {
 
 namespace {
 
+/// List of {key, grade, text}.
+nlohmann::json cautionsJson(const std::vector<Caution>& cautions) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Caution& caution : cautions) {
+        list.push_back({{"key", caution.key}, {"grade", healthGradeName(caution.grade)}, {"text", englishText(caution.what)}});
+    }
+    return list;
+}
+
 nlohmann::json healthText(const RunReader& run) {
     const Taint taint = taintOf(run);
-    nlohmann::json text = {{"breaches", taint.breaches}, {"tainted", taint.tainted()}, {"acknowledged", nullptr}};
+    nlohmann::json text = {{"breaches", taint.limits}, {"grade", nullptr}, {"tainted", taint.tainted()}, {"acknowledged", nullptr}};
+    if (taint.limits > 0) {
+        text["grade"] = healthGradeName(taint.grade);
+    }
     if (taint.acknowledgement) {
         text["acknowledged"] = {
             {"by", taint.acknowledgement->by}, {"when", taint.acknowledgement->when}, {"note", taint.acknowledgement->note}};
@@ -45,6 +58,7 @@ std::string provenanceText(const RunOrigin& origin, const RunReader* run) {
     if (run != nullptr) {
         text["run_complete"] = run->complete();
         text["frames"] = run->frameCount();
+        text["cautions"] = cautionsJson(runCautions(standingOf(*run)));
         if (const auto result = run->result()) {
             text["trajectory_hash"] = result->trajectoryHash.hex();
             text["health"] = healthText(*run);

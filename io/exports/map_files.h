@@ -6,6 +6,7 @@
 
 #include "core/analysis/debris/debris.h"
 #include "core/evidence/maps/debris_map.h"
+#include "core/evidence/maps/run_map.h"
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"
 #include "io/run/run_file.h"
@@ -51,6 +52,13 @@ void writeMapCsv(const std::string& path, const DebrisMap& map, const std::vecto
 /// Throws as writeMapTiff(), and as heightContours().
 void writeMapPackage(const std::string& path, const DebrisMap& map, const MapFragments& fragments, double contourSpacing,
                      const MapOrigin& origin, const Execution& execution);
+
+/// Writes a map of a run in the format that the path's ending names: CSV, GeoPackage, else GeoTIFF.
+/// @param layers           that the map has
+/// @param contourSpacing   m, of a GeoPackage
+/// Throws as the writers of these.
+void writeRunMap(const std::string& path, const RunMap& made, const std::vector<MapLayer>& layers, double contourSpacing,
+                 const RunReader& run, const Execution& execution);
 
 /// Writes only the sidecar, beside a map that somebody else drew.
 void writeMapProvenance(const std::string& path, const MapOrigin& origin);

@@ -2,10 +2,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
+#include "io/base/files.h"
 #include "io/exports/exports.h"
 #include "io/exports/map_files.h"
 #include "io/exports/provenance.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_json.h"
 #include "io/site/map_place.h"
 
@@ -52,6 +54,7 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
         document["map"]["components"].push_back(map.components[c]);
     }
     origin.provenance = jsonText(document);
+    const std::string cautions = pictureCautions(runCautions(standingOf(run)));
     origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},
@@ -62,12 +65,27 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
                     {"RUBBLE_RUN", from.fingerprint.hex()},
                     {"RUBBLE_BUILD", from.build},
                     {"RUBBLE_TAINTED", taintOf(run).tainted() ? "yes" : "no"},
+                    {"RUBBLE_CAUTIONS", cautions.empty() ? "none" : cautions},
                     {"RUBBLE_LIVE_STRUCTURE",
                      map.live ? "layers of its own, moved farther than " + exactNumber(map.liveThreshold) + " m" : "left out"},
                     {"RUBBLE_MASS_KG", exactNumber(map.ledger.mass)},
                     {"RUBBLE_VOLUME_M3", exactNumber(map.ledger.volume)},
                     {"RUBBLE_FRAGMENTS", std::to_string(map.ledger.fragments)}};
     return origin;
+}
+
+void writeRunMap(const std::string& path, const RunMap& made, const std::vector<MapLayer>& layers, double contourSpacing,
+                 const RunReader& run, const Execution& execution) {
+    const MapOrigin origin = mapOrigin(run, made.map, made.shown);
+    if (hasEnding(path, ".csv")) {
+        writeMapCsv(path, made.map, layers, origin, execution);
+    } else if (hasEnding(path, ".gpkg")) {
+        const std::shared_ptr<const FragmentSet> fragments = run.fragments();
+        const MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
+        writeMapPackage(path, made.map, list, contourSpacing, origin, execution);
+    } else {
+        writeMapTiff(path, made.map, layers, origin, execution);
+    }
 }
 
 }  // namespace rubble::io

@@ -19,6 +19,7 @@
 #include "io/exports/survey_files.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/run/settled_files.h"
 #include "io/run/study_files.h"
 #include "io/site/photograph_file.h"
@@ -93,11 +94,16 @@ std::vector<CaseInput> evidenceFiles(const ReportRequest& request, InputRole rol
     return files;
 }
 
+/// A large file is left in the middle where the report is given up.
+std::string digestOf(const std::string& path, const Execution& execution) {
+    return sha256OfFile(path, [&execution](std::size_t) { execution.check(); });
+}
+
 /// Photographs, surveys and surroundings that are other files now than when the case was saved.
-void addStaleEvidence(std::vector<Message>& stale, const ReportRequest& request) {
+void addStaleEvidence(std::vector<Message>& stale, const ReportRequest& request, const Execution& execution) {
     for (const auto& [role, name] : evidenceRoles) {
         for (const CaseInput& input : evidenceFiles(request, role)) {
-            const std::string found = sha256OfFile(input.path);
+            const std::string found = digestOf(input.path, execution);
             if (!input.sha256.empty() && found != input.sha256) {
                 stale.push_back({"report.stale_evidence",
                                  "the {0} {1} has the SHA-256 {2} now, the case names {3}",
@@ -115,8 +121,8 @@ DebrisFigures figuresAt(const ReportFacts& facts, const ReportRequest& request, 
         .figures;
 }
 
-std::string digestOfInput(const std::string& path, InputRole role) {
-    return role == InputRole::Fe ? sha256OfFe(path) : sha256OfFile(path);
+std::string digestOfInput(const std::string& path, InputRole role, const Execution& execution) {
+    return role == InputRole::Fe ? sha256OfFe(path, execution) : digestOf(path, execution);
 }
 
 /// Runs what may fail for one piece of evidence; the report says why it did.
@@ -133,6 +139,7 @@ void attempt(Message& problem, Attempt attempt) {
 
 void addPhotographs(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
+    const RunStanding standing = standingOf(*request.run);
     for (const CaseInput& input : evidenceFiles(request, InputRole::Photograph)) {
         const std::vector<Photograph>& all = request.theCase->photographs;
         const auto drawn = std::find_if(all.begin(), all.end(), [&](const Photograph& each) { return each.input == input.id; });
@@ -150,6 +157,7 @@ void addPhotographs(ReportFacts& facts, const ReportRequest& request, const Exec
             photo.match = matchCamera(drawn->pairs, drawn->camera, execution);
             photo.comparison = compareRunWithPhoto(mapped, *drawn, *photo.match, {}, execution);
         });
+        photo.cautions = photographCautions(*drawn, photo.match ? &*photo.match : nullptr, &standing);
         facts.photographs.push_back(std::move(photo));
     }
 }
@@ -178,7 +186,7 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
     }
 }
 
-void addFiles(ReportFacts& facts, const ReportRequest& request) {
+void addFiles(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
     const RunOrigin& origin = request.run->origin();
     facts.files.push_back({"fe", request.fePath, origin.feSha256});
     if (!origin.terrainPath.empty()) {
@@ -186,12 +194,12 @@ void addFiles(ReportFacts& facts, const ReportRequest& request) {
     }
     for (const auto& [role, name] : evidenceRoles) {
         for (const CaseInput& input : evidenceFiles(request, role)) {
-            facts.files.push_back({std::string(name), input.path, sha256OfFile(input.path)});
+            facts.files.push_back({std::string(name), input.path, digestOf(input.path, execution)});
         }
     }
-    facts.files.push_back({"run", request.run->path(), sha256OfFile(request.run->path())});
+    facts.files.push_back({"run", request.run->path(), digestOf(request.run->path(), execution)});
     if (!request.casePath.empty()) {
-        facts.files.push_back({"case", request.casePath, sha256OfFile(request.casePath)});
+        facts.files.push_back({"case", request.casePath, digestOf(request.casePath, execution)});
     }
 }
 
@@ -285,13 +293,13 @@ std::vector<Message> staleParts(const ReportRequest& request, const Execution& e
     } catch (const ParseError& error) {
         stale.push_back(error.message());
     }
-    addStaleFile(stale, "FE result", request.fePath, origin.feSha256, digestOfInput(request.fePath, InputRole::Fe));
+    addStaleFile(stale, "FE result", request.fePath, origin.feSha256, digestOfInput(request.fePath, InputRole::Fe, execution));
     if (!origin.terrainPath.empty()) {
         addStaleFile(stale, "terrain", request.terrainPath, origin.terrainSha256,
-                     digestOfInput(request.terrainPath, InputRole::Terrain));
+                     digestOfInput(request.terrainPath, InputRole::Terrain, execution));
     }
     addStaleSettings(stale, request);
-    addStaleEvidence(stale, request);
+    addStaleEvidence(stale, request, execution);
     // Of another build the fingerprint is another one in any case.
     const Digest now = stageKey(request.inputs, origin.scenario, Stage::Simulation);
     if (stale.empty() && origin.build == buildText() && !(now == origin.fingerprint)) {
@@ -327,12 +335,14 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     facts.findings.append(request.siteFindings);
     facts.findings.append(request.run->findings());
     const Taint taint = taintOf(*request.run);
-    facts.breaches = taint.breaches;
+    facts.cautions = runCautions(standingOf(*request.run));
     facts.acknowledged = taint.acknowledgement;
-    addFiles(facts, request);
+    addFiles(facts, request, execution);
     execution.report({"report.measuring", "Measuring the debris", {}}, 0.1);
     facts.atRest = figuresAt(facts, request, DebrisInstant::AtRest);
+    execution.check();
     facts.atFeEnd = figuresAt(facts, request, DebrisInstant::AtFeEnd);
+    execution.check();
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
     facts.map = mapOfRun(mapped, std::nullopt, {}, true, execution);
     addPhotographs(facts, request, execution);

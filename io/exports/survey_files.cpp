@@ -13,6 +13,7 @@
 #include "io/exports/exports.h"
 #include "io/json/scope_json.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_json.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
@@ -75,6 +76,7 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                                      {"iou", jsonNumber(made.iou)},
                                      {"crs", crs}};
     origin.provenance = jsonText(document);
+    const std::string cautions = pictureCautions(runCautions(standingOf(run)));
     origin.facts = {{"RUBBLE_CLASS", "simulated less surveyed"},
                     {"RUBBLE_TIME_S", exactNumber(made.time)},
                     {"RUBBLE_CELL_M", exactNumber(made.settings.cell)},
@@ -85,6 +87,7 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                     {"RUBBLE_RUN", from.fingerprint.hex()},
                     {"RUBBLE_BUILD", from.build},
                     {"RUBBLE_TAINTED", taintOf(run).tainted() ? "yes" : "no"},
+                    {"RUBBLE_CAUTIONS", cautions.empty() ? "none" : cautions},
                     {"RUBBLE_LIVE_STRUCTURE", fallen},
                     {"RUBBLE_SURVEY_LIVE_STRUCTURE", surveyed},
                     {"RUBBLE_REGISTRATION", std::string(fitName(made.settings.fit))},

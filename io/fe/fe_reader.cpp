@@ -133,8 +133,8 @@ FeGrowth growthBetween(const FeResult& before, const FeResult& after) {
             static_cast<std::int64_t>(after.contents().bytes) - static_cast<std::int64_t>(before.contents().bytes)};
 }
 
-std::string sha256OfFe(const std::string& path) {
-    return sha256OfSeries(feFiles(path), Execution{});
+std::string sha256OfFe(const std::string& path, const Execution& execution) {
+    return sha256OfSeries(feFiles(path), execution);
 }
 
 }  // namespace rubble::io

@@ -41,6 +41,6 @@ FeGrowth growthBetween(const FeResult& before, const FeResult& after);
 
 /// What names the content of a result: the SHA-256 of its file, or of a list of all its files as sha256sum writes it (digest, two
 /// blanks, name without folder, newline), hex. Throws WorldError.
-std::string sha256OfFe(const std::string& path);
+std::string sha256OfFe(const std::string& path, const Execution& execution = Execution());
 
 }  // namespace rubble::io

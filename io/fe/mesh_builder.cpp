@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 #include "core/fe/components.h"
+#include "core/fe/material.h"
 
 namespace rubble::io {
 
@@ -312,10 +313,9 @@ double densityInSi(double value, double metresPerUnit, Findings& findings, const
         return value;
     }
     // From expanded plastics to gold; a factor of 1,000 lies between the units, so at most one of them fits.
-    constexpr double lightest = 25.0, heaviest = 22000.0;
     for (const double kilograms : {1000.0, 1.0, 0.001}) {
         const double density = value * kilograms / (metresPerUnit * metresPerUnit * metresPerUnit);
-        if (density >= lightest && density <= heaviest) {
+        if (isMaterialDensity(density)) {
             findings.add({"fe.density_unit", "The unit of mass was taken from the densities: t, kg or g per cubed length unit", {}},
                          {"fe.density_unit.remedy", "Check the masses, or set component[NAME].density.", {}},
                          "\"" + part + "\": " + englishNumber(value) + " is " + englishNumber(density) + " kg/m3");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/simulation/health/passed_limits.h"
 #include "io/base/files.h"
 #include "io/base/trimmed.h"
 #include "io/json/json_document.h"
@@ -45,7 +46,7 @@ std::shared_ptr<const SimulationResult> breachesOf(const std::string& runPath) {
         throw ParseError({"io.acknowledged.incomplete", "{0} is not complete: it has no outcome to acknowledge", {runPath}},
                          {"io.run.incomplete.remedy", "Run the case again to the end.", {}});
     }
-    if (!result->health.tainted()) {
+    if (result->health.breaches.empty()) {
         throw UsageError({"io.acknowledged.sound", "{0} has no health breaches: there is nothing to acknowledge", {runPath}},
                          {"io.acknowledged.sound.remedy", "Use the run as it is, or name the run that you mean.", {}});
     }
@@ -87,12 +88,18 @@ std::vector<Acknowledgement> acknowledgements(const std::string& runPath) {
     return listFrom(path);
 }
 
-Taint taintOf(const RunReader& run) {
+Taint taintOf(std::span<const HealthBreach> breaches) {
     Taint taint;
-    taint.breaches = run.breaches().size();
+    taint.limits = passedLimits(breaches).size();
+    taint.grade = gravestGrade(breaches);
+    return taint;
+}
+
+Taint taintOf(const RunReader& run) {
+    Taint taint = taintOf(run.breaches());
     const auto result = run.result();
     taint.complete = result != nullptr;
-    if (!result || taint.breaches == 0) {
+    if (!result || taint.limits == 0) {
         return taint;
     }
     try {

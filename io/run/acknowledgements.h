@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/simulation/health/health.h"
 #include "core/simulation/run/acknowledgement.h"
 
 namespace rubble::io {
@@ -28,13 +30,16 @@ class RunReader;
 
 /// What a run's breaches and the acknowledgements beside it come to.
 struct Taint {
-    std::size_t breaches = 0;
+    std::size_t limits = 0;                          ///< passed, each counted once
+    HealthGrade grade = HealthGrade::Notice;         ///< the gravest of them
     std::optional<Acknowledgement> acknowledgement;  ///< the one of these very breaches
     Message problem;                                 ///< why the acknowledgements could not be read; empty if they could
     bool complete = true;                            ///< only a run that is can be acknowledged
-    bool tainted() const { return breaches > 0 && !acknowledgement; }
+    bool tainted() const { return grade == HealthGrade::Tainted && !acknowledgement; }
 };
 
+/// Of a run that nobody has acknowledged.
+Taint taintOf(std::span<const HealthBreach> breaches);
 /// Of a run as far as it is there; one that is not complete cannot be acknowledged. A sidecar that cannot be read acknowledges
 /// nothing and is no error.
 Taint taintOf(const RunReader& run);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/simulation/health/passed_limits.h"
 #include "io/exports/exports.h"
 #include "io/run/run_file.h"
 #include "tests/io/sample_run.h"
@@ -60,7 +61,7 @@ TEST_F(Acknowledgements, ComeBackInTheOrderInWhichTheyWereMade) {
     EXPECT_EQ(list[0].breaches, breachesDigest(run.result));
     const Taint taint = taintOf(*openRun(path));
     EXPECT_FALSE(taint.tainted());
-    EXPECT_EQ(taint.breaches, run.result.health.breaches.size());
+    EXPECT_EQ(taint.limits, passedLimits(run.result.health.breaches).size());
     EXPECT_EQ(taint.acknowledgement->by, "Ben") << "the last one counts";
     EXPECT_NO_THROW(checkRunDigest(path, Execution())) << "the run file is untouched";
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
@@ -144,7 +145,8 @@ TEST_F(Acknowledgements, SayWhenTheyCannotBeWritten) {
 TEST_F(Acknowledgements, StandInTheProvenanceOfExports) {
     const SampleRun run = write();
     const auto health = [&] { return nlohmann::json::parse(provenanceText(*openRun(path)))["health"]; };
-    EXPECT_EQ(health()["breaches"], run.result.health.breaches.size());
+    EXPECT_EQ(health()["breaches"], passedLimits(run.result.health.breaches).size());
+    EXPECT_EQ(health()["grade"], "tainted");
     EXPECT_EQ(health()["tainted"], true);
     EXPECT_TRUE(health()["acknowledged"].is_null());
     acknowledge(path, {"Ada", "2020-01-02T03:04:05Z", "looked at it", {}});

@@ -136,7 +136,7 @@ TEST(RunFile, TellsOfBreachesBeforeTheRunIsComplete) {
         whole.to += breach.check == HealthCheck::Speed ? run.frames[29].time : 0.0;
         EXPECT_EQ(breachJson(breach), breachJson(whole));
     }
-    EXPECT_EQ(taintOf(*reader).breaches, 3u);
+    EXPECT_EQ(taintOf(*reader).limits, 3u);
     EXPECT_FALSE(taintOf(*reader).complete);
 }
 

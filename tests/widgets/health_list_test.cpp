@@ -106,8 +106,8 @@ TEST(HealthList, ASoundRunSaysSoAndAsksForNothing) {
 
 TEST(HealthList, ABreachSaysWhatWhereWhenAndTheRemedy) {
     const QString words = breachWords(twoBreaches().breaches[0], Vec3(500000, 4000000, 0));
-    for (const char* part : {"inside each other", "3.20", "4.10", "3.75", "1,234", "500,012.5", "3,999,997.0", "0.310", "0.100",
-                             "17 bodies", "Raise “Steps per second”"}) {
+    for (const char* part : {"inside each other", "3.20", "4.10", "3.75", "1,234", "500,012.5", "3,999,997.0", "31.00", "10.00",
+                             "17 bodies", "notice", "the pile keeps its shape", "Raise “Steps per second”"}) {
         EXPECT_TRUE(words.contains(QString::fromUtf8(part))) << part << " in " << words.toStdString();
     }
 }
@@ -140,7 +140,7 @@ TEST(HealthList, AnAcknowledgedRunShowsWhoAndWhy) {
     EXPECT_FALSE(offersToAcknowledge(list));
     EXPECT_TRUE(allText(list).contains(QStringLiteral("A. Examiner")));
     EXPECT_TRUE(allText(list).contains(QStringLiteral("far from the piers")));
-    EXPECT_FALSE(allText(list).contains(QStringLiteral("tainted")));
+    EXPECT_FALSE(allText(list).contains(QStringLiteral("is tainted")));
 }
 
 TEST(HealthList, ARemedyIsSetByItsButtonUntilItIsSet) {
@@ -171,11 +171,37 @@ TEST(HealthList, ARemedyIsSetByItsButtonUntilItIsSet) {
 TEST(HealthList, ALimitThatWasPassedTwiceCountsOnce) {
     HealthReport health = twoBreaches();
     health.breaches.push_back(health.breaches[0]);
+    health.breaches.back().from = 7.5;
+    health.breaches.back().to = 8.25;
+    health.breaches.back().worst = 4.742;
     EXPECT_EQ(limitsIn(health), 2);
     HealthList list;
     list.setContent({health, {}, Vec3::Zero(), {}, 60.0, {}});
     EXPECT_EQ(list.findChildren<QPushButton*>(QStringLiteral("applyRemedy")).size(), 2);
     EXPECT_TRUE(allText(list).contains(QStringLiteral("2 limits passed")));
+    const auto entries = list.findChildren<QLabel*>(QStringLiteral("breach"));
+    ASSERT_EQ(entries.size(), 2) << "one entry with its times";
+    EXPECT_TRUE(entries[0]->text().contains(QString::fromUtf8("3.20–4.10 s, 7.50–8.25 s"))) << entries[0]->text().toStdString();
+    EXPECT_TRUE(entries[0]->text().contains(QStringLiteral("4.742 times"))) << entries[0]->text().toStdString();
+    EXPECT_TRUE(entries[0]->text().contains(QStringLiteral("finding")));
+    std::vector<std::size_t> chosen;
+    QObject::connect(&list, &HealthList::breachChosen, [&](std::size_t breach) { chosen.push_back(breach); });
+    for (QPushButton* button : list.findChildren<QPushButton*>()) {
+        if (button->text().startsWith(QStringLiteral("Show"))) {
+            QTest::mouseClick(button, Qt::LeftButton);
+        }
+    }
+    EXPECT_EQ(chosen, (std::vector<std::size_t>{2, 1})) << "to the worst of its times";
+}
+
+TEST(HealthList, WhatIsNotTaintedAsksForNoName) {
+    HealthReport health = twoBreaches();
+    health.breaches.pop_back();
+    HealthList list;
+    list.setContent({health, {}, Vec3::Zero(), {}, 60.0, {}});
+    EXPECT_FALSE(offersToAcknowledge(list));
+    EXPECT_FALSE(allText(list).contains(QStringLiteral("tainted")));
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("1 limit passed.")));
 }
 
 TEST(HealthList, ShowLeadsToItsBreach) {

@@ -162,10 +162,12 @@ void PredictionBox::showFigure(Line& line, const PredictedFigure& figure, Predic
                                : held           ? tr("said: %1 – held").arg(range)
                                                 : tr("said: %1 – missed").arg(range));
     } else {
-        line.interval->setText(range);
+        line.interval->setText(prediction.fromSpeed ? tr("crude: %1").arg(range) : range);
     }
-    const QString rests = prediction.fromCalibration ? tr("From the calibration of this machine alone: piles of other collapses.")
-                                                     : tr("From %1 earlier points of this collapse.").arg(prediction.points);
+    const QString rests = prediction.fromSpeed ? tr("Crude: from bodies, their births and what this machine did within a second. "
+                                                    "Settings that were compared make it better.")
+                          : prediction.fromCalibration ? tr("From the calibration of this machine alone: piles of other collapses.")
+                                                       : tr("From %1 earlier points of this collapse.").arg(prediction.points);
     line.value->setToolTip(tr("Four runs in five end in this interval.") + QLatin1Char(' ') + rests);
     line.interval->setToolTip(line.value->toolTip());
 }

@@ -15,20 +15,20 @@ namespace {
 
 /// Places and reasons that core makes into texts before they become part of a message.
 constexpr std::array madeTexts = {
+    QT_TRANSLATE_NOOP("messages", "{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4})"),
     QT_TRANSLATE_NOOP("messages",
-                      "{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4} bodies)"),
-    QT_TRANSLATE_NOOP(
-        "messages",
-        "{0} of the bodies lay more than 5 % of their smallest side inside another for over 0.5 s, {1} at most; {2} worst"),
+                      "{0} lay {1} deep in another for over 0.5 s, {2} times its smallest side: it has gone through; the limit is "
+                      "{3} of that side ({4})"),
+    QT_TRANSLATE_NOOP("messages",
+                      "{0} at once lay more than 5 % of a smallest side inside another for over 0.5 s, {1} of all; {2} worst"),
     QT_TRANSLATE_NOOP("messages",
                       "energy rose by {0} of the work of gravity beyond gravity, births, overlap, pieces and effects; the limit is "
                       "{1} ({2} gained most)"),
-    QT_TRANSLATE_NOOP("messages", "{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3} bodies)"),
-    QT_TRANSLATE_NOOP("messages", "the centre of {0} was {1} below the ground ({2} bodies)"),
-    QT_TRANSLATE_NOOP("messages",
-                      "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3} bodies)"),
+    QT_TRANSLATE_NOOP("messages", "{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3})"),
+    QT_TRANSLATE_NOOP("messages", "the centre of {0} was {1} below the ground ({2})"),
+    QT_TRANSLATE_NOOP("messages", "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3})"),
     QT_TRANSLATE_NOOP("messages", "{0} at x = {1} m, y = {2} m"),
-    QT_TRANSLATE_NOOP("messages", "place or velocity of {0} was no number: it was taken out ({1} bodies)"),
+    QT_TRANSLATE_NOOP("messages", "place or velocity of {0} was no number: it was taken out ({1})"),
     QT_TRANSLATE_NOOP("messages", "the share of bodies at rest fell to {0} after it had reached {1}"),
     QT_TRANSLATE_NOOP("messages", "the pile has {0} times the volume of its material, less than {1}: it is squeezed into itself"),
     QT_TRANSLATE_NOOP("messages", "the pile has {0} times the volume of its material, more than {1}: its shapes are inflated"),
@@ -58,6 +58,12 @@ constexpr std::array madeTexts = {
     QT_TRANSLATE_NOOP("messages", "what comes down gathers speed at {0}, which is {1}"),
     QT_TRANSLATE_NOOP("messages", "what comes down gathers speed along {0}"),
     QT_TRANSLATE_NOOP("messages", "density {0} of \"{1}\" is {2}, {3}"),
+    QT_TRANSLATE_NOOP("messages", "1 body"),
+    QT_TRANSLATE_NOOP("messages", "{0} bodies"),
+    QT_TRANSLATE_NOOP("messages", "once"),
+    QT_TRANSLATE_NOOP("messages", "{0} times"),
+    QT_TRANSLATE_NOOP("messages", "1 limit of health"),
+    QT_TRANSLATE_NOOP("messages", "{0} limits of health"),
     QT_TRANSLATE_NOOP("messages", "solid"),
     QT_TRANSLATE_NOOP("messages", "shell"),
     QT_TRANSLATE_NOOP("messages", "beam"),

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
@@ -94,7 +95,7 @@ QWidget* NewCaseWizard::buildSteps() {
         row->addWidget(button);
     }
     row->addStretch();
-    connect(m_steps, &QButtonGroup::idClicked, this, [this](int step) { go(static_cast<Step>(step)); });
+    connect(m_steps, &QButtonGroup::idClicked, this, &NewCaseWizard::goByHand);
     return bar;
 }
 
@@ -132,8 +133,12 @@ QWidget* NewCaseWizard::buildButtons() {
     connect(m_stop, &QPushButton::clicked, this, &NewCaseWizard::stopRequested);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_back, &QPushButton::clicked, this, [this] { go(static_cast<Step>(step() - 1)); });
-    connect(m_next, &QPushButton::clicked, this, [this] { go(static_cast<Step>(step() + 1)); });
-    connect(m_create, &QPushButton::clicked, this, &NewCaseWizard::createRequested);
+    connect(m_next, &QPushButton::clicked, this, [this] { goByHand(step() + 1); });
+    connect(m_create, &QPushButton::clicked, this, [this] {
+        if (mayGoOn()) {
+            emit createRequested();
+        }
+    });
     return bar;
 }
 
@@ -149,6 +154,39 @@ void NewCaseWizard::go(Step step) {
     m_steps->button(step)->setChecked(true);
     showState();
     emit stepChanged(step);
+}
+
+void NewCaseWizard::goByHand(int step) {
+    if (step > this->step() && !mayGoOn()) {
+        step = Units;
+    }
+    go(static_cast<Step>(step));
+}
+
+void NewCaseWizard::setOddDensities(const QString& components) {
+    m_oddDensities = components;
+}
+
+bool NewCaseWizard::mayGoOn() {
+    if (m_oddDensities.isEmpty() || m_oddDensities == m_acceptedDensities) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Warning, tr("Densities of no material"),
+                    tr("No material has the density of %1 in these units.").arg(m_oddDensities), QMessageBox::NoButton, this);
+    box.setInformativeText(
+        tr("Masses, and all that follows from them, would be wrong by the same factor. Choose the units that the file "
+           "is in, or set the densities under Components."));
+    QPushButton* back = box.addButton(tr("Back to the units"), QMessageBox::RejectRole);
+    QPushButton* on = box.addButton(tr("Go on all the same"), QMessageBox::AcceptRole);
+    box.setDefaultButton(back);
+    box.setEscapeButton(back);
+    box.exec();
+    if (box.clickedButton() != on) {
+        go(Units);
+        return false;
+    }
+    m_acceptedDensities = m_oddDensities;
+    return true;
 }
 
 void NewCaseWizard::setProgress(const QString& what, double fraction) {

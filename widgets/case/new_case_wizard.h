@@ -41,6 +41,9 @@ public:
     void setProgress(const QString& what, double fraction);
     /// Whether a result is there to make a case from.
     void setReady(bool ready);
+    /// Components whose density no material has, in words; empty: none. Who goes on from the units, or makes the case, is asked
+    /// first.
+    void setOddDensities(const QString& components);
     /// Names of the edits that would be taken back or made again; empty: none.
     void setUndo(const QString& undo, const QString& redo);
 
@@ -62,6 +65,10 @@ private:
     QWidget* buildSteps();
     QWidget* buildButtons();
     void showState();
+    /// Whether to leave the units as they are; asks where a density is that of no material.
+    bool mayGoOn();
+    /// As go(), by hand.
+    void goByHand(int step);
 
     NewCaseUnits* m_units;
     NewCaseGround* m_ground;
@@ -79,6 +86,8 @@ private:
     QLabel* m_activity;
     QProgressBar* m_progress;
     QPushButton* m_stop;
+    QString m_oddDensities;
+    QString m_acceptedDensities;  ///< that were gone on with all the same
     bool m_ready = false;
 };
 

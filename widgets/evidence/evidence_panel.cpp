@@ -20,10 +20,16 @@
 #include "widgets/evidence/photo_view.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/figures/shown_units.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble::widgets {
 
 namespace {
+
+QString sentenceOf(const std::vector<Caution>& cautions) {
+    const QString words = cautionWords(cautions);
+    return words.isEmpty() ? words : words.left(1).toUpper() + words.mid(1);
+}
 
 enum PrincipalChoice { Middle, Found };
 
@@ -401,7 +407,7 @@ void EvidencePanel::showCamera() {
                            worth + u' ' + tr("More points, spread in depth and to the corners, make it better."));
             break;
         case MatchVerdict::Poor:
-            m_verdict->set(Notice::Kind::Finding, tr("Poor match: do not rest a conclusion on it."),
+            m_verdict->set(Notice::Kind::Finding, sentenceOf(photographCautions(m_content.photograph, &match, nullptr)),
                            worth + u' ' + tr("Add points, spread in depth and to the corners of the picture."));
             break;
     }
@@ -431,6 +437,7 @@ void EvidencePanel::showAgreement() {
     m_iou->setText(made ? QLocale().toString(made->iou.best, 'f', 2) : QStringLiteral("–"));
     m_iouMean->setText(made ? withSpread(made->iou.mean, made->iou.spread) : QStringLiteral("–"));
     const double perMetre = figures::shownUnit("m").perSi;
+    const QString cautions = sentenceOf(m_content.cautions);
     m_edge->setText(made ? withSpread(perMetre * made->edgeMetres.best, perMetre * made->edgeMetres.spread) : QStringLiteral("–"));
     m_edgePixels->setText(made ? text(made->edgePixels) : QStringLiteral("–"));
     m_overTime->setText(made && made->iouOverTime ? tr("%1 to %2")
@@ -442,12 +449,13 @@ void EvidencePanel::showAgreement() {
     } else if (made && m_content.comparisonStale) {
         m_agreement->set(Notice::Kind::Note, tr("Something has changed since: compare again."));
     } else if (made) {
-        m_agreement->set(Notice::Kind::Note,
+        m_agreement->set(cautions.isEmpty() ? Notice::Kind::Note : Notice::Kind::Finding,
                          tr("Debris at %1 s, %2.")
                              .arg(QLocale().toString(made->time, 'f', 2),
-                                  made->withFallen ? tr("fallen structure with it") : tr("fallen structure apart")));
+                                  made->withFallen ? tr("fallen structure with it") : tr("fallen structure apart")),
+                         cautions);
     } else {
-        m_agreement->set(Notice::Kind::Note, {});
+        m_agreement->set(Notice::Kind::Finding, cautions);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/evidence/cautions.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/wording.h"
@@ -38,6 +39,7 @@ public:
         std::optional<CameraMatch> match;
         QString noMatch;  ///< what keeps the camera from being found, and the remedy
         QString remedy;
+        std::vector<Caution> cautions;  ///< of the match and of the run that is compared
         std::shared_ptr<const PhotoComparison> comparison;
         QString noComparison;          ///< why none can be made; empty: it can
         QString comparisonComplaint;   ///< what went wrong with the last one

@@ -1,5 +1,6 @@
 #include "widgets/evidence/figure_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -36,6 +37,7 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
       m_width(spin("figureWidth", 100, 8000, choice.pixels.width(), tr(" px"))),
       m_height(spin("figureHeight", 100, 8000, choice.pixels.height(), tr(" px"))),
       m_dpi(spin("figureDpi", 50, 1200, choice.dpi, tr(" dpi"))),
+      m_selection(new QCheckBox(tr("Show what is selected"))),
       m_print(new QLabel),
       m_preview(new QLabel) {
     setWindowTitle(tr("Figure for print"));
@@ -64,6 +66,10 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     addRow(*form, tr("Width"), m_width, tr("Pixels from left to right, 100 to 8000"));
     addRow(*form, tr("Height"), m_height, tr("Pixels from top to bottom, 100 to 8000"));
     addRow(*form, tr("Resolution"), m_dpi, tr("Pixels per inch in print, 50 to 1200: text is 9 pt high whatever the size"));
+    m_selection->setObjectName(QStringLiteral("figureSelection"));
+    m_selection->setToolTip(tr("Selected elements in their colour; without it the figure is as if nothing were selected"));
+    m_selection->setChecked(choice.selection);
+    form->addRow(QString(), m_selection);
     column->addLayout(form);
     m_print->setObjectName(QStringLiteral("muted"));
     column->addWidget(m_print);
@@ -93,6 +99,7 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     for (QSpinBox* box : {m_width, m_height, m_dpi}) {
         connect(box, &QSpinBox::valueChanged, this, changed);
     }
+    connect(m_selection, &QCheckBox::toggled, this, changed);
     showSize();
 }
 
@@ -103,6 +110,7 @@ FigureChoice FigureDialog::choice() const {
     }
     choice.pixels = {m_width->value(), m_height->value()};
     choice.dpi = m_dpi->value();
+    choice.selection = m_selection->isChecked();
     return choice;
 }
 

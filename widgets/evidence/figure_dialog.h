@@ -8,6 +8,7 @@
 
 #include "widgets/figures/figure_sheet.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QSpinBox;
@@ -19,6 +20,7 @@ struct FigureChoice {
     std::optional<figures::FigurePreset> preset;  ///< unset: as the views are
     QSize pixels{1600, 1000};
     int dpi = 200;
+    bool selection = false;  ///< what is selected is shown in its colour
 
     friend bool operator==(const FigureChoice&, const FigureChoice&) = default;
 };
@@ -48,6 +50,7 @@ private:
     QSpinBox* m_width;
     QSpinBox* m_height;
     QSpinBox* m_dpi;
+    QCheckBox* m_selection;
     QLabel* m_print;
     QLabel* m_preview;
     QTimer m_rest;

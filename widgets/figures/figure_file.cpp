@@ -88,6 +88,7 @@ void ensureGuiApplication() {
 struct Studio::Impl {
     vtkNew<vtkRenderWindow> window;
     render::Scene scene;
+    std::function<void()> check;
 
     QImage drawn(const render::View& view, QSize pixels, double textHeight) {
         OffscreenSurface surface(*window, pixels, textHeight);
@@ -99,10 +100,13 @@ struct Studio::Impl {
         const bool captioned =
             std::any_of(sheet.panels.begin(), sheet.panels.end(), [](const SheetPanel& panel) { return panel.view.captions; });
         const SheetLayout layout = layOutSheet(sheet.columns, sheet.rows(), captioned, legendOf(sheet), !style.provenance.empty(),
-                                               style.pixels, style.dpi);
+                                               style.pixels, style.dpi, !style.cautions.empty());
         SheetPicture picture(style.pixels, layout);
         bool released = false;
         for (std::size_t i = 0; i < sheet.panels.size(); ++i) {
+            if (check) {
+                check();
+            }
             SheetPicture::Panel panel = drawPanel(sheet, i, layout);
             released = released || panel.shown.status.released > 0;
             picture.add(std::move(panel));
@@ -113,7 +117,8 @@ struct Studio::Impl {
             legend = commonLegend(picture.panels().front().view, released);
             bars = m_bars;
         }
-        picture.setFoot(std::move(legend), std::move(bars), QString::fromStdString(style.provenance));
+        picture.setFoot(std::move(legend), std::move(bars), QString::fromStdString(style.provenance),
+                        QString::fromStdString(style.cautions));
         return picture;
     }
 
@@ -188,6 +193,10 @@ void setResolution(QImage& image, double dpi) {
 }
 
 }  // namespace
+
+void Studio::setCheck(std::function<void()> check) {
+    m_impl->check = std::move(check);
+}
 
 SheetPicture Studio::sheet(const Sheet& sheet, const FigureStyle& style) {
     const FileUnits inSi;

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QSize>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -27,6 +28,7 @@ struct FigureStyle {
     double dpi = 200.0;      ///< decides the size of text: 9 pt
     bool framed = true;      ///< figure style: white background, captions below; false: as in the window
     std::string provenance;  ///< one line in 6 pt at the foot, empty for none
+    std::string cautions{};  ///< what must be known beside it, above that; empty for none
 };
 
 /// Draws views off-screen. Opens its GL window once and keeps it: use one studio for many pictures (movie frames).
@@ -42,6 +44,8 @@ public:
     QImage picture(const render::View& view, const FigureStyle& style);
     /// A figure for print, in the Print theme, its size and text as the style says. Throws UsageError for a size out of range.
     SheetPicture sheet(const Sheet& sheet, const FigureStyle& style);
+    /// Called before each picture of a sheet: may throw Cancelled.
+    void setCheck(std::function<void()> check);
     /// The status that the last picture showed.
     const render::PaneStatus& status(render::PaneContent content) const;
     /// As Scene::setAllFaces().

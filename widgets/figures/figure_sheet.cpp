@@ -21,6 +21,7 @@ namespace {
 
 constexpr double sheetTextPoints = 9.0;
 constexpr double provenancePoints = 6.0;
+constexpr double cautionShare = 0.85;   // of the text
 constexpr double smallestLegend = 0.7;  // of the text: below that it is not read any more
 /// The instants of the published figures over the 9.6 s of its FE result.
 constexpr std::array<double, 3> publishedShares{1.68 / 9.6, 3.36 / 9.6, 5.52 / 9.6};
@@ -134,7 +135,29 @@ QRect SheetLayout::panelAt(int column, int row) const {
     return {column * (panel.width() + gap), row * (panel.height() + key + caption), panel.width(), panel.height()};
 }
 
-SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi) {
+int cautionHeight(double text) {
+    return static_cast<int>(std::lround(3.4 * cautionShare * text));
+}
+
+void paintCautions(QPainter& painter, const QRectF& strip, const QString& cautions, double text, render::Theme theme) {
+    painter.fillRect(strip, palette(theme).findingTint);
+    painter.setPen(palette(theme).text);
+    const double largest = cautionShare * text;
+    const QRectF room = strip.adjusted(0.6 * largest, 0.0, -0.6 * largest, 0.0);
+    constexpr int centred = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
+    for (double size = largest; size > 0.3 * largest; size *= 0.92) {
+        const QFont font = fontOf(size, false);
+        painter.setFont(font);
+        const QRectF needed = QFontMetricsF(font).boundingRect(room, centred, cautions);
+        if (needed.height() <= room.height() && needed.width() <= room.width()) {
+            break;
+        }
+    }
+    painter.drawText(room, centred, cautions);
+}
+
+SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi,
+                        bool cautions) {
     SheetLayout layout;
     layout.text = sheetTextPoints / 72.0 * dpi;
     layout.small = provenancePoints / 72.0 * dpi;
@@ -144,7 +167,9 @@ SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legen
     layout.key = legend == SheetLegend::Below ? static_cast<int>(std::lround(1.8 * layout.text)) : 0;
     layout.legend = legend == SheetLegend::Foot ? static_cast<int>(std::lround(2.0 * layout.text)) : 0;
     layout.provenance = provenance ? static_cast<int>(std::lround(2.0 * layout.small)) : 0;
-    const int height = pixels.height() - rows * (layout.key + layout.caption) - layout.legend - layout.provenance;
+    layout.cautions = cautions ? cautionHeight(layout.text) : 0;
+    const int foot = layout.legend + layout.cautions + layout.provenance;
+    const int height = pixels.height() - rows * (layout.key + layout.caption) - foot;
     layout.panel = {std::max((pixels.width() - (columns - 1) * layout.gap) / columns, 16), std::max(height / rows, 16)};
     return layout;
 }
@@ -264,10 +289,11 @@ void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout) {
     over.bars.clear();
 }
 
-void SheetPicture::setFoot(std::vector<LegendEntry> legend, std::vector<ColourBar> bars, QString provenance) {
+void SheetPicture::setFoot(std::vector<LegendEntry> legend, std::vector<ColourBar> bars, QString provenance, QString cautions) {
     m_legend = std::move(legend);
     m_bars = std::move(bars);
     m_provenance = std::move(provenance);
+    m_cautions = std::move(cautions);
 }
 
 void SheetPicture::paint(QPainter& painter) const {
@@ -327,7 +353,7 @@ void SheetPicture::paintLegends(QPainter& painter) const {
     if (m_layout.legend == 0) {
         return;
     }
-    const int top = m_pixels.height() - m_layout.provenance - m_layout.legend;
+    const int top = m_pixels.height() - m_layout.provenance - m_layout.cautions - m_layout.legend;
     render::Pane strip{render::PaneContent::Fragments, 0, top, m_pixels.width(), m_layout.legend};
     render::Pane last = strip;
     last.width = m_panels.empty() ? strip.width : m_panels.front().place.width();
@@ -337,6 +363,11 @@ void SheetPicture::paintLegends(QPainter& painter) const {
 }
 
 void SheetPicture::paintProvenance(QPainter& painter) const {
+    if (m_layout.cautions > 0) {
+        const int top = m_pixels.height() - m_layout.provenance - m_layout.cautions;
+        paintCautions(painter, QRectF(0, top, m_pixels.width(), m_layout.cautions), m_cautions, m_layout.text,
+                      render::Theme::Print);
+    }
     if (m_layout.provenance == 0) {
         return;
     }

@@ -78,6 +78,7 @@ struct SheetLayout {
     int key = 0;         ///< legends below the pictures of each row; 0: none
     int caption = 0;     ///< below these
     int legend = 0;      ///< the common one; 0: none
+    int cautions = 0;    ///< above the foot; 0: none
     int provenance = 0;  ///< at the foot; 0: none
     QSize panel;
 
@@ -92,7 +93,13 @@ enum class SheetLegend : std::uint8_t {
     Below  ///< one below each picture
 };
 /// @param captioned  whether there is a caption below each panel
-SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi);
+SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi,
+                        bool cautions = false);
+
+/// Height of two lines of cautions, pixels. @param text  height of the text of the picture
+int cautionHeight(double text);
+/// What must be known beside a picture, on amber, whole: in smaller letters rather than cut.
+void paintCautions(QPainter& painter, const QRectF& strip, const QString& cautions, double text, render::Theme theme);
 
 /// What a panel showed when it was drawn.
 struct ShownPanel {
@@ -118,7 +125,7 @@ public:
 
     SheetPicture(QSize pixels, SheetLayout layout) : m_pixels(pixels), m_layout(layout) {}
     void add(Panel panel) { m_panels.push_back(std::move(panel)); }
-    void setFoot(std::vector<LegendEntry> legend, std::vector<ColourBar> bars, QString provenance);
+    void setFoot(std::vector<LegendEntry> legend, std::vector<ColourBar> bars, QString provenance, QString cautions = {});
 
     const std::vector<Panel>& panels() const { return m_panels; }
     QSize pixels() const { return m_pixels; }
@@ -138,6 +145,7 @@ private:
     std::vector<LegendEntry> m_legend;
     std::vector<ColourBar> m_bars;
     QString m_provenance;
+    QString m_cautions;
 };
 
 /// Where the legends of a sheet stand.

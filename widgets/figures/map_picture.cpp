@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,11 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/evidence/maps/height_contours.h"
 #include "widgets/figures/draw.h"
+#include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/map_edges.h"
+#include "widgets/figures/map_window.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 #include "widgets/render/basics/colour_choice.h"
@@ -26,11 +30,6 @@ namespace {
 constexpr double mapTextPoints = 9.0;
 constexpr double smallPoints = 6.0;
 constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
-/// Of the mass, shown whatever the rest does.
-constexpr double shownShare = 0.999;
-/// The whole map is shown unless it is so many times as long or wide as that.
-constexpr double mostStretched = 2.0;
-constexpr double topShare = 0.99;
 
 QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -57,113 +56,10 @@ QString unitText(MapLayer layer) {
     return unit;
 }
 
-/// Cells to be shown, both ends included.
-struct Window {
-    MapCell low{0, 0};
-    MapCell high{0, 0};
-
-    int columns() const { return high.i - low.i + 1; }
-    int rows() const { return high.j - low.j + 1; }
-    bool holds(const MapCell& cell) const { return cell.i >= low.i && cell.i <= high.i && cell.j >= low.j && cell.j <= high.j; }
-};
-
-/// The stretch of an axis that holds the share of the mass, or all if that is not much longer.
-std::pair<std::int32_t, std::int32_t> stretchOf(const DebrisMap& map, bool alongX) {
-    std::vector<std::pair<std::int32_t, double>> places;
-    double total = 0.0;
-    for (std::size_t c = 0; c < map.cells.size(); ++c) {
-        double mass = map.members > 0 ? 1.0 : map.layer(MapLayer::Mass)[c];
-        if (map.has(MapLayer::LiveMass) && !std::isnan(map.layer(MapLayer::LiveMass)[c])) {
-            mass = (std::isnan(mass) ? 0.0 : mass) + map.layer(MapLayer::LiveMass)[c];
-        }
-        places.emplace_back(alongX ? map.cells[c].i : map.cells[c].j, mass);
-        total += mass;
-    }
-    std::sort(places.begin(), places.end());
-    std::pair<std::int32_t, std::int32_t> shown{places.front().first, places.back().first};
-    double sum = 0.0;
-    bool begun = false;
-    for (const auto& [place, mass] : places) {
-        sum += mass;
-        if (!begun && sum >= 0.5 * (1.0 - shownShare) * total) {
-            shown.first = place;
-            begun = true;
-        }
-        if (sum <= (0.5 + 0.5 * shownShare) * total) {
-            shown.second = place;
-        }
-    }
-    const double all = 1.0 + places.back().first - places.front().first;
-    const double most = 1.0 + shown.second - shown.first;
-    return all <= mostStretched * most ? std::pair(places.front().first, places.back().first) : shown;
-}
-
-Window windowOf(const DebrisMap& map) {
-    if (map.cells.empty()) {
-        return {};
-    }
-    const auto [west, east] = stretchOf(map, true);
-    const auto [south, north] = stretchOf(map, false);
-    return {{south, west}, {north, east}};
-}
-
-/// What the colours of a layer run from and to, in steps that read well.
-struct Range {
-    double low = 0.0;
-    double high = 1.0;
-    bool cut = false;  ///< some values are higher
-    double step = 0.25;
-
-    double place(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
-};
-
-/// The shortest range of three to five steps of 1, 2, 2.5 or 5 times a power of ten, from a whole number of steps, that holds two
-/// numbers.
-Range steppedRange(double low, double high) {
-    Range best;
-    best.high = std::numeric_limits<double>::infinity();
-    best.low = 0.0;
-    const double power = std::pow(10.0, std::floor(std::log10(high - low)) - 1.0);
-    for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0, 20.0, 25.0, 50.0}) {
-        const double step = factor * power;
-        const double from = std::floor(low / step + 1e-9);
-        const double steps = std::max(3.0, std::ceil(high / step - 1e-9) - from);
-        if (steps <= 5.0 && steps * step < (1.0 - 1e-9) * (best.high - best.low)) {
-            best = {from * step, (from + steps) * step, false, step};
-        }
-    }
-    return best;
-}
-
 /// A number of the legend, without powers of ten where thousands will do.
 QString legendNumber(double value) {
     return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? countText(static_cast<std::size_t>(std::lround(value)))
                                                               : numberText(value);
-}
-
-Range rangeOf(const std::vector<double>& values, MapLayer layer) {
-    std::vector<double> known;
-    std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
-    Range range;
-    if (known.empty()) {
-        return range;
-    }
-    std::sort(known.begin(), known.end());
-    if (layer >= MapLayer::Probability && layer <= MapLayer::AboveThird) {
-        return range;
-    }
-    if (layer == MapLayer::Separation) {
-        const double most = steppedRange(0.0, std::max({std::abs(known.front()), std::abs(known.back()), 1e-6})).high;
-        return {-most, most, false, 0.5 * most};
-    }
-    const double low = layer == MapLayer::Arrival ? known.front() : 0.0;
-    double high = known[static_cast<std::size_t>(topShare * static_cast<double>(known.size() - 1))];
-    if (!(high > low)) {
-        high = known.back() > low ? known.back() : low + 1.0;
-    }
-    range = steppedRange(low, high);
-    range.cut = known.back() > range.high;
-    return range;
 }
 
 /// Light is little, dark is much; early is dark as in the views.
@@ -192,7 +88,7 @@ public:
           m_layer(layer),
           m_style(style),
           m_palette(palette(style.theme)),
-          m_window(windowOf(map)),
+          m_window(windowOf(map, style.outlines)),
           m_range(rangeOf(map.layer(layer), layer)),
           m_image(style.pixels, QImage::Format_RGB32),
           m_text(mapTextPoints / 72.0 * style.dpi),
@@ -212,6 +108,8 @@ public:
             write(painter, m_field, tr("No debris at this time"), Qt::AlignCenter, m_text);
         } else {
             drawCells(painter);
+            drawContours(painter);
+            drawOutlines(painter);
             drawEdges(painter);
             drawRing(painter);
             drawScaleBar(painter);
@@ -240,9 +138,14 @@ private:
         painter.drawText(box, alignment | static_cast<int>(Qt::TextSingleLine), text);
     }
 
+    /// Room of cautions and provenance, pixels.
+    double belowCaption() const {
+        return (m_style.cautions.empty() ? 0.0 : cautionHeight(m_text)) + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+    }
+
     /// The map fills what legend, coordinates and caption leave.
     void layOut() {
-        const double foot = 2.2 * m_line + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+        const double foot = 2.2 * m_line + belowCaption();
         const double left = 6.5 * m_small;
         m_legend =
             QRectF(m_style.pixels.width() - 11.0 * m_line, m_line, 10.0 * m_line, m_style.pixels.height() - foot - 2.0 * m_line);
@@ -310,6 +213,84 @@ private:
                         m_style.place, m_small, m_palette.muted, m_palette.text);
     }
 
+    bool showsContours() const {
+        return m_style.contours > 0.0 && m_map.has(MapLayer::Height) && !m_map.layer(MapLayer::Height).empty();
+    }
+    QPen contourPen() const { return {QColor(0x20, 0x22, 0x26, 170), std::max(0.7, 0.06 * m_text)}; }
+    QPen outlinePen(MapOutline::Of of) const {
+        const double width = std::max(1.5, 0.15 * m_text);
+        return of == MapOutline::Of::Structure ? QPen(m_palette.accent, width, Qt::DashLine) : QPen(m_palette.error, width);
+    }
+
+    void drawRings(QPainter& painter, const std::vector<OutlineRing>& rings) {
+        for (const OutlineRing& ring : rings) {
+            QPolygonF line;
+            for (const Eigen::Vector2d& corner : ring) {
+                line << QPointF(pixelX(corner.x()), pixelY(corner.y()));
+            }
+            painter.drawPolygon(line);
+        }
+    }
+
+    void drawContours(QPainter& painter) {
+        if (!showsContours()) {
+            return;
+        }
+        std::vector<OutlineRing> rings;
+        for (HeightContour& line : heightContours(m_map.cells, m_map.layer(MapLayer::Height), m_map.cell, m_style.contours)) {
+            rings.push_back(std::move(line.corners));
+        }
+        painter.save();
+        painter.setClipRect(m_frame);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(contourPen());
+        drawRings(painter, rings);
+        painter.restore();
+    }
+
+    void drawOutlines(QPainter& painter) {
+        painter.save();
+        painter.setClipRect(m_frame);
+        painter.setBrush(Qt::NoBrush);
+        for (const MapOutline& outline : m_style.outlines) {
+            painter.setPen(outlinePen(outline.of));
+            drawRings(painter, outline.rings);
+        }
+        painter.restore();
+    }
+
+    /// What the lines on the map are.
+    void drawLineEntries(QPainter& painter, double& y) {
+        const auto entry = [&](const QPen& pen, const QString& text) {
+            painter.setPen(pen);
+            const double middle = y + 0.5 * m_line;
+            painter.drawLine(QPointF(m_legend.left(), middle), QPointF(m_legend.left() + 1.4 * m_line, middle));
+            const double room = m_legend.width() - 1.8 * m_line;
+            const double size = m_text * std::clamp(room / QFontMetricsF(font(m_text)).horizontalAdvance(text), 0.6, 1.0);
+            write(painter, QRectF(m_legend.left() + 1.8 * m_line, y, room, m_line), text,
+                  static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), size);
+            y += entryPitch * m_line;
+        };
+        if (showsContours()) {
+            entry(contourPen(), tr("height, every %1").arg(lengthText(m_style.contours)));
+        }
+        for (const MapOutline::Of of : {MapOutline::Of::Structure, MapOutline::Of::Evidence}) {
+            if (outlines(of)) {
+                entry(outlinePen(of), of == MapOutline::Of::Structure ? tr("stood before the collapse") : tr("found on the site"));
+            }
+        }
+    }
+
+    /// Lines below the bar or the categories.
+    int lineEntries() const {
+        return (showsContours() ? 1 : 0) + (outlines(MapOutline::Of::Structure) ? 1 : 0) +
+               (outlines(MapOutline::Of::Evidence) ? 1 : 0);
+    }
+    bool outlines(MapOutline::Of of) const {
+        return std::any_of(m_style.outlines.begin(), m_style.outlines.end(),
+                           [of](const MapOutline& each) { return each.of == of && !each.rings.empty(); });
+    }
+
     void drawRing(QPainter& painter) {
         if (!m_style.ring) {
             return;
@@ -374,6 +355,7 @@ private:
         if (showsLive()) {
             drawEntry(painter, y, liveColour(), tr("fallen live structure"));
         }
+        drawLineEntries(painter, y);
     }
     /// Fallen live structure is marked in what layers of debris leave free.
     bool showsLive() const { return m_map.live && m_map.ledger.liveElements > 0 && !mapLayerRow(m_layer).live; }
@@ -415,7 +397,7 @@ private:
         std::iota(m_listed.begin(), m_listed.end(), std::size_t{0});
         std::stable_sort(m_listed.begin(), m_listed.end(), [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
         std::erase_if(m_listed, [&](std::size_t c) { return cells[c] == 0; });
-        const double room = (m_legend.height() - 9.0 * m_line) / (entryPitch * m_line) - (showsLive() ? 1.0 : 0.0);
+        const double room = (m_legend.height() - 9.0 * m_line) / (entryPitch * m_line) - (showsLive() ? 1.0 : 0.0) - lineEntries();
         if (const auto most = static_cast<std::size_t>(std::max(1.0, std::floor(room))); m_listed.size() > most) {
             m_unlisted = m_listed.size() - (most - 1);
             m_listed.resize(most - 1);
@@ -439,7 +421,7 @@ private:
 
     double drawBar(QPainter& painter, double y) {
         // The scale bar stands below, also in a low picture.
-        const double below = (3.2 + (showsLive() ? entryPitch : 0.0)) * m_line;
+        const double below = (3.2 + (showsLive() ? entryPitch : 0.0) + entryPitch * lineEntries()) * m_line;
         const double height = std::clamp(m_legend.bottom() - below - y, 2.4 * m_line, 7.0 * m_line);
         const QRectF bar(m_legend.left(), y, 1.1 * m_line, height);
         QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
@@ -473,16 +455,21 @@ private:
         if (m_outside > 0) {
             caption += tr("; %1 cells with debris lie outside the picture").arg(countText(m_outside));
         }
-        const double bottom = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+        const double bottom = m_style.pixels.height() - belowCaption();
         // A long caption of a small picture is set smaller, then cut.
         const double room = 0.98 * m_style.pixels.width();
         const double size = m_text * std::clamp(room / QFontMetricsF(font(m_text, true)).horizontalAdvance(caption), 0.75, 1.0);
         write(painter, QRectF(0.0, bottom - 1.8 * m_line, m_style.pixels.width(), 1.5 * m_line),
               QFontMetricsF(font(size, true)).elidedText(caption, Qt::ElideRight, room), static_cast<int>(Qt::AlignCenter), size,
               true);
+        if (!m_style.cautions.empty()) {
+            paintCautions(painter, QRectF(0.0, bottom, m_style.pixels.width(), cautionHeight(m_text)),
+                          QString::fromStdString(m_style.cautions), m_text, m_style.theme);
+        }
         painter.setFont(font(m_small));
         painter.setPen(m_palette.muted);
-        const QRectF foot(0.0, bottom, m_style.pixels.width(), 2.0 * m_small);
+        const double line = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+        const QRectF foot(0.0, line, m_style.pixels.width(), 2.0 * m_small);
         const QString system = m_style.system.empty() ? tr("local coordinates in metres") : QString::fromStdString(m_style.system);
         painter.drawText(
             foot, static_cast<int>(Qt::AlignCenter),
@@ -494,8 +481,8 @@ private:
     MapLayer m_layer;
     const MapPictureStyle& m_style;
     const Palette& m_palette;
-    Window m_window;
-    Range m_range;
+    MapWindow m_window;
+    MapRange m_range;
     QImage m_image;
     double m_text;
     double m_small;
@@ -538,8 +525,8 @@ QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& s
 Orthophoto groundPicture(const DebrisMap& map, MapLayer layer) {
     checkLayer(map, layer);
     constexpr std::uint8_t opacity = 215;  // of 255: the ground shows through
-    const Window window = windowOf(map);
-    const Range range = rangeOf(map.layer(layer), layer);
+    const MapWindow window = windowOf(map, {});
+    const MapRange range = rangeOf(map.layer(layer), layer);
     Orthophoto picture;
     picture.x0 = map.cell * window.low.i;
     picture.y0 = map.cell * window.low.j;

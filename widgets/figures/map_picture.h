@@ -3,10 +3,13 @@
 #include <QImage>
 #include <QSize>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/geometry.h"
+#include "core/base/outline.h"
 #include "core/evidence/maps/debris_map.h"
 #include "core/fe/control_points.h"
 #include "core/fe/orthophoto.h"
@@ -20,6 +23,13 @@ struct MapRing {
     double radius = 0.0;                               ///< m
 };
 
+/// A line around something on a map: the structure that stood there, or what was found.
+struct MapOutline {
+    enum class Of : std::uint8_t { Structure, Evidence };
+    Of of = Of::Structure;
+    std::vector<OutlineRing> rings;  ///< m, local
+};
+
 /// How a map is drawn.
 struct MapPictureStyle {
     QSize pixels{1600, 1000};
@@ -28,8 +38,11 @@ struct MapPictureStyle {
     std::string system;               ///< coordinate system, for people; empty: local, whose y need not be north
     std::string shown = "simulated";  ///< class of what is shown
     std::string provenance;           ///< one line in 6 pt at the foot, empty for none
+    std::string cautions{};           ///< what must be known beside it, above that; empty for none
     render::Theme theme = render::Theme::Print;
     std::optional<MapRing> ring;
+    double contours = 0.0;               ///< m, between lines of equal height; 0: none. Of maps that have heights
+    std::vector<MapOutline> outlines{};  ///< the picture reaches as far as those of the structure
 };
 
 /// One layer of a map, on white for print, with scale bar, arrow to the north, coordinates along the edges, legend with unit, and a

@@ -104,7 +104,7 @@ Palette yellow(Palette p) {
     return p;
 }
 
-ColourSet& chosenSet() {
+ColourSet& chosenColourSet() {
     static ColourSet set = ColourSet::Vermilion;
     return set;
 }
@@ -145,11 +145,11 @@ std::vector<render::Rgb> rgbs(const std::vector<QColor>& colours) {
 const Palette& palette(render::Theme theme) {
     static const std::array<std::array<Palette, 3>, 2> palettes{
         {{light(), dark(), print()}, {yellow(light()), yellow(dark()), yellow(print())}}};
-    return palettes[static_cast<std::size_t>(chosenSet())][static_cast<std::size_t>(theme)];
+    return palettes[static_cast<std::size_t>(chosenColourSet())][static_cast<std::size_t>(theme)];
 }
 
 void chooseColours(ColourSet set) {
-    chosenSet() = set;
+    chosenColourSet() = set;
 }
 
 namespace {

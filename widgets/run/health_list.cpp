@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "core/scenario/parameters.h"
 #include "widgets/basics/language.h"
@@ -18,6 +17,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/shown_units.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble::widgets {
 
@@ -59,9 +59,24 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
 }
 
 QString against(const HealthBreach& breach) {
-    const QString worst = std::isfinite(breach.worst) ? shownNumber(breach.worst) : HealthList::tr("no number");
     const QString when = std::isfinite(breach.worstAt) ? HealthList::tr(" at %1 s").arg(hundredths(breach.worstAt)) : QString();
-    return HealthList::tr("worst %1%2, limit %3").arg(worst, when, shownNumber(breach.limit));
+    return HealthList::tr("worst %1%2, limit %3")
+        .arg(worded(healthMeasure(breach.check, breach.worst)), when, worded(healthMeasure(breach.check, breach.limit)));
+}
+
+/// When a limit was passed: the first intervals, and how many more there are.
+QString times(const PassedLimit& limit, const std::vector<HealthBreach>& breaches) {
+    constexpr std::size_t listed = 3;
+    QStringList parts;
+    for (std::size_t i = 0; i < std::min(listed, limit.breaches.size()); ++i) {
+        parts << interval(breaches[limit.breaches[i]]);
+    }
+    QString text = parts.join(QStringLiteral(", "));
+    if (limit.breaches.size() > listed) {
+        text =
+            HealthList::tr("%1 and %2 more times").arg(text, shownCount(static_cast<std::int64_t>(limit.breaches.size() - listed)));
+    }
+    return text;
 }
 
 QString muted(const QString& text) {
@@ -100,11 +115,7 @@ std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const H
 }
 
 std::int64_t limitsIn(const HealthReport& health) {
-    std::set<HealthCheck> passed;
-    for (const HealthBreach& breach : health.breaches) {
-        passed.insert(breach.check);
-    }
-    return static_cast<std::int64_t>(passed.size());
+    return static_cast<std::int64_t>(passedLimits(health.breaches).size());
 }
 
 bool toldByHealth(const Finding& finding) {
@@ -118,9 +129,12 @@ QString limitsPassed(std::int64_t count) {
     return count == 1 ? HealthList::tr("1 limit passed") : HealthList::tr("%1 limits passed").arg(shownCount(count));
 }
 
-QString breachWords(const HealthBreach& breach, const Vec3& origin) {
-    QString text =
-        QStringLiteral("<b>%1</b> · %2<br/>%3").arg(titleOf(breach), interval(breach), sentence(breach.what).toHtmlEscaped());
+namespace {
+
+QString wordsOf(const HealthBreach& breach, const QString& when, HealthGrade grade, const Vec3& origin) {
+    QString text = QStringLiteral("<b>%1</b> · %2 · %3<br/>%4")
+                       .arg(titleOf(breach), gradeWords(grade), when, sentence(breach.what).toHtmlEscaped());
+    text += QStringLiteral("<br/>") + sentence(gradeReason(breach)).toHtmlEscaped();
     QStringList aside;
     if (const QString place = placeOf(breach, origin); !place.isEmpty()) {
         aside << place;
@@ -131,6 +145,16 @@ QString breachWords(const HealthBreach& breach, const Vec3& origin) {
         text += QStringLiteral("<br/>") + muted(sentence(breach.remedy));
     }
     return text;
+}
+
+}  // namespace
+
+QString breachWords(const HealthBreach& breach, const Vec3& origin) {
+    return wordsOf(breach, interval(breach), gradeOf(breach), origin);
+}
+
+QString limitWords(const PassedLimit& limit, const std::vector<HealthBreach>& breaches, const Vec3& origin) {
+    return wordsOf(breaches[limit.worst], times(limit, breaches), limit.grade, origin);
 }
 
 std::vector<HealthMark> healthMarks(const HealthReport& health, bool acknowledged, const Vec3& origin) {
@@ -192,12 +216,14 @@ HealthList::HealthList(QWidget* parent)
 void HealthList::setContent(const Content& content) {
     showBreaches(content);
     const std::int64_t count = limitsIn(content.health);
-    const bool waits = count > 0 && !content.acknowledged;
+    const bool waits = content.health.tainted() && !content.acknowledged;
     const QString passed = limitsPassed(count);
     if (count == 0) {
         m_verdict->set(Notice::Kind::Note, tr("Sound: no limit was passed."));
     } else if (waits) {
         m_verdict->set(Notice::Kind::Finding, tr("%1: this run is tainted until someone acknowledges it.").arg(passed));
+    } else if (gravestGrade(content.health.breaches) == HealthGrade::Finding) {
+        m_verdict->set(Notice::Kind::Finding, tr("%1: single bodies are not as they should be.").arg(passed));
     } else {
         m_verdict->set(Notice::Kind::Note, passed + u'.');
     }
@@ -222,11 +248,12 @@ void HealthList::showBreaches(const Content& content) {
         delete item->widget();
         delete item;
     }
-    for (std::size_t i = 0; i < content.health.breaches.size(); ++i) {
-        const HealthBreach& breach = content.health.breaches[i];
+    const std::vector<HealthBreach>& breaches = content.health.breaches;
+    for (const PassedLimit& limit : passedLimits(breaches)) {
+        const HealthBreach& breach = breaches[limit.worst];
         auto* row = new QVBoxLayout;
         row->setSpacing(3);
-        auto* words = new QLabel(breachWords(breach, content.origin));
+        auto* words = new QLabel(limitWords(limit, breaches, content.origin));
         words->setWordWrap(true);
         words->setTextFormat(Qt::RichText);
         words->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -234,9 +261,10 @@ void HealthList::showBreaches(const Content& content) {
         row->addWidget(words);
         addRemedy(*row, breach, content);
         auto* show = new QPushButton(tr("Show %1 s").arg(hundredths(breach.from)));
-        show->setToolTip(breach.body ? tr("Go to this instant and point out the body") : tr("Go to this instant"));
-        show->setAccessibleName(tr("Show %1, %2").arg(titleOf(breach), interval(breach)));
-        connect(show, &QPushButton::clicked, this, [this, i] { emit breachChosen(i); });
+        show->setToolTip(breach.body ? tr("Go to the worst of its times and point out the body")
+                                     : tr("Go to the worst of its times"));
+        show->setAccessibleName(tr("Show %1, %2").arg(titleOf(breach), times(limit, breaches)));
+        connect(show, &QPushButton::clicked, this, [this, worst = limit.worst] { emit breachChosen(worst); });
         row->addWidget(show, 0, Qt::AlignLeft);
         m_breaches->addWidget(bare(row));
     }
@@ -244,10 +272,7 @@ void HealthList::showBreaches(const Content& content) {
 
 void HealthList::addRemedy(QVBoxLayout& row, const HealthBreach& breach, const Content& content) {
     const auto remedy = remedySettingOf(breach, content);
-    const auto sameLimit = [&](const HealthBreach& each) { return each.check == breach.check; };
-    // Once for a limit that was passed again and again.
-    const auto& all = content.health.breaches;
-    if (!remedy || &*std::find_if(all.begin(), all.end(), sameLimit) != &breach) {
+    if (!remedy) {
         return;
     }
     const QString name = said("parameters", findParameter(remedy->key).first->label);

@@ -7,7 +7,7 @@
 #include "core/base/finding.h"
 #include "core/scenario/parameters.h"
 #include "core/scenario/scenario.h"
-#include "core/simulation/health/health.h"
+#include "core/simulation/health/passed_limits.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "widgets/views/timeline.h"
 
@@ -76,8 +76,10 @@ std::int64_t limitsIn(const HealthReport& health);
 bool toldByHealth(const Finding& finding);
 /// "2 limits passed"
 QString limitsPassed(std::int64_t count);
-/// A breach in words: what, where and when, worst against limit, remedy; rich text.
+/// A breach in words: what, its grade and why, where and when, worst against limit, remedy; rich text.
 QString breachWords(const HealthBreach& breach, const Vec3& origin);
+/// The same of a limit with all its times and its worst breach.
+QString limitWords(const PassedLimit& limit, const std::vector<HealthBreach>& breaches, const Vec3& origin);
 /// The breaches of a run as marks of the timeline.
 std::vector<HealthMark> healthMarks(const HealthReport& health, bool acknowledged, const Vec3& origin);
 

@@ -145,6 +145,7 @@ void ViewWidget::paintGL() {
     m_simplified = m_rest.isActive() && std::min(m_drawSeconds[0], m_drawSeconds[1]) > slowestDraw();
     m_scene.setSimplified(m_simplified, m_resolution.share());
     figures::draw(m_view, m_scene, target);
+    watchShading(clock);
     if (!m_rest.isActive()) {
         return;  // at rest a picture may have been kept up by what had to be built anew
     }

@@ -72,6 +72,9 @@ public:
     /// full detail.
     static void simplifyAbove(double seconds);
     static constexpr double slowDraw = 1.0 / 24.0;
+    /// Shaded edges switch themselves off in all such widgets after two pictures in a row that took longer than this with them, s.
+    static void shadeUpTo(double seconds);
+    static constexpr double slowShading = 0.5;
     /// The last picture was asked for with less detail; PaneStatus::simplifiedTo says where it has less.
     bool simplified() const { return m_simplified; }
     /// What the widget shows, with full detail even on the move.
@@ -93,6 +96,8 @@ public:
 signals:
     /// The user moved a camera.
     void viewChanged(const rubble::render::View& view);
+    /// Shaded edges were switched off, since a picture took so long [s].
+    void shadingEnded(double seconds);
     /// What is selected has become something else, by mouse or by setView().
     void selectionChanged();
     /// A length was measured, or begun, or dropped.
@@ -112,6 +117,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void watchShading(const QElapsedTimer& clock);
+
     class Target;
     struct Window;
     struct Cursor {
@@ -141,6 +148,7 @@ private:
     bool m_ready = false;
     bool m_animated = true;
     bool m_simplified = false;
+    int m_slowShaded = 0;                   ///< pictures in a row that took too long with shaded edges
     std::array<double, 2> m_drawSeconds{};  ///< of the last two draws on the move at full detail
     render::DrawnResolution m_resolution;   ///< while simplified
     QTimer m_rest;                          ///< runs from the last move until the views count as resting

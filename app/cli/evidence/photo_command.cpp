@@ -16,6 +16,7 @@
 #include "core/evidence/photographs/confidence.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "io/case/case_file.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_file.h"
 #include "io/site/photograph_file.h"
 
@@ -30,6 +31,7 @@ struct Seen {
     bool unchanged = false;  // the file is the one that the case names
     std::optional<CameraMatch> match;
     std::optional<PhotoComparison> comparison;
+    std::vector<Caution> cautions;
 };
 
 /// The run that debris is taken from, with what it was made of.
@@ -85,7 +87,7 @@ ComparisonSettings comparisonSettingsFrom(const Arguments& arguments) {
 Seen look(const Case& theCase, const Photograph& photograph, const std::string& casePath, const ComparedRun* run,
           const ComparisonSettings& settings, Findings& findings, const Execution& execution) {
     const CaseInput& input = inputOf(theCase, photograph);
-    Seen seen{&photograph, io::inputPath(casePath, input), false, std::nullopt, std::nullopt};
+    Seen seen{&photograph, io::inputPath(casePath, input), false, std::nullopt, std::nullopt, {}};
     const auto find = [&](const Error& error) { findings.add(error.message(), error.remedy(), input.path); };
     try {
         const io::PhotographFile file = io::readPhotograph(seen.path);
@@ -108,6 +110,8 @@ Seen look(const Case& theCase, const Photograph& photograph, const std::string& 
     } catch (const UsageError& error) {
         find(error);
     }
+    const std::optional<RunStanding> standing = run != nullptr ? std::optional(io::standingOf(*run->reader)) : std::nullopt;
+    seen.cautions = photographCautions(photograph, seen.match ? &*seen.match : nullptr, standing ? &*standing : nullptr);
     return seen;
 }
 
@@ -142,6 +146,7 @@ Json seenJson(const Seen& seen) {
     object["masks"] = photograph.masks.size();
     object["match"] = seen.match ? matchJson(*seen.match, photograph.pairs) : Json();
     object["comparison"] = seen.comparison ? comparisonJson(*seen.comparison) : Json();
+    object["cautions"] = cautionsJson(seen.cautions);
     return object;
 }
 
@@ -177,6 +182,7 @@ void printSeen(std::ostream& out, const Seen& seen) {
         scores.print(out);
         out << englishText(made.words) << '\n';
     }
+    printCautions(out, seen.cautions);
 }
 
 TextTable scoreTable(const std::vector<Seen>& list) {
@@ -237,6 +243,7 @@ ExitCode photo(const Arguments& arguments, Session& session) {
             object["photographs"].push_back(seenJson(seen));
         }
         object["tainted"] = run ? Json(io::taintOf(*run->reader).tainted()) : Json();
+        object["cautions"] = run ? cautionsOf(*run->reader) : Json::array();
         object["warnings"] = findingsJson(findings);
         printJson(session, object);
     } else {

@@ -26,6 +26,7 @@ void reportFiles(const Arguments& arguments, Session& session, const io::RunRead
         object["frames"] = run.frameCount();
         object["exports"] = files;
         object["tainted"] = taint.tainted();
+        object["cautions"] = cautionsOf(run);
         printJson(session, object);
         return;
     }

@@ -14,6 +14,7 @@
 #include "core/fe/frame_transform.h"
 #include "core/fe/regrouping.h"
 #include "io/exports/provenance.h"
+#include "io/run/run_cautions.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/view_json.h"
@@ -81,6 +82,7 @@ std::vector<Option> FigureRequest::viewOptions() {
             {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
             {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
             {"--hide", "NAME", true, "leaves a component out; may be repeated"},
+            {"--selection", "on|off", false, "the elements that the saved view has selected in their colour (default: off)"},
             {"--size", "WxH", false, "pixels of a figure (default: 1600x1000, of figure 11 1600x1600; of a movie 1280x720)"},
             {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
 }
@@ -162,6 +164,7 @@ void FigureRequest::readLook(const Arguments& arguments) {
     m_map = choiceOf(arguments, "--scale", mapNames, "standard, viridis, cividis or grey");
     m_surfaces = choiceOf(arguments, "--style", styleNames, "analysis or presentation");
     m_hidden = arguments.values("--hide");
+    m_selection = parseOnOff(arguments, "--selection", false);
     if (const auto text = arguments.value("--cut")) {
         const auto [axis, place] = splitAssignment("--cut", *text);
         Cut cut;
@@ -180,6 +183,9 @@ render::View FigureRequest::viewOf(const render::SceneData& data, QSize pixels) 
     const int width = pixels.width();
     const int height = pixels.height();
     render::View view = m_view ? *m_view : render::defaultView(data, width, height, m_layout);
+    if (!m_selection) {
+        view.selection.clear();
+    }
     if (m_view && (m_layout || m_bothPanes)) {
         view.layout = m_layout ? *m_layout : render::defaultView(data, width, height).layout;
     }
@@ -273,6 +279,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     const figures::Sheet sheet = sheetOf(data, *run);
     figures::FigureStyle style = m_style;
     style.provenance = io::footLine(run->origin());
+    style.cautions = pictureCautions(runCautions(io::standingOf(*run)));
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheet, style);
     io::ExportRecord record{"figure",

@@ -59,6 +59,7 @@ private:
     std::optional<render::Style> m_surfaces;
     std::optional<Cut> m_cut;
     std::vector<std::string> m_hidden;
+    bool m_selection = false;
     std::optional<double> m_time;  ///< s; unset: the end
     bool m_atEnd = false;
     std::optional<std::size_t> m_state;  ///< FE state that takes the place of the time

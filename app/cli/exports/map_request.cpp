@@ -12,6 +12,7 @@
 #include "io/base/files.h"
 #include "io/exports/map_files.h"
 #include "io/exports/provenance.h"
+#include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
@@ -44,7 +45,8 @@ std::vector<Option> MapRequest::options() {
         {"--layers", "A,B", false, "layers of a debris map, by the names in the manual (default: all); a picture shows the first"},
         {"--live", "on|off", false, "fallen live structure as layers of its own in a debris map (default: on)"},
         {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
-        {"--contours", "M", false, "distance of the height contours in a GeoPackage, m (default: 0.5)"}};
+        {"--contours", "M", false,
+         "distance of the height contours in a GeoPackage, m (default: 0.5); in a picture where it is given"}};
 }
 
 MapRequest::MapRequest(const Arguments& arguments) {
@@ -59,6 +61,7 @@ MapRequest::MapRequest(const Arguments& arguments) {
     m_settings.cell = parseLength(arguments, "--cell", m_settings.cell);
     m_settings.liveThreshold = parseLength(arguments, "--live-threshold", m_settings.liveThreshold, true);
     m_contours = parseLength(arguments, "--contours", m_contours);
+    m_drawnContours = arguments.has("--contours") ? m_contours : 0.0;
     if (const auto layers = arguments.value("--layers")) {
         m_layers = parseLayers(*layers, false);
     }
@@ -99,28 +102,24 @@ std::vector<MapLayer> MapRequest::layersOf(const DebrisMap& map) const {
 }
 
 void MapRequest::write(const std::string& path, const RunMap& made, const io::RunReader& run, Session& session) const {
-    const io::MapOrigin origin = io::mapOrigin(run, made.map, made.shown);
     const std::vector<MapLayer> layers = layersOf(made.map);
-    if (io::hasEnding(path, ".csv")) {
-        io::writeMapCsv(path, made.map, layers, origin, session.execution());
-    } else if (io::hasEnding(path, ".gpkg")) {
-        const std::shared_ptr<const FragmentSet> fragments = run.fragments();
-        const io::MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
-        io::writeMapPackage(path, made.map, list, m_contours, origin, session.execution());
-    } else if (io::hasEnding(path, ".png")) {
-        quietQt();
-        figures::ensureGuiApplication();
-        figures::MapPictureStyle style;
-        style.pixels = m_pixels;
-        style.place = io::SitePlace(origin.frame, origin.site).transform();
-        style.system = origin.frame.crs;
-        style.shown = origin.facts.front().second;
-        style.provenance = io::footLine(run.origin());
-        figures::writePng(path, figures::mapPicture(made.map, layers.front(), style));
-        io::writeMapProvenance(path, origin);
-    } else {
-        io::writeMapTiff(path, made.map, layers, origin, session.execution());
+    if (!io::hasEnding(path, ".png")) {
+        io::writeRunMap(path, made, layers, m_contours, run, session.execution());
+        return;
     }
+    const io::MapOrigin origin = io::mapOrigin(run, made.map, made.shown);
+    quietQt();
+    figures::ensureGuiApplication();
+    figures::MapPictureStyle style;
+    style.pixels = m_pixels;
+    style.place = io::SitePlace(origin.frame, origin.site).transform();
+    style.system = origin.frame.crs;
+    style.shown = origin.facts.front().second;
+    style.provenance = io::footLine(run.origin());
+    style.cautions = pictureCautions(runCautions(io::standingOf(run)));
+    style.contours = m_drawnContours;
+    figures::writePng(path, figures::mapPicture(made.map, layers.front(), style));
+    io::writeMapProvenance(path, origin);
 }
 
 }  // namespace rubble::cli

@@ -44,7 +44,8 @@ private:
     bool m_feEnd = false;          ///< the last FE state instead
     MapSettings m_settings;
     bool m_live = true;
-    double m_contours = 0.5;  ///< m
+    double m_contours = 0.5;       ///< m
+    double m_drawnContours = 0.0;  // m, in a picture; 0: none
     std::vector<MapLayer> m_layers;
     QSize m_pixels{1600, 1000};
 };

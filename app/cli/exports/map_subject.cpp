@@ -6,6 +6,7 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "io/case/case_file.h"
+#include "io/run/run_cautions.h"
 
 namespace rubble::cli {
 
@@ -65,6 +66,7 @@ void conclude(const Arguments& arguments, Session& session, const MapSubject& su
         Json object = json();
         object["exports"] = files;
         object["tainted"] = taint.tainted();
+        object["cautions"] = cautionsOf(*subject.run);
         object["warnings"] = findingsJson(findings);
         printJson(session, object);
     } else {
@@ -73,6 +75,7 @@ void conclude(const Arguments& arguments, Session& session, const MapSubject& su
             session.out() << path << '\n';
         }
         printFindings(session.out(), findings);
+        printCautions(session.out(), runCautions(io::standingOf(*subject.run)));
     }
     warnIfTainted(session, subject.temporary ? "" : arguments.operand(), taint);
 }

@@ -103,6 +103,7 @@ ExitCode movie(const Arguments& arguments, Session& session) {
         object["pictures"] = pictures;
         object["seconds"] = static_cast<double>(pictures) / settings.fps;
         object["tainted"] = taint.tainted();
+        object["cautions"] = cautionsOf(*run);
         printJson(session, object);
     } else {
         session.out() << target->path() << '\n';

@@ -165,8 +165,8 @@ ExitCode report(const Arguments& arguments, Session& session) {
                                   {},
                                   subject.casePath,
                                   io::shownFiles(around.shown)};
-    const std::vector<std::string> files =
-        figures::writeReport(*folder, facts, pictures, io::exportProvenance(record, subject.run->origin(), subject.run.get()));
+    const std::vector<std::string> files = figures::writeReport(
+        *folder, facts, pictures, io::exportProvenance(record, subject.run->origin(), subject.run.get()), session.execution());
     const io::Taint taint = io::taintOf(*subject.run);
     warnIfTainted(session, subject.runPath, taint);
     if (arguments.json()) {
@@ -175,6 +175,7 @@ ExitCode report(const Arguments& arguments, Session& session) {
         object["fingerprint"] = facts.fingerprint;
         object["exports"] = files;
         object["tainted"] = taint.tainted();
+        object["cautions"] = cautionsJson(facts.cautions);
         object["reproduced"] = facts.floor ? Json(facts.reproduced) : Json();
         printJson(session, object);
     } else {

@@ -112,6 +112,10 @@ void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fra
     facts.print(out);
 }
 
+std::string counted(std::int64_t number, const char* one, const char* many) {
+    return englishInteger(number) + ' ' + (number == 1 ? one : many);
+}
+
 std::string spreadText(double number, double spread) {
     const auto [shown, off] = roundedToSpread(number, spread);
     return englishNumber(shown) + " ± " + englishNumber(off);

@@ -36,6 +36,9 @@ TextTable boundsTable(const Sizing& sizing, const FragmentSet& fragments, const 
 void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fragments, const Components& components,
                  const Mesh& mesh);
 
+/// "1 limit", "2 limits".
+std::string counted(std::int64_t number, const char* one, const char* many);
+
 /// "1.23 ± 0.05", as far as the spread deserves.
 std::string spreadText(double number, double spread);
 

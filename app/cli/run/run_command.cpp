@@ -122,7 +122,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const std::shared_ptr<io::RunReader> recorded = runPath.empty() ? nullptr : io::openRun(runPath);
-    const io::Taint taint = recorded ? io::taintOf(*recorded) : io::Taint{results.simulation->health.breaches.size(), {}, {}, true};
+    const io::Taint taint = recorded ? io::taintOf(*recorded) : io::taintOf(results.simulation->health.breaches);
     const RunReport report{subject,
                            results,
                            recorder.ledger(),

@@ -413,6 +413,7 @@ Json RunReport::json() const {
     object["ledger"] = ledgerJson(run, ledger);
     object["health"] = healthJson(run);
     object["tainted"] = taint.tainted();
+    object["cautions"] = cautionsJson(runCautions(standingOf(run, results.fragments->size(), taint.acknowledgement.has_value())));
     object["acknowledged"] = acknowledgedJson(taint);
     object["warnings"] = findingsJson(findings);
     object["trajectory_hash"] = run.trajectoryHash.hex();

@@ -10,14 +10,11 @@
 #include "core/base/error.h"
 #include "core/base/message.h"
 #include "core/evidence/maps/run_map.h"
+#include "core/simulation/health/passed_limits.h"
 
 namespace rubble::cli {
 
 namespace {
-
-std::string counted(std::int64_t number, const char* one, const char* many) {
-    return englishInteger(number) + ' ' + (number == 1 ? one : many);
-}
 
 std::string fallenText(const Results& results) {
     const SimulationResult& run = *results.simulation;
@@ -62,15 +59,16 @@ std::string courseText(const Results& results) {
     return text;
 }
 
-/// The breach that lasted longest; null if no limit was passed.
+/// The worst breach of the limit with the gravest grade, of equal ones that passed for longest; null if no limit was passed.
 const HealthBreach* gravestBreach(const HealthReport& health) {
-    const auto longest =
-        std::max_element(health.breaches.begin(), health.breaches.end(),
-                         [](const HealthBreach& a, const HealthBreach& b) { return a.to - a.from < b.to - b.from; });
-    return longest == health.breaches.end() ? nullptr : &*longest;
+    const std::vector<PassedLimit> limits = passedLimits(health.breaches);
+    const auto gravest = std::max_element(limits.begin(), limits.end(), [&](const PassedLimit& a, const PassedLimit& b) {
+        return a.grade != b.grade ? a.grade < b.grade : heldFor(a, health.breaches) < heldFor(b, health.breaches);
+    });
+    return gravest == limits.end() ? nullptr : &health.breaches[gravest->worst];
 }
 
-/// The gravest breach with its numbers, of the others what they are.
+/// The gravest limit with its numbers, of the others what they are.
 std::string healthText(const HealthReport& health, const io::Taint& taint) {
     const HealthBreach* gravest = gravestBreach(health);
     if (!gravest) {
@@ -82,8 +80,11 @@ std::string healthText(const HealthReport& health, const io::Taint& taint) {
             others.insert(englishText(healthCheckTitle(breach.check)));
         }
     }
-    std::string text = counted(static_cast<std::int64_t>(health.breaches.size()), "breach", "breaches") +
-                       (taint.tainted() ? ", not acknowledged: " : ", acknowledged: ") + englishText(gravest->what);
+    const std::string state = taint.acknowledgement ? "acknowledged"
+                              : taint.tainted()     ? "tainted, not acknowledged"
+                                                    : std::string(healthGradeName(taint.grade));
+    std::string text = counted(static_cast<std::int64_t>(taint.limits), "limit", "limits") + " passed, " + state + ": " +
+                       englishText(gravest->what);
     for (const std::string& other : others) {
         text += (&other == &*others.begin() ? "; also: " : ", ") + other;
     }

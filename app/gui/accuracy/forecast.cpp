@@ -34,7 +34,8 @@ void Forecast::forgetPoints() {
 }
 
 Forecast::Answer Forecast::answer(const Question& question, const std::string& machine, const Calibration* calibration,
-                                  Earlier& earlier, int threads) {
+                                  Earlier& earlier, Speed& speed, const Execution& execution) {
+    const int threads = execution.threads();
     const WorldOrigin reference = originOf(question.inputs, referenceScenario(question.scenario), 0, 0.0, machine);
     const Digest scene = sceneDigest(reference, DebrisInstant::AtRest);
     if (!earlier.read || earlier.scene != scene) {
@@ -47,7 +48,15 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     open.span = collapseSpan(*question.fragments, question.inputs.fe->times().back());
     Answer answer{question.scenario, question.bodies, {}, false};
     for (const Predicted what : shownFigures) {
-        answer.figures.push_back({what, predict(what, open, earlier.points, calibration), std::nullopt});
+        Prediction prediction = predict(what, open, earlier.points, calibration);
+        if (what == Predicted::WallSeconds && !prediction.known) {
+            if (!speed.measured || speed.threads != threads) {
+                speed = {measureMachineSpeed(execution), threads};
+            }
+            prediction = crudeWallSeconds(*question.fragments, question.bodies, question.inputs.fe->times().back(),
+                                          question.scenario, *speed.measured);
+        }
+        answer.figures.push_back({what, std::move(prediction), std::nullopt});
     }
     return answer;
 }
@@ -57,9 +66,8 @@ void Forecast::ask(const Question& question) {
     auto made = std::make_shared<std::optional<Answer>>();
     m_worker.startNext(
         {Worker::Kind::Study,
-         [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, made](const Execution& execution) {
-             *made = answer(question, machine, calibration.get(), *earlier, execution.threads());
-         },
+         [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, speed = m_speed,
+          made](const Execution& execution) { *made = answer(question, machine, calibration.get(), *earlier, *speed, execution); },
          [this, number, made](const std::exception_ptr&) {
              if (made->has_value()) {
                  (*made)->newest = number == m_asked;

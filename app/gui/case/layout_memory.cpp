@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 // Raised when docks or bars are other ones, so that an older layout is not laid over them.
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
 const QString group = QStringLiteral("layout");
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "app/gui/case/component_display.h"
 #include "app/gui/session/regrouping_edit.h"
+#include "core/fe/material.h"
 #include "core/fe/units.h"
 #include "io/case/case_file.h"
 #include "widgets/basics/wording.h"
@@ -28,6 +29,18 @@ Aabb boxOf(const Mesh& mesh) {
 }
 
 /// First and last death of each component, by the states that report them.
+/// Components whose density no material has.
+QString oddDensities(const Components& components) {
+    QStringList odd;
+    for (const Component& component : components.list) {
+        if (!component.elements.empty() && !isMaterialDensity(component.density)) {
+            odd << QStringLiteral("%1 (%2)").arg(QString::fromStdString(component.name),
+                                                 widgets::shownWith(component.density, "kg/m3", 4));
+        }
+    }
+    return odd.join(QStringLiteral(", "));
+}
+
 std::vector<widgets::NewCaseDeaths::Span> spansOf(const FeResult& fe, const Components& components, const Execution& execution) {
     std::vector<widgets::NewCaseDeaths::Span> spans(components.list.size());
     for (std::size_t k = 1; k < fe.stateCount(); ++k) {
@@ -192,6 +205,7 @@ void NewCase::showResults() {
             mass += component.mass;
         }
     }
+    wizard.setOddDensities(std::isnan(mass) ? QString() : oddDensities(*results.components));
     wizard.units().setContent(fe.get(), mass);
     wizard.ground().setStructure(fe != nullptr ? boxOf(fe->mesh()) : Aabb());
     wizard.ground().setTerrain(QString::fromStdString(m_computation.terrain().path), m_computation.terrain().findings);

@@ -501,6 +501,7 @@ void EvidenceDisplay::showPanel() {
         content.match = m_kept.match;
         content.noMatch = m_kept.noMatch ? m_kept.noMatch->what() : QString();
         content.remedy = m_kept.noMatch ? m_kept.noMatch->remedy() : QString();
+        content.cautions = EvidenceWork::cautionsOf(*photograph, m_kept.match, m_computation.currentRun());
         content.comparison = comparison();
         content.comparisonComplaint = m_kept.answer.failure() ? m_kept.answer.failure()->inOneLine() : QString();
         content.noComparison = whyNoComparison();

@@ -4,6 +4,7 @@
 
 #include "app/gui/session/computation.h"
 #include "core/base/error.h"
+#include "io/run/run_cautions.h"
 #include "io/site/photograph_file.h"
 
 namespace rubble {
@@ -53,6 +54,13 @@ QString EvidenceWork::whyNoDebris(const RunRecord* record) {
         return tr("Simulate first: there is no debris yet.");
     }
     return {};
+}
+
+std::vector<Caution> EvidenceWork::cautionsOf(const Photograph& photograph, const std::optional<CameraMatch>& match,
+                                              const RunRecord* record) {
+    const bool shown = record != nullptr && record->reader != nullptr && !record->running;
+    const std::optional<RunStanding> standing = shown ? std::optional(io::standingOf(*record->reader)) : std::nullopt;
+    return photographCautions(photograph, match ? &*match : nullptr, standing ? &*standing : nullptr);
 }
 
 void EvidenceWork::find(const QStringList& paths) {

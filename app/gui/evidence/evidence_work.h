@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/session/worker.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/pipeline/pipeline.h"
 
@@ -58,6 +59,9 @@ public:
 
     /// Why a run has no debris that evidence can be held against; empty: it has. @param record  null: there is no run
     static QString whyNoDebris(const RunRecord* record);
+    /// What must be known where a photograph is held against a run. @param record  null: there is no run
+    static std::vector<Caution> cautionsOf(const Photograph& photograph, const std::optional<CameraMatch>& match,
+                                           const RunRecord* record);
 
     /// Looks at files that are to be added; answers with found().
     void find(const QStringList& paths);

@@ -6,9 +6,11 @@
 
 #include "app/gui/exports/export_source.h"
 #include "app/gui/session/session.h"
+#include "io/run/run_cautions.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble {
 
@@ -33,12 +35,22 @@ figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View&
     return figures::presetSheet(request, view, data, pixels, dpi);
 }
 
-void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& view,
+/// A figure shows what is selected only if that was asked for.
+render::View shownIn(const widgets::FigureChoice& choice, render::View view) {
+    if (!choice.selection) {
+        view.selection.clear();
+    }
+    return view;
+}
+
+void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& shown,
                      const render::SceneData& data, const PictureExport::Made& made) {
+    const render::View view = shownIn(choice, shown);
     figures::FigureStyle style;
     style.pixels = choice.pixels;
     style.dpi = choice.dpi;
     style.provenance = io::footLine(made.origin, made.run != nullptr);
+    style.cautions = made.cautions.toStdString();
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
     const std::string drawn = figures::toJson(choice.preset ? picture.panels().back().view : view);
@@ -59,6 +71,7 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
 std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& choice, render::View view,
                            const render::SceneData& data, const PictureExport::Made& made, const Execution& execution) {
     view.captions = true;
+    view.selection.clear();
     view.time = choice.settings.from;
     io::ExportRecord record{"movie",       {},         figures::settingsText(choice.pixels, choice.settings), figures::toJson(view),
                             made.casePath, made.around};
@@ -111,8 +124,9 @@ PictureExport::Made PictureExport::madeNow(const render::SceneData& data) const 
     if (data.orthophoto != m_computation.terrain().orthophoto) {
         std::erase_if(around, [](const io::ShownFile& file) { return file.role == "orthophoto"; });
     }
-    return {shownOrigin(m_document, m_computation), record != nullptr ? record->reader : nullptr, m_document.path().toStdString(),
-            std::move(around)};
+    const std::shared_ptr<io::RunReader> run = record != nullptr ? record->reader : nullptr;
+    return {shownOrigin(m_document, m_computation), run, m_document.path().toStdString(), std::move(around),
+            run != nullptr ? widgets::cautionWords(runCautions(io::standingOf(*run))) : QString()};
 }
 
 void PictureExport::exportFigure(const render::View& view, const render::SceneData& data) {
@@ -133,8 +147,9 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
                             std::max(100, static_cast<int>(scale * choice.pixels.height()))};
             style.dpi = std::max(20.0, scale * choice.dpi);
             style.provenance = io::footLine(made.origin, data.trajectory != nullptr);
+            style.cautions = made.cautions.toStdString();
             figures::Studio studio(data);
-            dialog.setPreview(studio.sheet(sheetFor(choice, shown, data, style.pixels, style.dpi), style).image());
+            dialog.setPreview(studio.sheet(sheetFor(choice, shownIn(choice, shown), data, style.pixels, style.dpi), style).image());
         } catch (...) {
             const auto failure = failureOf(std::current_exception());
             dialog.setPreview({}, failure ? failure->inOneLine() : QString());

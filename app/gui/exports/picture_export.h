@@ -44,6 +44,7 @@ public:
         std::shared_ptr<io::RunReader> run;
         std::string casePath;
         std::vector<io::ShownFile> around;
+        QString cautions;  ///< what must be known beside it; empty: nothing
     };
 
 private:

@@ -64,7 +64,7 @@ void makeReport(Order& order, const Execution& execution) {
     const io::ExportRecord record{
         "report",    {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, order.request.casePath,
         order.around};
-    figures::writeReport(order.folder, facts, pictures, io::exportProvenance(record, run.origin(), &run));
+    figures::writeReport(order.folder, facts, pictures, io::exportProvenance(record, run.origin(), &run), execution);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace rubble {
 namespace {
 
 /// Parts of the window and what of the manual is about them; the innermost part that a widget stands in decides.
-constexpr std::array<std::pair<const char*, const char*>, 25> topics{{
+constexpr std::array<std::pair<const char*, const char*>, 27> topics{{
     {"rubble::widgets::EffectRow", "Effects"},
     {"rubble::widgets::ContactTable", "Effects#Materials"},
     {"rubble::widgets::MaterialsTable", "Effects#Materials"},
@@ -35,6 +35,8 @@ constexpr std::array<std::pair<const char*, const char*>, 25> topics{{
     {"rubble::widgets::CausesPage", "Ensembles and causes#In the window"},
     {"rubble::widgets::EvidencePanel", "Photographs"},
     {"rubble::widgets::EvidencePage", "Photographs"},
+    {"rubble::widgets::RunMapPanel", "Debris maps#In the window"},
+    {"rubble::widgets::ReportPanel", "Report"},
     {"rubble::widgets::CasePanel", "Case"},
     {"rubble::widgets::FragmentsPanel", "Fragments"},
     {"rubble::widgets::GridPanel", "Basic Grid"},

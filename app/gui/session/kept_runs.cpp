@@ -7,6 +7,7 @@
 #include <QLockFile>
 #include <algorithm>
 
+#include "core/simulation/health/passed_limits.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
 
@@ -66,7 +67,7 @@ std::optional<RunEntry> entryOfRunFile(const QString& path) {
         entry.fragments = run->fragments() != nullptr ? static_cast<std::int64_t>(run->fragments()->size()) : 0;
         entry.bodies = run->clustering() != nullptr ? static_cast<std::int64_t>(run->clustering()->list.size()) : 0;
         entry.endTime = run->frameTime(run->frameCount() - 1);
-        entry.breaches = static_cast<std::int64_t>(run->breaches().size());
+        entry.breaches = static_cast<std::int64_t>(passedLimits(run->breaches()).size());
         if (const auto result = run->result()) {
             entry.complete = true;
             entry.endTime = result->endTime;

@@ -51,6 +51,7 @@ enum class ActionId {
     ClearMeasurements,
     Components,
     Inspector,
+    DebrisMap,
     History,
     ResetLayout,
     // Camera
@@ -133,6 +134,7 @@ enum class ActionId {
     ExportFigure,
     ExportMovie,
     WriteReport,
+    ExportMap,
     ExportFragments,
     ExportSelection,
     ExportSeries,

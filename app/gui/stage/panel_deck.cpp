@@ -14,6 +14,7 @@
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/report_panel.h"
 #include "widgets/run/effects_panel.h"
+#include "widgets/run/health_list.h"
 
 namespace rubble {
 
@@ -250,7 +251,7 @@ void PanelDeck::showRail() {
                                                                        : StageState::UpToDate);
     const RunRecord* record = m_computation.currentRun();
     found = record != nullptr && record->outcome != nullptr ? kinds(record->outcome->findings) : 0;
-    found += record != nullptr && !record->acknowledged ? static_cast<std::int64_t>(record->health().breaches.size()) : 0;
+    found += record != nullptr && !record->acknowledged ? widgets::limitsIn(record->health()) : 0;
     m_rail->setState(Run, of(Stage::Simulation), found, m_computation.fraction(Stage::Simulation));
 }
 

@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <QLocale>
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
 #include "app/gui/session/session.h"
 #include "app/gui/stage/playback.h"
 #include "widgets/basics/wording.h"
+#include "widgets/run/caution_words.h"
 #include "widgets/run/health_list.h"
 #include "widgets/views/status_line.h"
 
@@ -48,6 +50,26 @@ double StatusFeed::playbackRecent() const {
     return m_kept.shown.recent(now());
 }
 
+double StatusFeed::secondsLeft(double fraction, double spent) {
+    const RunRecord* record = m_computation.currentRun();
+    const bool simulating = record != nullptr && record->running && !record->live && record->results.clustering != nullptr &&
+                            m_computation.inputs().fe != nullptr;
+    if (simulating) {
+        if (m_kept.run != record->reader.get()) {
+            m_kept.run = record->reader.get();
+            m_kept.ofRun =
+                RunTimeLeft::of(*record->results.clustering, m_computation.inputs().fe->times().back(), record->scenario);
+        }
+        m_kept.ofRun.reached(record->newest, spent);
+        return m_kept.ofRun.left().value_or(std::numeric_limits<double>::quiet_NaN());
+    }
+    if (fraction > 0.02 && fraction < 1.0 && spent > 1.0) {
+        const double left = spent * (1.0 - fraction) / fraction;
+        m_kept.left = m_kept.left ? std::min(*m_kept.left, left) : left;
+    }
+    return m_kept.left.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 void StatusFeed::showProgress(const QString& what, double fraction) {
     if (what.isEmpty()) {
         m_kept.sinceStart.invalidate();
@@ -57,11 +79,10 @@ void StatusFeed::showProgress(const QString& what, double fraction) {
     // A new stage starts its own clock.
     if (!m_kept.sinceStart.isValid() || fraction < m_kept.lastFraction) {
         m_kept.sinceStart.start();
+        m_kept.left.reset();
     }
     m_kept.lastFraction = fraction;
-    const double spent = static_cast<double>(m_kept.sinceStart.elapsed()) / 1000.0;
-    const bool known = fraction > 0.02 && fraction < 1.0 && spent > 1.0;
-    const double left = known ? spent * (1.0 - fraction) / fraction : std::numeric_limits<double>::quiet_NaN();
+    const double left = secondsLeft(fraction, static_cast<double>(m_kept.sinceStart.elapsed()) / 1000.0);
     const int waiting = m_computation.waiting();
     const QString queue = waiting > 0 ? QStringLiteral(" · ") + tr("%1 waiting").arg(waiting) : QString();
     m_line.setActivity(widgets::shownProgress(what, left) + queue, fraction);
@@ -98,23 +119,27 @@ void StatusFeed::showFindings() {
 void StatusFeed::showHealth() {
     const RunRecord* record = m_computation.currentRun();
     // Before the end nothing is sound yet, but a breach is one.
-    if (record == nullptr || (record->outcome == nullptr && !record->health().tainted())) {
+    if (record == nullptr || (record->outcome == nullptr && record->health().breaches.empty())) {
         m_line.setFigure(Figure::Health, {}, {});
         return;
     }
     const HealthReport& health = record->health();
-    if (!health.tainted()) {
+    if (health.breaches.empty()) {
         m_line.setFigure(Figure::Health, tr("Health"), tr("sound"));
         m_line.setFigureTip(Figure::Health, tr("No limit of the health monitor was passed in this run."));
         return;
     }
     const QString passed = widgets::limitsPassed(widgets::limitsIn(health));
     const bool acknowledged = record->acknowledged.has_value();
-    m_line.setFigure(Figure::Health, acknowledged ? tr("Health") : QStringLiteral("⚠ ") + tr("Health"),
-                     acknowledged ? passed : tr("tainted"), acknowledged ? tr("acknowledged") : passed, !acknowledged);
+    const bool tainted = health.tainted() && !acknowledged;
+    m_line.setFigure(Figure::Health, tainted ? QStringLiteral("⚠ ") + tr("Health") : tr("Health"), tainted ? tr("tainted") : passed,
+                     acknowledged ? tr("acknowledged")
+                     : tainted    ? passed
+                                  : widgets::gradeWords(gravestGrade(health.breaches)),
+                     tainted);
     QStringList titles;
-    for (const HealthBreach& breach : health.breaches) {
-        titles << widgets::worded(breach.what);
+    for (const PassedLimit& limit : passedLimits(health.breaches)) {
+        titles << widgets::worded(health.breaches[limit.worst].what);
     }
     m_line.setFigureTip(Figure::Health, titles.join(QLatin1Char('\n')));
 }

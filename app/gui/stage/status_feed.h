@@ -3,7 +3,9 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
+#include "core/analysis/accuracy/run_time_left.h"
 #include "widgets/views/frame_meter.h"
 
 namespace rubble {
@@ -38,8 +40,13 @@ private:
         QElapsedTimer clock;
         QElapsedTimer sinceStart;  ///< of what runs
         double lastFraction = 0.0;
+        std::optional<double> left;  ///< s, that was said of what runs: it does not grow
+        const void* run = nullptr;   ///< that `ofRun` tells of
+        RunTimeLeft ofRun;
     };
     double now() const { return static_cast<double>(m_kept.clock.nsecsElapsed()) * 1e-9; }
+    /// s; not a number while nothing can be said.
+    double secondsLeft(double fraction, double spent);
     void showProgress(const QString& what, double fraction);
     void showBodies();
     void showFindings();

@@ -10,6 +10,7 @@
 #include "app/gui/stage/view_area.h"
 #include "app/gui/stage/view_tools.h"
 #include "app/gui/views/selection_display.h"
+#include "widgets/basics/wording.h"
 #include "widgets/case/component_tree.h"
 
 namespace rubble {
@@ -29,6 +30,10 @@ Inspection::Inspection(Session& session, Playback& playback, ViewArea& area, Act
       m_selection(new SelectionDisplay(session, playback, area, *m_inspector, *m_form, this)),
       m_tools(new ViewTools(actions, area, this)) {
     m_docks->floatWhereNarrow(*m_inspectorDock);
+    connect(&area.views(), &widgets::ViewWidget::shadingEnded, this, [this, &session](double seconds) {
+        m_tools->refresh();
+        session.tell(tr("Shaded edges are off: a picture took %1 s with them").arg(widgets::shownNumber(seconds, 2)));
+    });
     connectActions();
     connect(m_selection, &SelectionDisplay::changed, this, &Inspection::selectionChanged);
     connect(m_treeDock, &QDockWidget::visibilityChanged, this, [this](bool visible) {

@@ -18,7 +18,7 @@ constexpr ActionId ofTheViews[] = {
     ActionId::BackTen,       ActionId::ForwardTen,       ActionId::First,        ActionId::Last,         ActionId::Fit,
     ActionId::Stacked,       ActionId::Beside,           ActionId::Overlay,      ActionId::Four,         ActionId::FeOnly,
     ActionId::FragmentsOnly, ActionId::OtherScenario,    ActionId::Link,         ActionId::ExportFigure, ActionId::ExportMovie,
-    ActionId::ExportView,    ActionId::ImportView};
+    ActionId::ExportView,    ActionId::ImportView,       ActionId::DebrisMap};
 /// Need a case.
 constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,   ActionId::Close,      ActionId::PresetDefault,
                                   ActionId::PresetPaper, ActionId::Terrain,  ActionId::Orthophoto, ActionId::Surroundings,
@@ -88,6 +88,7 @@ void ActionStates::refresh() {
     m_actions[ActionId::Live].setEnabled(have && deaths && !running && !costly);
     m_actions[ActionId::Cancel].setEnabled(computation.busy() || costly);
     m_actions[ActionId::SaveRun].setEnabled(record != nullptr && !record->running);
+    m_actions[ActionId::ExportMap].setEnabled(have && record != nullptr && !record->running);
     m_actions[ActionId::WriteReport].setEnabled(finished && !m_rooms.report->writing());
     m_rooms.report->refresh();
     m_actions[ActionId::ExportSelection].setEnabled(finished && !m_rooms.inspection->selection().fragments().empty());

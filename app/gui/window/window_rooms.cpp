@@ -45,6 +45,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       evidence(std::make_unique<EvidenceDisplay>(session, *deck, parts.evidencePage, *playback, *scene, parts.actions)),
       survey(std::make_unique<SurveyDisplay>(session, *deck, parts.evidencePage, parts.actions)),
       inspection(std::make_unique<Inspection>(session, *playback, parts.area, parts.actions)),
+      map(std::make_unique<MapDisplay>(session, *playback, inspection->docks(), parts.actions)),
       grid(std::make_unique<GridDisplay>(session, *deck)),
       calibration(std::make_unique<CalibrationDisplay>(session, *deck, parts.window)),
       forecast(std::make_unique<ForecastDisplay>(session, *grid, calibration->work(), *deck)),
@@ -84,8 +85,11 @@ void WindowRooms::connectViews(const WindowParts& parts) {
         inspection->tools().refresh();
     });
     QObject::connect(errors.get(), &ErrorDisplay::changed, scene.get(), [this] { scene->setReference(errors->reference()); });
-    QObject::connect(&studies->ensemble(), &EnsembleDisplay::groundChanged, scene.get(),
-                     [this] { scene->setGround(studies->ensemble().groundPicture()); });
+    const auto layGround = [this] {
+        scene->setGround(map->groundPicture() != nullptr ? map->groundPicture() : studies->ensemble().groundPicture());
+    };
+    QObject::connect(&studies->ensemble(), &EnsembleDisplay::groundChanged, scene.get(), layGround);
+    QObject::connect(map.get(), &MapDisplay::groundChanged, scene.get(), layGround);
     QObject::connect(evidence.get(), &EvidenceDisplay::lookThroughRequested, scene.get(),
                      [this, area = &parts.area](const render::Camera& camera) {
                          render::View view = area->views().view();

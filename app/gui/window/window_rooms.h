@@ -12,6 +12,7 @@
 #include "app/gui/case/scenario_pane.h"
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/evidence/evidence_studies.h"
+#include "app/gui/evidence/map_display.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/exports/picture_export.h"
 #include "app/gui/exports/report_work.h"
@@ -82,6 +83,7 @@ struct WindowRooms {
     std::unique_ptr<EvidenceDisplay> evidence;
     std::unique_ptr<SurveyDisplay> survey;
     std::unique_ptr<Inspection> inspection;
+    std::unique_ptr<MapDisplay> map;
     std::unique_ptr<GridDisplay> grid;
     std::unique_ptr<CalibrationDisplay> calibration;
     std::unique_ptr<ForecastDisplay> forecast;

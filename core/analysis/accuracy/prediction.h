@@ -55,6 +55,7 @@ struct Prediction {
     double value = 0.0;
     double high = 0.0;
     bool fromCalibration = false;  ///< nothing but the curve of this machine stands behind it
+    bool fromSpeed = false;        ///< nothing but bodies, births and the speed of this machine stand behind it: crude
     std::size_t points = 0;        ///< earlier points it rests on
     Message reason;                ///< why it is not known
 

@@ -7,6 +7,7 @@
 
 #include "core/analysis/accuracy/machine_load.h"
 #include "core/base/elapsed.h"
+#include "core/simulation/health/passed_limits.h"
 #include "core/trajectory/record_archive.h"
 #include "core/trajectory/sink_relay.h"
 
@@ -119,7 +120,7 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     world.endTime = result.endTime;
     world.stepMeanMs = result.stepTimes.meanMs;
     world.stepWorstMs = result.stepTimes.worstMs;
-    world.breaches = static_cast<std::int64_t>(result.health.breaches.size());
+    world.breaches = static_cast<std::int64_t>(passedLimits(result.health.breaches).size());
     world.bodiesPeak = result.bodiesPeak;
     world.atRest = recorder.debris(DebrisInstant::AtRest);
     world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/simulation/health/passed_limits.h"
+
 namespace rubble {
 
 namespace {
@@ -20,12 +22,18 @@ Argument percent(double share) {
 Message penetrationText(const HealthObservation& o) {
     if (o.limit < 0.05) {
         return {"health.crowd",
-                "{0} of the bodies lay more than 5 % of their smallest side inside another for over 0.5 s, {1} at most; {2} worst",
-                {o.bodies, percent(o.measured), bodyText(o)}};
+                "{0} at once lay more than 5 % of a smallest side inside another for over 0.5 s, {1} of all; {2} worst",
+                {bodiesText(o.bodies), percent(o.measured), bodyText(o)}};
+    }
+    if (o.measured >= 1.0) {
+        return {"health.gone_through",
+                "{0} lay {1} deep in another for over 0.5 s, {2} times its smallest side: it has gone through; the limit is {3} of "
+                "that side ({4})",
+                {bodyText(o), Argument(o.depth, "m"), o.measured, percent(o.limit), bodiesText(o.bodies)}};
     }
     return {"health.penetration",
-            "{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4} bodies)",
-            {bodyText(o), Argument(o.depth, "m"), percent(o.measured), percent(o.limit), o.bodies}};
+            "{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4})",
+            {bodyText(o), Argument(o.depth, "m"), percent(o.measured), percent(o.limit), bodiesText(o.bodies)}};
 }
 
 Message whatOf(const HealthObservation& o) {
@@ -40,20 +48,20 @@ Message whatOf(const HealthObservation& o) {
             return penetrationText(o);
         case HealthCheck::Speed:
             return {"health.speed",
-                    "{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3} bodies)",
-                    {bodyText(o), o.measured, o.limit, o.bodies}};
+                    "{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3})",
+                    {bodyText(o), o.measured, o.limit, bodiesText(o.bodies)}};
         case HealthCheck::BelowGround:
             return {"health.below_ground",
-                    "the centre of {0} was {1} below the ground ({2} bodies)",
-                    {bodyText(o), Argument(o.measured, "m"), o.bodies}};
+                    "the centre of {0} was {1} below the ground ({2})",
+                    {bodyText(o), Argument(o.measured, "m"), bodiesText(o.bodies)}};
         case HealthCheck::OutsideSite:
             return {"health.outside_site",
-                    "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3} bodies)",
-                    {bodyText(o), Argument(o.measured, "m"), Argument(o.limit, "m"), o.bodies}};
+                    "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3})",
+                    {bodyText(o), Argument(o.measured, "m"), Argument(o.limit, "m"), bodiesText(o.bodies)}};
         case HealthCheck::NotANumber:
             return {"health.not_a_number",
-                    "place or velocity of {0} was no number: it was taken out ({1} bodies)",
-                    {bodyText(o), o.bodies}};
+                    "place or velocity of {0} was no number: it was taken out ({1})",
+                    {bodyText(o), bodiesText(o.bodies)}};
         case HealthCheck::AsleepShare:
             return {"health.asleep_share",
                     "the share of bodies at rest fell to {0} after it had reached {1}",

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/simulation/health/passed_limits.h"
+
 namespace rubble {
 
 namespace {
@@ -22,6 +24,10 @@ constexpr std::array<CheckRow, healthCheckCount> rows{{{"energy", "health.energy
                                                        {"bulking", "health.bulking.title", "volume of the pile"}}};
 
 }  // namespace
+
+bool HealthReport::tainted() const {
+    return gravestGrade(breaches) == HealthGrade::Tainted;
+}
 
 std::string_view healthCheckName(HealthCheck check) {
     return rows[static_cast<std::size_t>(check)].name;

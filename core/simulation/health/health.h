@@ -49,6 +49,13 @@ struct HealthLimits {
     double remedyTime = 0.5;         ///< s of smaller steps after an energy or penetration breach, with auto_remedy
 };
 
+/// What a passed limit means for whoever uses the run (passed_limits.h says which and why).
+enum class HealthGrade : std::uint8_t {
+    Notice,   ///< good to know; the debris is the same
+    Finding,  ///< single bodies, or a little of the whole, are not as they should be
+    Tainted   ///< figures of the debris should not be relied on until someone vouches for them
+};
+
 /// A limit that was passed, from when to when.
 struct HealthBreach {
     HealthCheck check{};
@@ -71,7 +78,7 @@ struct HealthRemedy {
     std::int64_t steps = 0;  ///< that were halved
 };
 
-/// What the monitor saw. A run with breaches is tainted until someone acknowledges them.
+/// What the monitor saw. A run with a breach of the grade Tainted is tainted until someone acknowledges its breaches.
 struct HealthReport {
     std::vector<HealthBreach> breaches;  ///< in the order in which they began
     std::vector<HealthRemedy> remedies;  ///< by auto_remedy, in order
@@ -83,7 +90,8 @@ struct HealthReport {
     double asleepPeak = 0.0;             ///< share
     std::int64_t contactsPeak = 0;       ///< touching pairs
     std::int64_t bodiesLost = 0;         ///< taken out because their place or velocity was no number
-    bool tainted() const { return !breaches.empty(); }
+    /// A limit was passed so far that the figures of the debris should not be relied on.
+    bool tainted() const;
 };
 
 }  // namespace rubble

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/simulation/health/passed_limits.h"
 #include "core/simulation/health/value_archive.h"
 
 namespace rubble {
@@ -301,15 +302,19 @@ struct FindingText {
     const char* pattern;
 };
 
+std::string timesText(std::int64_t count) {
+    return count == 1 ? std::string("once") : englishInteger(count) + " times";
+}
+
 /// In the order of the checks; {0} is how many.
 constexpr std::array<FindingText, healthCheckCount> findingTexts{
-    {{"simulation.energy_gain", "energy rose {0} times beyond what gravity, births, pieces and effects put in"},
-     {"simulation.penetration", "{0} bodies lay inside others for over 0.5 s"},
-     {"simulation.too_fast", "{0} bodies were faster than gravity and their birth allow"},
-     {"simulation.below_ground", "{0} bodies were below the ground"},
-     {"simulation.outside_site", "{0} bodies went further from the structure than 10 times its height and the drop of the terrain"},
-     {"simulation.not_a_number", "{0} bodies became no number and were taken out"},
-     {"simulation.pile_woke", "a pile at rest woke again, {0} times"},
+    {{"simulation.energy_gain", "energy rose beyond what gravity, births, pieces and effects put in, {0}"},
+     {"simulation.penetration", "{0} lay inside others for over 0.5 s"},
+     {"simulation.too_fast", "faster than gravity and their birth allow: {0}"},
+     {"simulation.below_ground", "below the ground: {0}"},
+     {"simulation.outside_site", "{0} went further from the structure than 10 times its height and the drop of the terrain"},
+     {"simulation.not_a_number", "{0} became no number and left the simulation"},
+     {"simulation.pile_woke", "a pile at rest woke again, {0}"},
      {"simulation.bulking", "the pile has not the volume that rubble has"}}};
 
 }  // namespace
@@ -338,7 +343,10 @@ void HealthMonitor::addFindings(Findings& findings) const {
     countOf(HealthCheck::NotANumber) = m_report.bodiesLost;
     for (std::size_t i = 0; i < healthCheckCount; ++i) {
         if (counts[i] > 0) {
-            findings.add({findingTexts[i].id, findingTexts[i].pattern, {counts[i]}}, worst[i]->remedy, englishText(worst[i]->what),
+            const auto check = static_cast<HealthCheck>(i);
+            const bool ofTimes = check == HealthCheck::Energy || check == HealthCheck::AsleepShare;
+            const std::string many = ofTimes ? timesText(counts[i]) : bodiesText(counts[i]);
+            findings.add({findingTexts[i].id, findingTexts[i].pattern, {many}}, worst[i]->remedy, englishText(worst[i]->what),
                          counts[i]);
         }
     }

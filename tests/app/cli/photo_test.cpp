@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -31,6 +32,12 @@ TEST_F(PhotoOfCase, TellsCameraAndAgreementWithTheirUncertainty) {
     EXPECT_NEAR(made["pixel_m"].get<double>(), made["distance_m"].get<double>() / 900.0, 1e-9);
     EXPECT_EQ(made["cameras"], 64);
     EXPECT_THAT(textOf(m_folder / "scores.csv"), HasSubstr("photograph-1,"));
+    // It shows all at rest: what still moves is not scored without a word.
+    const auto has = [](const nlohmann::json& cautions, const char* key) {
+        return std::any_of(cautions.begin(), cautions.end(), [key](const nlohmann::json& each) { return each["key"] == key; });
+    };
+    EXPECT_EQ(has(photo["cautions"], "not_at_rest"), has(outcome.json()["cautions"], "still_moving")) << photo["cautions"];
+    EXPECT_TRUE(has(outcome.json()["cautions"], "bodies"));
     // Once more the same, and as text.
     const Outcome again = cli({"photo", save(), "--run", m_out, "--photograph", "site.tif"});
     ASSERT_EQ(again.exitCode, 0) << again.err;

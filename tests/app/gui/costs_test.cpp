@@ -118,6 +118,9 @@ TEST_F(CostsWorkbench, WithoutPointsEveryPanelSaysThatItDoesNotKnow) {
         widgets::Panel& panel = *window->rooms().deck->panels()[entry];
         ASSERT_NE(panel.prediction(), nullptr);
         EXPECT_TRUE(predictionOf(panel).contains(QStringLiteral("Not known"))) << predictionOf(panel).toStdString();
+        // Of the wall time something is said from the first minute.
+        EXPECT_TRUE(predictionOf(panel).contains(QStringLiteral("Wall time:"))) << predictionOf(panel).toStdString();
+        EXPECT_TRUE(predictionOf(panel).contains(QStringLiteral("crude:"))) << predictionOf(panel).toStdString();
     }
     emit window->rooms().deck->run().prediction()->helpRequested();
     EXPECT_EQ(window->rooms().deck->rail().current(), PanelDeck::Accuracy);

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -150,6 +151,40 @@ TEST_F(NewCases, ReadAgainInOtherUnitsAndBack) {
     button(QStringLiteral("Undo"))->click();
     settle();
     EXPECT_NEAR(making().preview().views().bounds().sizes().z(), height, 1e-9 * height);
+}
+
+TEST_F(NewCases, AskBeforeTheyGoOnWithDensitiesOfNoMaterial) {
+    begin();
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Units);
+    auto* units = wizard().units().findChild<widgets::ParameterEditor*>(QStringLiteral("units"));
+    emit units->edited(QStringLiteral("units"), ParameterValue(std::string("t-mm-s")));
+    settle();
+    QString said;
+    const auto answer = [&](const QString& label) {
+        whenAsked([&said, label](QDialog& dialog) {
+            said = dynamic_cast<QMessageBox&>(dialog).text();
+            for (auto* each : dialog.findChildren<QPushButton*>()) {
+                if (each->text() == label) {
+                    QTest::mouseClick(each, Qt::LeftButton);
+                    return;
+                }
+            }
+        });
+    };
+    answer(QStringLiteral("Back to the units"));
+    QTest::mouseClick(button(QStringLiteral("&Next")), Qt::LeftButton);
+    EXPECT_TRUE(said.contains(QStringLiteral("kg/m³"))) << said.toStdString();
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Units);
+    answer(QStringLiteral("Go on all the same"));
+    QTest::mouseClick(button(QStringLiteral("&Next")), Qt::LeftButton);
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Ground);
+    QTest::mouseClick(button(QStringLiteral("&Next")), Qt::LeftButton);
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Components) << "it is asked once";
+    button(QStringLiteral("Undo"))->click();
+    settle();
+    wizard().go(NewCaseWizard::Units);
+    QTest::mouseClick(button(QStringLiteral("&Next")), Qt::LeftButton);
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Ground) << "masonry is nothing to ask about";
 }
 
 // Enter and Space press what has the focus, Escape leaves, letters and Ctrl with a digit go from step to step.

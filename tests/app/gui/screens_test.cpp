@@ -35,7 +35,7 @@ protected:
     }
     /// The same in the language that is spoken: dialogs go with their window.
     void lookNow(const QString& name, const std::function<QWidget*()>& screen) {
-        static const std::array sizes{QSize(1280, 800), QSize(1920, 1080)};
+        static const std::array sizes{QSize(1280, 800), QSize(1920, 1080), QSize(3840, 2160)};
         static const QString folder = qEnvironmentVariable("RUBBLE_TAKE_SCREENS");
         const QString language = widgets::currentLanguage();
         for (const QSize& size : sizes) {
@@ -135,8 +135,8 @@ TEST_F(Screens, CanBeReadWholeWithARun) {
         return window;
     });
     window->actions()[ActionId::SelectNone].trigger();
-    for (const ActionId id : {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::Clip, ActionId::Four,
-                              ActionId::Overlay, ActionId::Presentation}) {
+    for (const ActionId id : {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::DebrisMap, ActionId::Clip,
+                              ActionId::Four, ActionId::Overlay, ActionId::Presentation}) {
         window->actions()[id].trigger();
         look(window->actions()[id].objectName(), [this] { return window; });
         // The window is another one by now.

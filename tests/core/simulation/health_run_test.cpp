@@ -262,12 +262,12 @@ TEST(Acknowledgement, HoldsForTheVeryBreachesOnly) {
     SimulationResult result;
     result.trajectoryHash = Hasher().text("run").finish();
     EXPECT_FALSE(isTainted(result, {}));
-    result.health.breaches.push_back({HealthCheck::Energy, 1.0, 2.0, 1.5, std::nullopt, Vec3::Zero(), 0.002, 0.001, 0, {}, {}});
+    result.health.breaches.push_back({HealthCheck::Energy, 1.0, 2.0, 1.5, std::nullopt, Vec3::Zero(), 0.02, 0.001, 0, {}, {}});
     EXPECT_TRUE(isTainted(result, {}));
     const std::vector<Acknowledgement> list{{"A", utcNow(), "looked at it", breachesDigest(result)}};
     EXPECT_FALSE(isTainted(result, list));
     SimulationResult other = result;
-    other.health.breaches[0].worst = 0.003;
+    other.health.breaches[0].worst = 0.03;
     EXPECT_TRUE(isTainted(other, list));
     other = result;
     other.trajectoryHash = Hasher().text("another run").finish();

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/execution.h"
+
 class QPainter;
 class QRectF;
 
@@ -91,6 +93,7 @@ std::vector<std::pair<int, QString>> numberedHeadings(const ReportDocument& docu
 QByteArray reportHtml(const ReportDocument& document, const std::string& metadata);
 
 /// Writes it as PDF: A4, table of contents with pages, header and page numbers. Atomic. Throws WorldError naming the path.
-void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata);
+void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata,
+                    const Execution& execution = Execution());
 
 }  // namespace rubble::figures

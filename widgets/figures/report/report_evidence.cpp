@@ -104,6 +104,9 @@ void ReportSections::addPhotograph(const ReportPhoto& photo, const QImage& pictu
     if (!photo.problem.empty()) {
         text(tr("%1: %2").arg(name, said(photo.problem)));
     }
+    for (const Caution& caution : photo.cautions) {
+        notice(tr("%1: %2").arg(name, said(caution.what)));
+    }
     if (picture.isNull()) {
         return;
     }

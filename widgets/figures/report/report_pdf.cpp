@@ -77,11 +77,12 @@ public:
           m_pages(pages),
           m_headings(numberedHeadings(document)) {}
 
-    void run() {
+    void run(const Execution& execution) {
         setFirstPage();
         setContents();
         newPage();
         for (std::size_t k = 0; k < m_document.blocks.size(); ++k) {
+            execution.check();
             m_next = k + 1 < m_document.blocks.size() ? &m_document.blocks[k + 1] : nullptr;
             std::visit([this](const auto& each) { set(each); }, m_document.blocks[k]);
         }
@@ -419,7 +420,8 @@ private:
 
 }  // namespace
 
-void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata) {
+void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata,
+                    const Execution& execution) {
     std::vector<ContentsRow> contents;
     for (const auto& [level, text] : numberedHeadings(document)) {
         contents.push_back({level, text, 0});
@@ -438,7 +440,7 @@ void writeReportPdf(const std::string& path, const ReportDocument& document, con
         writer.setTitle(document.title);
         tagPdf(writer, metadata);
         PdfSetter setter(document, writer, contents, pages);
-        setter.run();
+        setter.run(execution);
         contents = setter.found();
         pages = setter.pages();
     }

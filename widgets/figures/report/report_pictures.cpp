@@ -41,6 +41,7 @@ int mapHeight(const DebrisMap& map) {
 ReportPictures drawReportPictures(const render::SceneData& data, const ReportFacts& facts, const MapPictureStyle& place,
                                   const Execution& execution) {
     Studio studio(data);
+    studio.setCheck([&execution] { execution.check(); });
     ReportPictures pictures;
     FigureStyle style;
     style.dpi = dpi;
@@ -69,9 +70,11 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
     map.pixels.setHeight(mapHeight(facts.map.map));
     pictures.map = mapPicture(facts.map.map, MapLayer::Mass, map);
     for (const ReportPhoto& photo : facts.photographs) {
+        execution.check();
         pictures.photographs.push_back(photographPicture(photo, widePixels.width()));
     }
     for (const ReportSurvey& survey : facts.surveys) {
+        execution.check();
         SurveyPictureStyle drawn;
         drawn.pixels = mapPixels;
         if (survey.comparison) {
@@ -93,7 +96,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
 }
 
 std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
-                                     const std::string& metadata) {
+                                     const std::string& metadata, const Execution& execution) {
     const QDir place(QString::fromStdString(folder));
     const bool made = !place.exists();
     if (!place.mkpath(QStringLiteral("."))) {
@@ -103,13 +106,17 @@ std::vector<std::string> writeReport(const std::string& folder, const ReportFact
     const ReportDocument document = composeReport(facts, pictures);
     const std::string html = place.filePath(QStringLiteral("report.html")).toStdString();
     const std::string pdf = place.filePath(QStringLiteral("report.pdf")).toStdString();
+    const bool wasThere = QFile::exists(QString::fromStdString(html));
     try {
+        execution.check();
         writeBytes(html, reportHtml(document, metadata));
-        writeReportPdf(pdf, document, metadata);
+        writeReportPdf(pdf, document, metadata, execution);
     } catch (...) {
+        if (!wasThere) {
+            QFile::remove(QString::fromStdString(html));
+        }
         // A folder of this report alone goes with it.
         if (made) {
-            QFile::remove(QString::fromStdString(html));
             place.rmdir(place.absolutePath());
         }
         throw;

@@ -66,6 +66,19 @@ void ReportSections::addSummary() {
     heading(tr("Question and answer"));
     text(m_facts.question.empty() ? tr("Where did the debris of this collapse go, and how sure is that?")
                                   : escaped(m_facts.question));
+    const auto photographs = std::count_if(m_facts.photographs.begin(), m_facts.photographs.end(),
+                                           [](const ReportPhoto& photo) { return photo.comparison.has_value(); });
+    const auto surveys = std::count_if(m_facts.surveys.begin(), m_facts.surveys.end(),
+                                       [](const ReportSurvey& survey) { return survey.comparison.has_value(); });
+    if (photographs + surveys == 0) {
+        text(
+            tr("<b>The evidence was not asked</b>: no photograph and no survey was held against this run. What follows is what the "
+               "simulation says, under the assumptions of this report."));
+    } else {
+        text(tr("The evidence was asked: photographs held against this run: %1, surveys: %2 (see section Evidence).")
+                 .arg(photographs)
+                 .arg(surveys));
+    }
     if (!m_facts.scenarioNote.empty()) {
         text(tr("Scenario <i>%1</i>: %2").arg(escaped(m_facts.scenarioName), escaped(m_facts.scenarioNote)));
     }
@@ -87,14 +100,31 @@ void ReportSections::addSummary() {
                              reportNumber(100.0 * run.asleepAtEnd)),
                     spread}});
     text(source());
-    if (m_facts.breaches > 0) {
-        notice(m_facts.acknowledged
-                   ? tr("<b>Limits of health were passed in this run (%1).</b> %2 vouches for its use: %3 (see section Health).")
-                         .arg(m_facts.breaches)
-                         .arg(escaped(m_facts.acknowledged->by), escaped(m_facts.acknowledged->note))
-                   : tr("<b>This run is tainted: limits of health were passed (%1) and nobody has acknowledged it.</b> Its figures "
-                        "should not be relied on (see section Health).")
-                         .arg(m_facts.breaches));
+    addCautions();
+}
+
+void ReportSections::addCautions() {
+    if (m_facts.cautions.empty()) {
+        return;
+    }
+    QStringList list;
+    for (const Caution& caution : m_facts.cautions) {
+        const QString words = said(caution.what);
+        const QString sentence = words.left(1).toUpper() + words.mid(1) + QLatin1Char('.');
+        list << (caution.grade == HealthGrade::Notice ? sentence : QStringLiteral("<b>%1</b>").arg(sentence));
+        if (caution.key == "tainted") {
+            list.back() += QLatin1Char(' ') + tr("Its figures should not be relied on (see section Health).");
+        }
+    }
+    if (m_facts.acknowledged) {
+        list << tr("%1 vouches for its use: %2 (see section Health).")
+                    .arg(escaped(m_facts.acknowledged->by), escaped(m_facts.acknowledged->note));
+    }
+    if (std::any_of(m_facts.cautions.begin(), m_facts.cautions.end(),
+                    [](const Caution& caution) { return caution.grade != HealthGrade::Notice; })) {
+        notice(list.join(QStringLiteral("<br/>")));
+    } else {
+        text(list.join(QLatin1Char(' ')));
     }
 }
 
@@ -185,6 +215,16 @@ void ReportSections::addEffects() {
     m_blocks.push_back(std::move(table));
 }
 
+namespace {
+
+QString gradeShown(HealthGrade grade) {
+    return grade == HealthGrade::Notice    ? ReportSections::tr("notice")
+           : grade == HealthGrade::Finding ? ReportSections::tr("finding")
+                                           : ReportSections::tr("tainted");
+}
+
+}  // namespace
+
 void ReportSections::addHealth() {
     heading(tr("Health of the run"));
     addConservation();
@@ -198,12 +238,22 @@ void ReportSections::addHealth() {
     }
     ReportTable table;
     table.caption = tr("Limits of health that were passed");
-    table.columns = QStringList{tr("from [s]"), tr("to [s]"), tr("what"), tr("worst"), tr("limit"), tr("bodies")};
-    table.words = {false, false, true, false, false, false};
-    table.shares = {0.1, 0.1, 0.46, 0.12, 0.12, 0.1};
-    for (const HealthBreach& breach : health.breaches) {
-        table.rows.push_back({reportSeconds(breach.from), reportSeconds(breach.to), said(breach.what), reportNumber(breach.worst),
-                              reportNumber(breach.limit), breach.bodies > 0 ? count(breach.bodies) : QStringLiteral("–")});
+    table.columns =
+        QStringList{tr("when [s]"), tr("grade"), tr("what, and why this grade"), tr("worst"), tr("limit"), tr("bodies")};
+    table.words = {true, true, true, false, false, false};
+    table.shares = {0.17, 0.1, 0.41, 0.12, 0.1, 0.1};
+    for (const PassedLimit& limit : passedLimits(health.breaches)) {
+        const HealthBreach& breach = health.breaches[limit.worst];
+        QStringList times;
+        for (const std::size_t i : limit.breaches) {
+            const HealthBreach& each = health.breaches[i];
+            times << (each.to > each.from ? QStringLiteral("%1–%2").arg(reportSeconds(each.from), reportSeconds(each.to))
+                                          : reportSeconds(each.from));
+        }
+        table.rows.push_back({times.join(QStringLiteral(", ")), gradeShown(limit.grade),
+                              QStringLiteral("%1<br/><i>%2</i>").arg(said(breach.what), said(gradeReason(breach))),
+                              said(healthMeasure(breach.check, breach.worst)), said(healthMeasure(breach.check, breach.limit)),
+                              breach.bodies > 0 ? count(breach.bodies) : QStringLiteral("–")});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));

@@ -15,6 +15,7 @@ public:
     void addSummary();
     void addEvidence();
     void addMethod();
+    void addCautions();
     void addInputs();
     void addResults();
     void addEnsemble();

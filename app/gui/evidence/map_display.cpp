@@ -1,0 +1,279 @@
+#include "app/gui/evidence/map_display.h"
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/evidence/map_export.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/actions.h"
+#include "app/gui/stage/dock_area.h"
+#include "app/gui/stage/playback.h"
+#include "core/analysis/debris/collapse_plan.h"
+#include "core/base/error.h"
+#include "io/case/case_file.h"
+#include "io/exports/provenance.h"
+#include "io/run/run_cautions.h"
+#include "io/site/survey_file.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/map_picture.h"
+#include "widgets/run/caution_words.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr int restMs = 250;
+constexpr double packageContours = 0.5;  // m, of a GeoPackage of a map without contours
+constexpr double dockShare = 0.45;       // of the centre, when it is first opened
+
+/// What stood there, and what was found.
+std::vector<figures::MapOutline> outlinesOf(const EvidenceRun& run, const std::vector<CaseInput>& surveys, const Case& theCase,
+                                            const Frame& frame, const std::string& base, const Execution& execution) {
+    std::vector<figures::MapOutline> outlines;
+    const CollapsePlan plan(*run.fragments, run.fe->mesh());
+    outlines.push_back({figures::MapOutline::Of::Structure, {plan.outline()}});
+    for (const CaseInput& survey : surveys) {
+        figures::MapOutline found{figures::MapOutline::Of::Evidence, {}};
+        const auto take = [&](const Outline& outline) {
+            for (const OutlinePolygon& polygon : outline.polygons) {
+                found.rings.insert(found.rings.end(), polygon.begin(), polygon.end());
+            }
+        };
+        take(survey.scope.area);
+        try {
+            Findings ignored;
+            take(io::readScope(io::inputPath(base, survey), frame, theCase.site, ignored, execution));
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error&) {
+            // A height model has no outline; what is wrong with a file is said where it is compared.
+        }
+        outlines.push_back(std::move(found));
+    }
+    return outlines;
+}
+
+}  // namespace
+
+MapWork::MapWork(Session& session) {
+    connect(&session.document(), &Document::replaced, this, [this] {
+        forget();
+        emit changed();
+    });
+}
+
+void MapWork::forget() {
+    m_making = nullptr;
+    making.reset();
+    m_worker.cancel();
+    answer.drop();
+    answer.end();
+}
+
+void MapWork::start(const Order& order, const EvidenceRun& run, std::shared_ptr<const io::RunReader> reader, const Case& theCase,
+                    const Frame& frame, const std::string& base) {
+    answer.ask(order);
+    making = order;
+    m_making = std::make_shared<Made>();
+    m_making->run = std::move(reader);
+    m_worker.start({Worker::Kind::Study,
+                    [made = m_making, run, order, theCase, frame, base](const Execution& execution) {
+                        MapSettings settings;
+                        settings.cell = order.cell;
+                        made->map = mapOfRun(run.mapped(), order.time, settings, order.live, execution);
+                        made->outlines = outlinesOf(run, order.surveys, theCase, frame, base, execution);
+                    },
+                    [this, made = m_making](const std::exception_ptr& thrown) {
+                        if (made != m_making) {
+                            return;  // another one is awaited
+                        }
+                        m_making = nullptr;
+                        const auto failure = failureOf(thrown);
+                        if (thrown == nullptr) {
+                            answer.take(made);
+                        } else if (failure) {
+                            answer.drop();
+                        }
+                        answer.end(failure ? &*failure : nullptr);
+                        emit changed();
+                    }});
+    emit changed();
+}
+
+MapDisplay::MapDisplay(Session& session, Playback& playback, DockArea& docks, Actions& actions, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_playback(playback),
+      m_work(session.part<MapWork>()),
+      m_panel(new widgets::RunMapPanel),
+      m_dock(docks.addDock(m_panel, tr("Debris map"), QStringLiteral("mapDock"))) {
+    m_panel->setChoice(m_work.choice);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMs);
+    connect(&m_rest, &QTimer::timeout, this, &MapDisplay::refresh);
+    connect(m_panel, &widgets::RunMapPanel::mapRequested, this, &MapDisplay::refresh);
+    connect(m_panel, &widgets::RunMapPanel::drawnChanged, this, &MapDisplay::showGround);
+    connect(m_panel, &widgets::RunMapPanel::saveRequested, this, &MapDisplay::save);
+    connect(&playback.clock(), &widgets::PlaybackClock::timeChanged, this, [this] {
+        if (wanted() && !m_panel->choice().atEnd) {
+            m_rest.start();
+        }
+    });
+    connect(&m_computation, &Computation::runBegun, this, &MapDisplay::refresh);
+    connect(&m_computation, &Computation::runEnded, this, &MapDisplay::refresh);
+    connect(&m_computation, &Computation::runReopened, this, &MapDisplay::refresh);
+    connect(&m_computation, &Computation::prepared, this, &MapDisplay::refresh);
+    connect(&m_document, &Document::surveysChanged, this, &MapDisplay::refresh);
+    connect(&m_work, &MapWork::changed, this, &MapDisplay::show);
+    QAction& shown = actions[ActionId::DebrisMap];
+    connect(&shown, &QAction::triggered, this, [this, &docks](bool visible) {
+        m_dock->setVisible(visible);
+        if (visible) {
+            m_dock->raise();
+            docks.resizeDocks({m_dock}, {static_cast<int>(dockShare * docks.width())}, Qt::Horizontal);
+        }
+    });
+    connect(m_dock, &QDockWidget::visibilityChanged, this, [this, &shown] {
+        shown.setChecked(!m_dock->isHidden());
+        refresh();
+    });
+    connect(&actions[ActionId::ExportMap], &QAction::triggered, &shown, [this, &shown] {
+        if (m_dock->isHidden()) {
+            shown.trigger();
+        }
+        save();
+    });
+    show();
+}
+
+MapDisplay::~MapDisplay() {
+    m_work.choice = m_panel->choice();
+}
+
+bool MapDisplay::wanted() const {
+    return !m_dock->isHidden() || m_panel->choice().onGround;
+}
+
+std::optional<MapWork::Order> MapDisplay::orderNow() const {
+    const RunRecord* record = m_computation.currentRun();
+    if (!EvidenceWork::whyNoDebris(record).isEmpty() || m_computation.inputs().fe == nullptr || record->reader->frameCount() == 0) {
+        return std::nullopt;
+    }
+    const widgets::RunMapChoice& choice = m_panel->choice();
+    MapWork::Order order{record->reader.get(), record->reader->frameCount(), record->outcome != nullptr, std::nullopt, choice.cell,
+                         choice.live};
+    for (const CaseInput& input : m_document.theCase().inputs) {
+        if (input.role == InputRole::Survey) {
+            order.surveys.push_back(input);
+        }
+    }
+    if (!choice.atEnd) {
+        // Before the first fragment moves there is nothing to be mapped.
+        const MapSpan span = mapSpan(EvidenceRun(m_computation.inputs(), record).mapped());
+        order.time = std::clamp(m_playback.clock().time(), span.first, span.last);
+    }
+    return order;
+}
+
+void MapDisplay::refresh() {
+    const std::optional<MapWork::Order> order = orderNow();
+    const bool known = m_work.answer.running() ? m_work.making == order
+                                               : order && m_work.answer.result() != nullptr && !m_work.answer.stale(*order);
+    if (order && wanted() && !known) {
+        const RunRecord* record = m_computation.currentRun();
+        m_work.start(*order, EvidenceRun(m_computation.inputs(), record), record->reader, m_document.theCase(),
+                     m_computation.inputs().frame, m_document.base().toStdString());
+        return;
+    }
+    if (!order) {
+        m_work.forget();
+    }
+    show();
+}
+
+void MapDisplay::show() {
+    const std::shared_ptr<const MapWork::Made>& made = m_work.answer.result();
+    widgets::RunMapPanel::Content content;
+    content.making = m_work.answer.running();
+    if (made != nullptr) {
+        content.map = std::shared_ptr<const RunMap>(made, &made->map);
+        content.place = pictureStyle(io::mapOrigin(*made->run, made->map.map, made->map.shown));
+        content.place.provenance.clear();
+        content.place.cautions = widgets::cautionWords(runCautions(io::standingOf(*made->run))).toStdString();
+        content.place.outlines = made->outlines;
+    } else {
+        const auto& failure = m_work.answer.failure();
+        content.why = failure ? failure->inOneLine() : EvidenceWork::whyNoDebris(m_computation.currentRun());
+    }
+    m_panel->setContent(content);
+    showGround();
+}
+
+void MapDisplay::showGround() {
+    const std::shared_ptr<const MapWork::Made>& made = m_work.answer.result();
+    const widgets::RunMapChoice& choice = m_panel->choice();
+    const bool shown = choice.onGround && made != nullptr && made->map.map.has(choice.layer);
+    if (!shown && m_ground == nullptr) {
+        return;
+    }
+    m_ground = shown ? std::make_shared<const Orthophoto>(figures::groundPicture(made->map.map, choice.layer)) : nullptr;
+    emit groundChanged();
+}
+
+void MapDisplay::save() {
+    if (m_work.answer.result() == nullptr) {
+        m_session.tell(EvidenceWork::whyNoDebris(m_computation.currentRun()).isEmpty()
+                           ? tr("The debris is being mapped: save the map once it stands here.")
+                           : tr("Simulate first: there is no debris yet."));
+        return;
+    }
+    const QFileInfo base(m_document.base());
+    QString chosen;
+    QString path = QFileDialog::getSaveFileName(
+        m_panel->window(), tr("Debris map"), base.absolutePath() + u'/' + base.completeBaseName() + QStringLiteral("-map.tif"),
+        tr("GeoTIFF (*.tif);;GeoPackage (*.gpkg);;Tables (*.csv);;Images (*.png)"), &chosen);
+    if (path.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        const qsizetype star = chosen.indexOf(QStringLiteral("*."));
+        path += star < 0 ? QStringLiteral(".tif") : chosen.mid(star + 1, chosen.indexOf(u')') - star - 1);
+    }
+    saveTo(path);
+}
+
+void MapDisplay::saveTo(const QString& path) {
+    const std::shared_ptr<const MapWork::Made> made = m_work.answer.result();
+    if (made == nullptr) {
+        return;
+    }
+    const widgets::RunMapChoice& choice = m_panel->choice();
+    figures::MapPictureStyle style = m_panel->style();
+    style.provenance = io::footLine(made->run->origin());
+    const double contours = choice.contours > 0.0 ? choice.contours : packageContours;
+    m_computation.write(
+        [path, made, style, contours, layer = choice.layer](const Execution& execution) {
+            const std::string file = path.toStdString();
+            if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
+                figures::writePng(file, figures::mapPicture(made->map.map, layer, style));
+                io::writeMapProvenance(file, io::mapOrigin(*made->run, made->map.map, made->map.shown));
+            } else {
+                io::writeRunMap(file, made->map, made->map.map.present(), contours, *made->run, execution);
+            }
+        },
+        [session = &m_session, path](const std::exception_ptr& thrown) {
+            if (const auto failure = failureOf(thrown)) {
+                session->report(*failure);
+            } else if (thrown == nullptr) {
+                session->tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+            }
+        });
+}
+
+}  // namespace rubble

@@ -1,0 +1,95 @@
+#include "core/evidence/cautions.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+std::string limitsText(std::size_t count) {
+    return count == 1 ? std::string("1 limit of health") : englishInteger(static_cast<std::int64_t>(count)) + " limits of health";
+}
+
+void addLimits(std::vector<Caution>& list, const RunStanding& run) {
+    const std::size_t passed = passedLimits(run.breaches).size();
+    const HealthGrade grade = gravestGrade(run.breaches);
+    if (passed == 0) {
+        return;
+    }
+    if (grade == HealthGrade::Tainted && !run.acknowledged) {
+        list.push_back(
+            {"tainted", grade, {"caution.tainted", "tainted: {0} passed, and nobody vouches for the run", {limitsText(passed)}}});
+    } else {
+        list.push_back({"limits_passed", std::min(grade, HealthGrade::Finding),
+                        run.acknowledged ? Message{"caution.acknowledged", "{0} passed, acknowledged", {limitsText(passed)}}
+                                         : Message{"caution.limits_passed", "{0} passed", {limitsText(passed)}}});
+    }
+}
+
+}  // namespace
+
+RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bool acknowledged) {
+    RunStanding standing;
+    standing.reached = result.endTime;
+    standing.fragments = static_cast<std::int64_t>(fragments);
+    standing.bodies = result.bodiesPeak;
+    standing.moving = result.stillMoving;
+    standing.breaches = result.health.breaches;
+    standing.acknowledged = acknowledged;
+    return standing;
+}
+
+std::vector<Caution> runCautions(const RunStanding& run) {
+    std::vector<Caution> list;
+    addLimits(list, run);
+    if (!run.complete) {
+        list.push_back({"not_complete",
+                        HealthGrade::Finding,
+                        {"caution.not_complete",
+                         "not complete: the run goes up to {0}, what comes later is not in it",
+                         {{run.reached, "s"}}}});
+    }
+    if (run.moving > 0) {
+        list.push_back({"still_moving",
+                        HealthGrade::Finding,
+                        {"caution.still_moving",
+                         "not all at rest: at {0}, the last instant, {1} of {2} bodies still moved",
+                         {{run.reached, "s"}, run.moving, run.bodies}}});
+    }
+    if (run.bodies > 0) {
+        list.push_back({"bodies",
+                        HealthGrade::Notice,
+                        {"caution.bodies", "bodies that carry the fragments: {0} for {1}", {run.bodies, run.fragments}}});
+    }
+    return list;
+}
+
+std::vector<Caution> photographCautions(const Photograph& photograph, const CameraMatch* match, const RunStanding* run) {
+    std::vector<Caution> list;
+    if (match != nullptr && match->verdict == MatchVerdict::Poor) {
+        list.push_back({"poor_camera",
+                        HealthGrade::Finding,
+                        {"caution.poor_camera", "poor match of the camera: do not rest a conclusion on it", {}}});
+    }
+    if (run != nullptr && !photograph.time && (run->moving > 0 || !run->complete)) {
+        list.push_back(
+            {"not_at_rest",
+             HealthGrade::Finding,
+             {"caution.not_at_rest",
+              "the photograph shows all at rest, but {0} of {1} bodies still move at {2}, where they are compared with it",
+              {run->moving, run->bodies, {run->reached, "s"}}}});
+    }
+    return list;
+}
+
+std::string pictureCautions(const std::vector<Caution>& cautions) {
+    std::string line;
+    for (const Caution& caution : cautions) {
+        if (caution.grade != HealthGrade::Notice) {
+            line += (line.empty() ? "" : " · ") + englishText(caution.what);
+        }
+    }
+    return line;
+}
+
+}  // namespace rubble

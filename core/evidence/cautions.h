@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/evidence/photographs/camera_match.h"
+#include "core/scenario/photograph.h"
+#include "core/simulation/health/passed_limits.h"
+#include "core/simulation/run/simulation.h"
+
+namespace rubble {
+
+/// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
+struct Caution {
+    std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "bodies", "poor_camera", "not_at_rest"
+    HealthGrade grade{};   ///< pictures show what is graver than a notice
+    Message what;
+};
+
+/// How far a run has come and what it is worth.
+struct RunStanding {
+    bool complete = true;
+    double reached = 0.0;        ///< s, last instant that there is
+    std::int64_t fragments = 0;  ///< that were born or will be
+    std::int64_t bodies = 0;     ///< that carry them
+    std::int64_t moving = 0;     ///< of these, awake at `reached`
+    std::vector<HealthBreach> breaches;
+    bool acknowledged = false;  ///< someone vouches for it in spite of its breaches
+};
+
+/// Of a run that is complete.
+RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bool acknowledged);
+
+/// The gravest first; the number of bodies stands at the end.
+std::vector<Caution> runCautions(const RunStanding& run);
+
+/// Of a photograph that the debris of a run is held against.
+/// @param match  null: none was found
+/// @param run    null: no debris is held against it
+std::vector<Caution> photographCautions(const Photograph& photograph, const CameraMatch* match, const RunStanding* run);
+
+/// Those that pictures show, in one line of English; empty: none.
+std::string pictureCautions(const std::vector<Caution>& cautions);
+
+}  // namespace rubble

@@ -1,0 +1,31 @@
+#include "io/run/run_cautions.h"
+
+#include "io/run/acknowledgements.h"
+
+namespace rubble::io {
+
+RunStanding standingOf(const RunReader& run) {
+    const auto fragments = run.fragments();
+    const std::size_t count = fragments ? fragments->size() : 0;
+    if (const auto result = run.result()) {
+        return standingOf(*result, count, taintOf(run).acknowledgement.has_value());
+    }
+    RunStanding standing;
+    standing.complete = false;
+    standing.breaches = run.breaches();
+    standing.fragments = static_cast<std::int64_t>(count);
+    if (run.frameCount() == 0) {
+        return standing;
+    }
+    const auto last = run.frame(run.frameCount() - 1);
+    standing.reached = last->time;
+    for (const BodyRecord& body : run.bodies()) {
+        if (const std::size_t i = at(body.body); !body.isIsland() && i < last->states.size()) {
+            standing.bodies += last->states[i] != BodyState::Removed ? 1 : 0;
+            standing.moving += last->states[i] == BodyState::Awake ? 1 : 0;
+        }
+    }
+    return standing;
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,123 @@
+#include "tests/app/gui/workbench.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/stage/view_area.h"
+#include "widgets/basics/map_view.h"
+#include "widgets/evidence/run_map_panel.h"
+#include "widgets/views/view_widget.h"
+
+namespace rubble {
+
+namespace {
+
+class RunMapTest : public FreshWorkbench {
+protected:
+    MapDisplay& map() { return *window->rooms().map; }
+    widgets::RunMapPanel& panel() { return map().panel(); }
+    bool mapped() { return panel().content().map != nullptr && !panel().content().making; }
+    void openMap() {
+        QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return mapped(); }, patience));
+    }
+    /// The run of the arch stops at the last FE state: much still moves.
+    void simulateCheaply() {
+        openArch();
+        makeCheap();
+        simulateToEnd();
+    }
+};
+
+TEST_F(RunMapTest, TheMapOfTheRunStandsBesideTheViewsByItsKey) {
+    openArch();
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    EXPECT_TRUE(map().dock().isVisible());
+    EXPECT_FALSE(panel().content().why.isEmpty()) << "there is no run yet, and it says so";
+    makeCheap();
+    simulateToEnd();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mapped(); }, patience));
+    const DebrisMap& made = panel().content().map->map;
+    EXPECT_GT(made.cells.size(), 100U);
+    EXPECT_EQ(made.time, session->computation().currentRun()->outcome->endTime);
+    EXPECT_FALSE(panel().style().outlines.empty()) << "of the structure";
+    EXPECT_NE(panel().style().cautions.find("still moved"), std::string::npos) << panel().style().cautions;
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    EXPECT_FALSE(map().dock().isVisible());
+}
+
+TEST_F(RunMapTest, TheInstantOfTheViewsIsMappedOncePlaybackRests) {
+    simulateCheaply();
+    openMap();
+    const double end = panel().content().map->map.time;
+    auto* when = panel().findChild<QComboBox*>(QStringLiteral("mapWhen"));
+    when->setFocus();
+    QTest::keyClick(when, Qt::Key_Down);
+    window->rooms().playback->showInstant(0.75 * end);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return mapped() && std::abs(panel().content().map->map.time - 0.75 * end) < 1e-9; }, patience));
+}
+
+TEST_F(RunMapTest, ItIsLaidOnTheGroundAndTakenAway) {
+    simulateCheaply();
+    openMap();
+    auto* button = panel().findChild<QToolButton*>(QStringLiteral("mapOnGround"));
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_NE(window->area().views().data().orthophoto, nullptr);
+    EXPECT_GT(window->area().views().data().orthophoto->width, 0);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(window->area().views().data().orthophoto, nullptr);
+}
+
+TEST_F(RunMapTest, EachFormatIsSavedWithWhatMustBeKnownBesideIt) {
+    simulateCheaply();
+    openMap();
+    QTemporaryDir folder;
+    for (const char* name : {"m.tif", "m.gpkg", "m.csv", "m.png"}) {
+        const QString path = folder.filePath(QLatin1String(name));
+        map().saveTo(path);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(path) && !session->computation().busy(); }, patience)) << name;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(path + QStringLiteral(".provenance.json")); }, patience))
+            << name;
+        const nlohmann::json told = nlohmann::json::parse(textOf(path + QStringLiteral(".provenance.json")));
+        bool moves = false;
+        for (const nlohmann::json& caution : told["cautions"]) {
+            moves = moves || caution["key"] == "still_moving";
+        }
+        EXPECT_TRUE(moves) << name << told["cautions"].dump();
+    }
+    EXPECT_GT(QImage(folder.filePath(QStringLiteral("m.png"))).width(), 500);
+}
+
+TEST_F(RunMapTest, SaveAsksForAFileAndTakesTheFormatThatWasChosen) {
+    simulateCheaply();
+    openMap();
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("chosen.gpkg"));
+    whenAsked([&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+        QMetaObject::invokeMethod(&dialog, "accept");
+    });
+    QTest::mouseClick(panel().findChild<QPushButton*>(QStringLiteral("saveMap")), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(path); }, patience));
+}
+
+TEST_F(RunMapTest, AnotherCaseTakesTheMapAway) {
+    simulateCheaply();
+    openMap();
+    session->document().undoStack().setClean();
+    window->open(arch());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().content().map == nullptr; }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_FALSE(panel().content().why.isEmpty());
+}
+
+}  // namespace
+
+}  // namespace rubble

@@ -1,0 +1,73 @@
+#include "core/evidence/cautions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+const Caution* find(const std::vector<Caution>& list, std::string_view key) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Caution& each) { return each.key == key; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+RunStanding rested() {
+    RunStanding run;
+    run.reached = 9.5;
+    run.fragments = 500;
+    run.bodies = 40;
+    return run;
+}
+
+HealthBreach outside() {
+    HealthBreach breach;
+    breach.check = HealthCheck::OutsideSite;
+    breach.worst = 300.0;
+    breach.limit = 200.0;
+    return breach;
+}
+
+TEST(Cautions, ASoundRunThatRestsSaysOnlyHowManyBodiesItHas) {
+    const std::vector<Caution> list = runCautions(rested());
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_EQ(list[0].key, "bodies");
+    EXPECT_EQ(list[0].grade, HealthGrade::Notice);
+    EXPECT_EQ(englishText(list[0].what), "bodies that carry the fragments: 40 for 500");
+    EXPECT_EQ(pictureCautions(list), "") << "a picture shows what is graver";
+}
+
+TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
+    RunStanding run = rested();
+    run.moving = 12;
+    run.complete = false;
+    run.breaches = {outside(), outside()};
+    const std::vector<Caution> list = runCautions(run);
+    ASSERT_NE(find(list, "tainted"), nullptr);
+    EXPECT_EQ(englishText(find(list, "tainted")->what), "tainted: 1 limit of health passed, and nobody vouches for the run");
+    EXPECT_EQ(list.front().key, "tainted") << "the gravest first";
+    EXPECT_EQ(englishText(find(list, "not_complete")->what),
+              "not complete: the run goes up to 9.5 s, what comes later is not in it");
+    EXPECT_EQ(englishText(find(list, "still_moving")->what),
+              "not all at rest: at 9.5 s, the last instant, 12 of 40 bodies still moved");
+    run.acknowledged = true;
+    EXPECT_EQ(find(runCautions(run), "tainted"), nullptr);
+    EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what), "1 limit of health passed, acknowledged");
+}
+
+TEST(Cautions, APhotographAtRestIsNotHeldAgainstMovingDebrisWithoutAWord) {
+    RunStanding run = rested();
+    Photograph photograph;
+    CameraMatch match;
+    match.verdict = MatchVerdict::Good;
+    EXPECT_TRUE(photographCautions(photograph, &match, &run).empty());
+    run.moving = 3;
+    ASSERT_NE(find(photographCautions(photograph, &match, &run), "not_at_rest"), nullptr);
+    photograph.time = 4.0;
+    EXPECT_TRUE(photographCautions(photograph, &match, &run).empty()) << "it shows them on their way";
+    match.verdict = MatchVerdict::Poor;
+    ASSERT_NE(find(photographCautions(photograph, &match, nullptr), "poor_camera"), nullptr);
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,154 @@
+#include "widgets/evidence/run_map_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "widgets/basics/map_view.h"
+#include "widgets/basics/theme.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+/// A heap of 20 by 10 cells of 0.5 m, 3 m high in the middle.
+std::shared_ptr<const RunMap> heap() {
+    auto made = std::make_shared<RunMap>();
+    DebrisMap& map = made->map;
+    map.time = 9.0;
+    map.cell = 0.5;
+    for (std::int32_t j = 0; j < 10; ++j) {
+        for (std::int32_t i = 0; i < 20; ++i) {
+            map.cells.push_back({j, i});
+            const double height = std::max(0.0, 3.0 - 0.3 * std::hypot(i - 9.5, 2.0 * (j - 4.5)));
+            map.layers[static_cast<std::size_t>(MapLayer::Height)].push_back(height);
+            map.layers[static_cast<std::size_t>(MapLayer::Mass)].push_back(2000.0 * height);
+        }
+    }
+    map.ledger.fragments = 1204;
+    map.ledger.mass = 3.4e5;
+    return made;
+}
+
+RunMapPanel::Content content() {
+    RunMapPanel::Content content;
+    content.map = heap();
+    content.place.outlines = {{figures::MapOutline::Of::Structure, {{{2, 1}, {8, 1}, {8, 4}, {2, 4}}}},
+                              {figures::MapOutline::Of::Evidence, {{{1, 1}, {9, 1}, {9, 4.5}, {1, 4.5}}}}};
+    return content;
+}
+
+QImage drawn(RunMapPanel& panel) {
+    return panel.findChild<MapView*>()->grab().toImage();
+}
+
+class RunMapPanelTest : public testing::Test {
+protected:
+    void SetUp() override {
+        applyTheme(render::Theme::Light);
+        panel.resize(520, 560);
+        panel.setContent(content());
+        panel.show();
+        QObject::connect(&panel, &RunMapPanel::mapRequested, [this] { ++asked; });
+        QObject::connect(&panel, &RunMapPanel::drawnChanged, [this] { ++changed; });
+    }
+    template <class Child>
+    Child* child(const char* name) {
+        return panel.findChild<Child*>(QLatin1String(name));
+    }
+    void click(const char* name) {
+        auto* box = child<QCheckBox>(name);
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    }
+
+    RunMapPanel panel;
+    int asked = 0;
+    int changed = 0;
+};
+
+TEST_F(RunMapPanelTest, WhatIsDrawnOverTheMapChangesAtOnce) {
+    const QImage all = drawn(panel);
+    click("mapStructure");
+    const QImage without = drawn(panel);
+    EXPECT_NE(all, without);
+    EXPECT_EQ(panel.style().outlines.size(), 1U);
+    click("mapEvidence");
+    EXPECT_TRUE(panel.style().outlines.empty());
+    EXPECT_NE(without, drawn(panel));
+    EXPECT_EQ(asked, 0) << "no other map is needed";
+    EXPECT_EQ(changed, 2);
+}
+
+TEST_F(RunMapPanelTest, ContoursAreChosenWithTheKeys) {
+    const QImage none = drawn(panel);
+    auto* contours = child<QComboBox>("mapContours");
+    contours->setFocus();
+    QTest::keyClick(contours, Qt::Key_Down);
+    QTest::keyClick(contours, Qt::Key_Down);
+    QTest::keyClick(contours, Qt::Key_Down);
+    EXPECT_DOUBLE_EQ(panel.style().contours, 0.5);
+    EXPECT_NE(drawn(panel), none);
+}
+
+TEST_F(RunMapPanelTest, OtherCellsOrAnotherInstantAskForAnotherMap) {
+    auto* cell = child<QLineEdit>("mapCell");
+    cell->setFocus();
+    cell->selectAll();
+    QTest::keyClicks(cell, QStringLiteral("1.5"));
+    QTest::keyClick(cell, Qt::Key_Return);
+    EXPECT_EQ(asked, 1);
+    EXPECT_DOUBLE_EQ(panel.choice().cell, 1.5);
+    auto* when = child<QComboBox>("mapWhen");
+    when->setFocus();
+    QTest::keyClick(when, Qt::Key_Down);
+    EXPECT_EQ(asked, 2);
+    EXPECT_FALSE(panel.choice().atEnd);
+    click("mapLive");
+    EXPECT_EQ(asked, 3);
+    EXPECT_FALSE(panel.choice().live);
+}
+
+TEST_F(RunMapPanelTest, ALayerIsKeptWhereTheNextMapHasIt) {
+    auto* layer = child<QComboBox>("mapLayer");
+    ASSERT_EQ(layer->count(), 2);
+    layer->setFocus();
+    QTest::keyClick(layer, Qt::Key_Down);
+    EXPECT_EQ(panel.choice().layer, MapLayer::Mass);
+    panel.setContent(content());
+    EXPECT_EQ(panel.choice().layer, MapLayer::Mass);
+    EXPECT_EQ(layer->currentIndex(), 1);
+}
+
+TEST_F(RunMapPanelTest, CautionsStandOnAmberBelowTheMap) {
+    const QImage without = drawn(panel);
+    RunMapPanel::Content cautioned = content();
+    cautioned.place.cautions = "12 of 40 bodies still move";
+    panel.setContent(cautioned);
+    EXPECT_NE(drawn(panel), without);
+}
+
+TEST_F(RunMapPanelTest, WithoutAMapItSaysWhyAndOffersNothing) {
+    RunMapPanel::Content none;
+    none.why = QStringLiteral("Simulate first.");
+    panel.setContent(none);
+    EXPECT_FALSE(child<QPushButton>("saveMap")->isEnabled());
+    EXPECT_FALSE(child<QToolButton>("mapOnGround")->isEnabled());
+    EXPECT_FALSE(panel.findChild<MapView*>()->isVisible());
+    QTest::qWait(50);  // until the rows lie where they belong
+    EXPECT_LT(child<QCheckBox>("mapLive")->mapTo(&panel, QPoint()).y(), 140) << "the rows stay together";
+    bool said = false;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        said = said || (label->isVisible() && label->text().contains(QStringLiteral("Simulate first.")));
+    }
+    EXPECT_TRUE(said);
+}
+
+}  // namespace
+
+}  // namespace rubble::widgets

@@ -1,0 +1,32 @@
+#include "widgets/run/caution_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "widgets/basics/wording.h"
+
+namespace rubble::widgets {
+
+QString gradeWords(HealthGrade grade) {
+    switch (grade) {
+        case HealthGrade::Notice:
+            return QCoreApplication::translate("HealthGrade", "notice");
+        case HealthGrade::Finding:
+            return QCoreApplication::translate("HealthGrade", "finding");
+        case HealthGrade::Tainted:
+            break;
+    }
+    return QCoreApplication::translate("HealthGrade", "tainted");
+}
+
+QString cautionWords(const std::vector<Caution>& cautions) {
+    QStringList parts;
+    for (const Caution& caution : cautions) {
+        if (caution.grade != HealthGrade::Notice) {
+            parts << worded(caution.what);
+        }
+    }
+    return inOneLine(parts);
+}
+
+}  // namespace rubble::widgets

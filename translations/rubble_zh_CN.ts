@@ -10076,6 +10076,38 @@
         <source>{0} went further from the structure than 10 times its height and the drop of the terrain</source>
         <translation>{0} 离结构的距离超过其高度与地形落差的 10 倍</translation>
     </message>
+    <message>
+        <source>A page shows at most {0} fragments or elements; the run has {1} fragments of {2} elements</source>
+        <translation>网页最多显示 {0} 个碎块或单元；此计算有 {1} 个碎块，来自 {2} 个单元</translation>
+    </message>
+    <message>
+        <source>Choose a run in which elements were deactivated, and let it simulate.</source>
+        <translation>请选择有单元失效的计算，并完成模拟。</translation>
+    </message>
+    <message>
+        <source>Conventional FE result</source>
+        <translation>常规有限元结果</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures of the page</source>
+        <translation>正在绘制网页的图片</translation>
+    </message>
+    <message>
+        <source>Packing the motion of the bodies</source>
+        <translation>正在压缩刚体的运动</translation>
+    </message>
+    <message>
+        <source>Packing the states of the FE result</source>
+        <translation>正在压缩有限元结果的状态</translation>
+    </message>
+    <message>
+        <source>Share a movie or a report, or export the run for ParaView (vtkhdf).</source>
+        <translation>请共享动画或报告，或为 ParaView 导出（vtkhdf）。</translation>
+    </message>
+    <message>
+        <source>The run has no fragments that a page could show</source>
+        <translation>此计算没有网页可显示的碎块</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

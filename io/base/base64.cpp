@@ -9,10 +9,11 @@ namespace {
 
 constexpr int noDigit = -1;
 
+constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 constexpr std::array<int, 256> base64Digits = [] {
     std::array<int, 256> digits{};
     digits.fill(noDigit);
-    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t i = 0; i < alphabet.size(); ++i) {
         digits[static_cast<unsigned char>(alphabet[i])] = static_cast<int>(i);
     }
@@ -20,6 +21,22 @@ constexpr std::array<int, 256> base64Digits = [] {
 }();
 
 }  // namespace
+
+std::string encodeBase64(std::string_view bytes) {
+    std::string text;
+    text.reserve(base64Length(bytes.size()));
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned group = 0;
+        for (std::size_t b = 0; b < 3; ++b) {
+            group = group << 8 | (b < left ? static_cast<unsigned char>(bytes[i + b]) : 0u);
+        }
+        for (std::size_t d = 0; d < 4; ++d) {
+            text.push_back(d <= left ? alphabet[group >> (18 - 6 * d) & 0x3fu] : '=');
+        }
+    }
+    return text;
+}
 
 bool decodeBase64(std::string_view text, std::string& bytes) {
     bytes.clear();

@@ -15,6 +15,7 @@
 #include "io/exports/gltf/glb_file.h"
 #include "io/exports/gltf/island_mesh.h"
 #include "io/run/fragment_places.h"
+#include "io/run/shown_span.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -55,10 +56,9 @@ std::vector<Load> loadsOf(const std::vector<BodyRecord>& bodies, const std::vect
         const Fragment& fragment = fragments.list[at(carrier.fragment)];
         Load& load = loads[at(carrier.body)];
         load.carriers.push_back(&carrier);
-        // What comes out of an island is there from its hand-over on: nothing else shows it until it is born.
-        const bool seenBefore = inIslands.contains(fragment.element);
-        load.from = std::min(load.from, seenBefore ? carrier.from : std::max(carrier.from, fragment.birthTime));
-        load.to = std::max(load.to, std::min({carrier.to, fragment.endTime, bodies[at(carrier.body)].to}));
+        const ShownSpan span = shownSpan(carrier, fragment, bodies[at(carrier.body)], inIslands.contains(fragment.element));
+        load.from = std::min(load.from, span.from);
+        load.to = std::max(load.to, span.to);
     }
     return loads;
 }

@@ -83,15 +83,19 @@ void addStaleSettings(std::vector<Message>& stale, const ReportRequest& request)
     }
 }
 
-std::vector<CaseInput> evidenceFiles(const ReportRequest& request, InputRole role) {
+std::vector<CaseInput> filesOfCase(const Case& theCase, const std::string& basePath, InputRole role) {
     std::vector<CaseInput> files;
-    for (CaseInput input : request.theCase != nullptr ? request.theCase->inputs : std::vector<CaseInput>()) {
+    for (CaseInput input : theCase.inputs) {
         if (input.role == role) {
-            input.path = inputPath(request.basePath, input);
+            input.path = inputPath(basePath, input);
             files.push_back(std::move(input));
         }
     }
     return files;
+}
+
+std::vector<CaseInput> evidenceFiles(const ReportRequest& request, InputRole role) {
+    return request.theCase != nullptr ? filesOfCase(*request.theCase, request.basePath, role) : std::vector<CaseInput>();
 }
 
 /// A large file is left in the middle where the report is given up.
@@ -134,31 +138,6 @@ void attempt(Message& problem, Attempt attempt) {
         throw;
     } catch (const Error& error) {
         problem = error.message();
-    }
-}
-
-void addPhotographs(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
-    const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
-    const RunStanding standing = standingOf(*request.run);
-    for (const CaseInput& input : evidenceFiles(request, InputRole::Photograph)) {
-        const std::vector<Photograph>& all = request.theCase->photographs;
-        const auto drawn = std::find_if(all.begin(), all.end(), [&](const Photograph& each) { return each.input == input.id; });
-        if (drawn == all.end()) {
-            continue;
-        }
-        ReportPhoto photo;
-        photo.name = fs::path(input.path).filename().string();
-        photo.photograph = *drawn;
-        attempt(photo.problem, [&] {
-            PhotoPicture picture = readPicture(input.path, photographSide, execution);
-            photo.width = picture.width;
-            photo.height = picture.height;
-            photo.rgb = std::move(picture.rgb);
-            photo.match = matchCamera(drawn->pairs, drawn->camera, execution);
-            photo.comparison = compareRunWithPhoto(mapped, *drawn, *photo.match, {}, execution);
-        });
-        photo.cautions = photographCautions(*drawn, photo.match ? &*photo.match : nullptr, &standing);
-        facts.photographs.push_back(std::move(photo));
     }
 }
 
@@ -281,6 +260,32 @@ ReportFacts identityOf(const ReportRequest& request) {
 
 }  // namespace
 
+std::vector<ReportPhoto> photographsOfCase(const MappedRun& run, const Case& theCase, const std::string& basePath,
+                                           const RunStanding& standing, const Execution& execution) {
+    std::vector<ReportPhoto> photographs;
+    for (const CaseInput& input : filesOfCase(theCase, basePath, InputRole::Photograph)) {
+        const std::vector<Photograph>& all = theCase.photographs;
+        const auto drawn = std::find_if(all.begin(), all.end(), [&](const Photograph& each) { return each.input == input.id; });
+        if (drawn == all.end()) {
+            continue;
+        }
+        ReportPhoto photo;
+        photo.name = fs::path(input.path).filename().string();
+        photo.photograph = *drawn;
+        attempt(photo.problem, [&] {
+            PhotoPicture picture = readPicture(input.path, photographSide, execution);
+            photo.width = picture.width;
+            photo.height = picture.height;
+            photo.rgb = std::move(picture.rgb);
+            photo.match = matchCamera(drawn->pairs, drawn->camera, execution);
+            photo.comparison = compareRunWithPhoto(run, *drawn, *photo.match, {}, execution);
+        });
+        photo.cautions = photographCautions(*drawn, photo.match ? &*photo.match : nullptr, &standing);
+        photographs.push_back(std::move(photo));
+    }
+    return photographs;
+}
+
 std::vector<Message> staleParts(const ReportRequest& request, const Execution& execution) {
     std::vector<Message> stale;
     const RunOrigin& origin = request.run->origin();
@@ -345,7 +350,9 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     execution.check();
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
     facts.map = mapOfRun(mapped, std::nullopt, {}, true, execution);
-    addPhotographs(facts, request, execution);
+    if (request.theCase != nullptr) {
+        facts.photographs = photographsOfCase(mapped, *request.theCase, request.basePath, standingOf(*request.run), execution);
+    }
     addSurveys(facts, request, execution);
     addAccuracy(facts, request, execution);
     addEnsemble(facts, request, execution);

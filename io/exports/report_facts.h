@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/execution.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/report_facts.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
@@ -29,6 +30,13 @@ struct ReportRequest {
     int repeats = 2;          ///< simulated anew for the uncertainty; 0: none
     std::string studyFolder;  ///< where studies are kept; empty: no accuracy and no ensemble
 };
+
+/// The photographs of a case held against a run: those that something was drawn on.
+/// @param basePath  file that the paths of the case are relative to
+/// @param standing  of the run, for what is said beside each
+/// Throws Cancelled; what keeps a photograph from being read or compared stands beside it.
+std::vector<ReportPhoto> photographsOfCase(const MappedRun& run, const Case& theCase, const std::string& basePath,
+                                           const RunStanding& standing, const Execution& execution);
 
 /// What makes a run too old to be reported: a setting that the case has changed since, an input that is another file now, a run
 /// that is not complete or not what was written. One line each; empty: nothing does.

@@ -37,7 +37,7 @@ constexpr std::array rows{
     Row{"J", "mJ", 1e3, "ft·lbf", 1.0 / (footLength * poundForce)},
 };
 
-std::atomic<UnitSet>& chosenSet() {
+std::atomic<UnitSet>& chosenUnits() {
     static std::atomic<UnitSet> set{UnitSet::Si};
     return set;
 }
@@ -50,11 +50,11 @@ int& filesBeingWritten() {
 }  // namespace
 
 void chooseUnits(UnitSet set) {
-    chosenSet() = set;
+    chosenUnits() = set;
 }
 
 UnitSet unitSet() {
-    return filesBeingWritten() > 0 ? UnitSet::Si : chosenSet().load();
+    return filesBeingWritten() > 0 ? UnitSet::Si : chosenUnits().load();
 }
 
 ShownUnit shownUnit(std::string_view unit) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/cli/exports/page_request.h"
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/output_file.h"
 #include "core/base/error.h"
@@ -12,12 +13,14 @@
 namespace rubble::cli {
 
 std::span<const ExportKind> exportKinds() {
-    static constexpr std::array<ExportKind, 8> kinds{
+    static constexpr std::array<ExportKind, 9> kinds{
         {{"fragments", "*.csv", "table of all fragments: birth, rest, speeds, mass", "any spreadsheet, pandas, R"},
          {"series", "*.pvd", "fragments and structure over time, a folder of VTU files", "ParaView, VisIt, VTK"},
          {"vtkhdf", "*.vtkhdf", "the same over time in one file", "ParaView from 5.12 on, VTK from 9.3 on"},
          {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView (its Xdmf3 reader)"},
          {"gltf", "*.glb", "fragments with their motion, glTF 2.0, metres, y up", "Blender, three.js, web viewers"},
+         {"page", "*.html", "one page with both views, timeline, health and provenance; no network",
+          "any web browser of 2023 and later"},
          {"debris-map", "*.tif, *.gpkg, *.csv, *.png", "a debris map: height, volume, mass and more by cells",
           "QGIS, ArcGIS, GDAL"},
          {"footprint", "*.gpkg", "footprint, height contours and fragments as shapes", "QGIS, ArcGIS, GDAL"},
@@ -28,7 +31,8 @@ std::span<const ExportKind> exportKinds() {
 Option ExportRequest::option() {
     return {"--export", "KIND=PATH", true,
             "write a file of this kind: fragments=F.csv, series=D.pvd, vtkhdf=F.vtkhdf, bodies=F.xdmf, gltf=F.glb, "
-            "debris-map=F.tif (.gpkg, .csv, .png), footprint=F.gpkg, figure=F.png (.svg, .pdf); rubble-cli export --list says what "
+            "page=F.html, debris-map=F.tif (.gpkg, .csv, .png), footprint=F.gpkg, figure=F.png (.svg, .pdf); rubble-cli export "
+            "--list says what "
             "reads them"};
 }
 
@@ -44,6 +48,8 @@ ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::st
             throw wrongValue("--export footprint", path, "a GeoPackage, whose name ends in .gpkg");
         } else if (kind == "gltf" && !io::hasEnding(path, ".glb")) {
             throw wrongValue("--export gltf", path, "a binary glTF file, whose name ends in .glb");
+        } else if (kind == "page" && !io::hasEnding(path, ".html")) {
+            throw wrongValue("--export page", path, "a page, whose name ends in .html");
         } else if (kind == "vtkhdf" && !io::hasEnding(path, ".vtkhdf")) {
             throw wrongValue("--export vtkhdf", path, "a VTKHDF file, whose name ends in .vtkhdf");
         }
@@ -96,6 +102,8 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
             io::exportBodies(row.path, *run, execution);
         } else if (row.kind == "gltf") {
             io::exportGltf(row.path, *run, inputs.fe.get(), execution);
+        } else if (row.kind == "page") {
+            writePage(row.path, run, inputs, around, session);
         } else if (row.kind == "figure") {
             execution.report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
             m_figure.write(row.path, run, inputs, around);

@@ -15,12 +15,12 @@ namespace rubble {
 struct HealthGradeLimits {
     double energyFinding = 0.01;      ///< of the work of gravity
     double penetrationNotice = 1.0;   ///< of the smallest side
-    double crowdFinding = 0.05;       ///< share of the bodies
-    double speedFinding = 1.5;        ///< of what birth and fall allow
+    double crowdFinding = 0.02;       ///< share of the bodies
+    double speedFinding = 1.25;       ///< of what birth and fall allow
     double belowGroundFinding = 0.5;  ///< m
     double asleepNotice = 0.80;       ///< share of the bodies that stay at rest
-    double bulkingLeast = 1.0;        ///< a pile cannot be smaller than its material
-    double bulkingMost = 3.0;         ///< of the material
+    double bulkingLeast = 1.05;       ///< a pile cannot be smaller than its material
+    double bulkingMost = 2.5;         ///< of the material
 };
 
 /// "notice", "finding", "tainted".

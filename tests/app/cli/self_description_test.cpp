@@ -91,8 +91,8 @@ TEST(ExportKinds, AreListedWithWhatOpensThem) {
         names.push_back(kind["kind"]);
         EXPECT_NE(kind["readers"], "");
     }
-    EXPECT_THAT(names,
-                testing::ElementsAre("fragments", "series", "vtkhdf", "bodies", "gltf", "debris-map", "footprint", "figure"));
+    EXPECT_THAT(names, testing::ElementsAre("fragments", "series", "vtkhdf", "bodies", "gltf", "page", "debris-map", "footprint",
+                                            "figure"));
     EXPECT_THAT(cli({"export", "--list"}).out, HasSubstr("Blender"));
 }
 

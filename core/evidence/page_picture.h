@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/message.h"
+
+namespace rubble {
+
+/// What a picture of a page shows.
+enum class PagePictureKind : std::uint8_t { Views, Map, Photograph };
+
+/// A picture that a page of a run carries: of the views at an instant, of the debris map, a photograph with what was drawn on it.
+struct PagePicture {
+    PagePictureKind kind = PagePictureKind::Views;
+    double time = 0.0;  ///< s, of the views
+    std::string name;   ///< of a photograph: its file
+    std::string type;   ///< "image/png"
+    std::string bytes;  ///< of the file
+    Message note;       ///< beside a photograph: how far it agrees, or why it was not compared; empty: nothing to say
+};
+
+}  // namespace rubble

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/evidence/maps/debris_map.h"
+#include "core/evidence/page_picture.h"
+#include "core/fe/fe_result.h"
+#include "core/fe/terrain_grid.h"
+#include "core/scenario/case.h"
+#include "io/run/run_file.h"
+
+namespace rubble::io {
+
+/// What goes into a page beside the run.
+struct PageExtras {
+    std::string title;                           ///< empty: the name of the FE file
+    const Case* theCase = nullptr;               ///< its bookmarks become chapters; null: the run alone
+    std::string casePath;                        ///< of the case, empty: none
+    std::shared_ptr<const TerrainGrid> terrain;  ///< that is shown; null: the level ground
+    std::shared_ptr<const DebrisMap> map;        ///< of the end, whose sums the page prints; null: none
+    std::vector<PagePicture> pictures;
+    std::function<std::string(const Message&)> chinese;  ///< a message in Chinese; unset: messages stay English
+};
+
+/// What was written.
+struct PageReport {
+    std::uint64_t bytes = 0;  ///< of the file
+    double placeError = 0.0;  ///< m, largest of a corner at any recorded instant
+    double nodeError = 0.0;   ///< m, largest of a node at the states that are kept
+    std::size_t statesLeftOut = 0;
+};
+
+/// Throws UsageError if a page cannot show a run: no fragments, another FE file, more than a browser holds; ParseError.
+void checkPage(const RunReader& run, const FeResult& fe);
+
+/// Writes a run as one HTML file that a browser opens without network and without installation: both views with linked cameras,
+/// timeline, picking, measuring, colours, chapters, pictures, health, provenance and limits, in English and Chinese. Places are
+/// rounded and motion is thinned; the largest error is measured against every recorded instant and stands on the page. Atomic. The
+/// file holds its provenance as readProvenance() finds it. Throws UsageError (no fragments; not the FE file of the run; more than a
+/// page can show), WorldError, ParseError, Cancelled.
+PageReport exportPage(const std::string& path, const RunReader& run, const FeResult& fe, const PageExtras& extras,
+                      const Execution& execution);
+
+}  // namespace rubble::io

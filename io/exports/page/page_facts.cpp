@@ -1,0 +1,226 @@
+#include "io/exports/page/page_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/base/build.h"
+#include "core/scenario/differences.h"
+#include "core/simulation/run/acknowledgement.h"
+#include "io/run/acknowledgements.h"
+#include "io/site/site_place.h"
+
+namespace rubble::io {
+
+namespace {
+
+using nlohmann::json;
+
+/// Nodes of a terrain along one side that a page draws, at most.
+constexpr std::size_t terrainSide = 240;
+
+json numberOrNull(double number) {
+    return std::isfinite(number) ? json(number) : json(nullptr);
+}
+
+class PageTexts {
+public:
+    explicit PageTexts(const PageExtras& extras) : m_chinese(extras.chinese) {}
+
+    json operator()(const Message& message) const {
+        if (message.empty()) {
+            return nullptr;
+        }
+        const std::string english = englishText(message);
+        return {{"en", english}, {"zh", m_chinese ? m_chinese(message) : english}};
+    }
+
+private:
+    std::function<std::string(const Message&)> m_chinese;
+};
+
+json healthFacts(const RunReader& run, const PageTexts& text) {
+    const Taint taint = taintOf(run);
+    const auto result = run.result();
+    json facts = {{"tainted", taint.tainted()}, {"acknowledged", nullptr}, {"breaches", json::array()}};
+    if (taint.acknowledgement) {
+        facts["acknowledged"] = {
+            {"by", taint.acknowledgement->by}, {"when", taint.acknowledgement->when}, {"note", taint.acknowledgement->note}};
+    }
+    for (const HealthBreach& breach : result ? result->health.breaches : run.breaches()) {
+        facts["breaches"].push_back({{"check", text(healthCheckTitle(breach.check))},
+                                     {"from", breach.from},
+                                     {"to", breach.to},
+                                     {"worst", numberOrNull(breach.worst)},
+                                     {"limit", numberOrNull(breach.limit)},
+                                     {"bodies", breach.bodies},
+                                     {"what", text(breach.what)},
+                                     {"remedy", text(breach.remedy)}});
+    }
+    if (result) {
+        facts["energyGain"] = numberOrNull(result->energy.drift);
+        facts["penetration"] = numberOrNull(result->health.penetrationSustained);
+        facts["penetrationShare"] = numberOrNull(result->health.penetrationShare);
+        facts["fastest"] = numberOrNull(result->health.fastestOverLimit);
+        facts["farthest"] = numberOrNull(result->health.farthest);
+    }
+    return facts;
+}
+
+json outcomeFacts(const RunReader& run, const FeResult& fe) {
+    double mass = 0.0;
+    for (const Fragment& fragment : run.fragments()->list) {
+        mass += fragment.mass;
+    }
+    json facts = {{"fragments", run.fragments()->size()}, {"fragmentMass", mass},
+                  {"bodies", run.bodies().size()},        {"feStates", fe.stateCount()},
+                  {"feEnd", fe.times().back()},           {"end", run.frameTime(run.frameCount() - 1)},
+                  {"frames", run.frameCount()},           {"complete", run.complete()}};
+    if (const auto result = run.result()) {
+        facts["atRest"] = result->asleepAtEnd;
+        facts["stillMoving"] = result->stillMoving;
+        facts["maxSpeed"] = result->maxSpeed;
+        facts["massError"] = result->ledger.mass;
+        facts["momentumError"] = result->ledger.momentum;
+        facts["islands"] = run.islands().size();
+    }
+    return facts;
+}
+
+json chapterFacts(const RunReader& run, const FeResult& fe, const PageExtras& extras) {
+    json chapters = json::array();
+    const double end = run.frameTime(run.frameCount() - 1);
+    chapters.push_back({{"time", fe.times().front()}, {"kind", "start"}});
+    double firstBirth = end;
+    for (const Fragment& fragment : run.fragments()->list) {
+        firstBirth = std::min(firstBirth, fragment.birthTime);
+    }
+    chapters.push_back({{"time", firstBirth}, {"kind", "first"}});
+    if (fe.times().back() <= end) {
+        chapters.push_back({{"time", fe.times().back()}, {"kind", "feEnd"}});
+    }
+    chapters.push_back({{"time", end}, {"kind", "end"}});
+    for (const Bookmark& bookmark : extras.theCase != nullptr ? extras.theCase->bookmarks : std::vector<Bookmark>()) {
+        chapters.push_back({{"time", bookmark.time}, {"kind", "note"}, {"note", bookmark.note}});
+    }
+    std::stable_sort(chapters.begin(), chapters.end(),
+                     [](const json& a, const json& b) { return a["time"].get<double>() < b["time"].get<double>(); });
+    return chapters;
+}
+
+json fileFacts(const std::string& role, const std::string& path, const std::string& sha256) {
+    // The other side has other folders.
+    return {{"role", role}, {"name", std::filesystem::path(path).filename().string()}, {"sha256", sha256}};
+}
+
+json provenanceFacts(const RunReader& run, const PageExtras& extras) {
+    const RunOrigin& origin = run.origin();
+    json files = json::array({fileFacts("fe", origin.fePath, origin.feSha256)});
+    if (!origin.terrainPath.empty()) {
+        files.push_back(fileFacts("terrain", origin.terrainPath, origin.terrainSha256));
+    }
+    for (const RecordedInput& mesh : origin.surroundings) {
+        files.push_back(fileFacts("surroundings", mesh.path, mesh.sha256));
+    }
+    for (const CaseInput& input : extras.theCase != nullptr ? extras.theCase->inputs : std::vector<CaseInput>()) {
+        if (input.role == InputRole::Photograph || input.role == InputRole::Survey) {
+            files.push_back(fileFacts(input.role == InputRole::Survey ? "survey" : "photograph", input.path, input.sha256));
+        }
+    }
+    json settings = json::array();
+    for (const SettingDifference& difference : differencesBetween(Scenario{}, origin.scenario)) {
+        settings.push_back({{"key", difference.row->keyFor(difference.subject)},
+                            {"delivered", valueText(difference.first)},
+                            {"run", valueText(difference.second)},
+                            {"unit", difference.row->unit}});
+    }
+    json facts = {{"files", files},
+                  {"settings", settings},
+                  {"runBuild", origin.build},
+                  {"pageBuild", buildText()},
+                  {"fingerprint", origin.fingerprint.hex()},
+                  {"coordinates", std::string(SitePlace(origin.frame, origin.site).words())},
+                  {"made", utcNow()}};
+    if (const auto result = run.result()) {
+        facts["trajectory"] = result->trajectoryHash.hex();
+    }
+    return facts;
+}
+
+json groundFacts(const RunReader& run, const PageExtras& extras) {
+    const Scenario& scenario = run.origin().scenario;
+    json facts = {{"height", scenario.simulation.groundHeight}, {"terrain", nullptr}, {"water", nullptr}};
+    const auto result = run.result();
+    const auto water = static_cast<std::size_t>(EffectKind::Water);
+    const bool wet = result && water < result->effects.size() ? result->effects[water].decision.on
+                                                              : scenario.effects.of(EffectKind::Water) != EffectSwitch::Off;
+    if (wet && scenario.effects.waterLevel) {
+        facts["water"] = *scenario.effects.waterLevel;
+    }
+    if (extras.terrain == nullptr) {
+        return facts;
+    }
+    const TerrainGrid& terrain = *extras.terrain;
+    const std::size_t stride = std::max<std::size_t>(1, (std::max(terrain.nx(), terrain.ny()) + terrainSide - 1) / terrainSide);
+    json heights = json::array();
+    const std::size_t nx = (terrain.nx() - 1) / stride + 1;
+    const std::size_t ny = (terrain.ny() - 1) / stride + 1;
+    for (std::size_t j = 0; j < ny; ++j) {
+        for (std::size_t i = 0; i < nx; ++i) {
+            heights.push_back(std::round(1000.0 * terrain.node(i * stride, j * stride)) / 1000.0);
+        }
+    }
+    facts["terrain"] = {{"x0", terrain.x0()}, {"y0", terrain.y0()}, {"cell", terrain.cell() * static_cast<double>(stride)},
+                        {"nx", nx},           {"ny", ny},           {"ownCell", terrain.cell()},
+                        {"heights", heights}};
+    return facts;
+}
+
+json findingFacts(const RunReader& run, const FeResult& fe, const PageTexts& text) {
+    Findings findings = fe.contents().findings;
+    findings.append(run.findings());
+    json facts = json::array();
+    for (const Finding& finding : findings.list()) {
+        facts.push_back({{"what", text(finding.what)}, {"remedy", text(finding.remedy)}, {"count", finding.count}});
+    }
+    return facts;
+}
+
+json mapFacts(const PageExtras& extras) {
+    if (extras.map == nullptr) {
+        return nullptr;
+    }
+    const MapLedger& ledger = extras.map->ledger;
+    return {{"cell", extras.map->cell},
+            {"fragments", ledger.fragments},
+            {"mass", ledger.mass},
+            {"area", ledger.footprintArea},
+            {"liveMass", ledger.liveMass},
+            {"liveElements", ledger.liveElements},
+            {"liveThreshold", extras.map->liveThreshold}};
+}
+
+}  // namespace
+
+json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extras, const PageScene& scene) {
+    const PageTexts text(extras);
+    const RunOrigin& origin = run.origin();
+    json facts;
+    facts["title"] = extras.title.empty() ? std::filesystem::path(origin.fePath).stem().string() : extras.title;
+    facts["scenario"] = origin.scenarioName;
+    facts["program"] = "Rubble " + std::string(versionText());
+    facts["outcome"] = outcomeFacts(run, fe);
+    facts["health"] = healthFacts(run, text);
+    facts["findings"] = findingFacts(run, fe, text);
+    facts["chapters"] = chapterFacts(run, fe, extras);
+    facts["provenance"] = provenanceFacts(run, extras);
+    facts["ground"] = groundFacts(run, extras);
+    facts["map"] = mapFacts(extras);
+    facts["precision"] = {{"place", scene.placeError},
+                          {"node", scene.nodeError},
+                          {"statesKept", scene.statesKept},
+                          {"statesThere", scene.statesThere}};
+    return facts;
+}
+
+}  // namespace rubble::io

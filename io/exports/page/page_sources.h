@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace rubble::io {
+
+/// The page without its data, as resources/page has it: places for what is put in are {{name}}.
+std::string_view pageFrame();
+std::string_view pageStyle();
+/// All scripts, one behind the other.
+std::string_view pageScript();
+
+}  // namespace rubble::io

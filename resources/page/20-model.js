@@ -1,0 +1,339 @@
+// The FE result as the page has it: mesh, activity, places of nodes state by state.
+class Structure {
+    constructor(arrays, about) {
+        this.elements = about.elementCount;
+        this.nodes = about.nodeCount;
+        this.step = about.nodeStep;
+        this.faces = about.faces;
+        this.shapes = arrays.numbers('shapes');
+        this.components = arrays.integers('components', Int32Array);
+        this.ids = arrays.steps('elementIds', Float64Array);
+        this.times = arrays.numbers('stateTimes');
+        this.activity = arrays.numbers('activity');
+        this.row = (this.elements + 7) >> 3;
+        const corners = arrays.steps('corners', Uint32Array);
+        this.offsets = new Uint32Array(this.elements + 1);
+        for (let e = 0; e < this.elements; ++e) {
+            this.offsets[e + 1] = this.offsets[e] + about.cornerCounts[this.shapes[e]];
+        }
+        this.corners = corners;
+        this.places = this.unpackPlaces(arrays.contents.nodes, arrays.bytes);
+    }
+
+    // Places in steps, state by state, each against a straight way on.
+    unpackPlaces(entry, bytes) {
+        const perState = 3 * this.nodes;
+        const places = new Int32Array(perState * this.times.length);
+        let at = entry.at;
+        for (let k = 0, i = 0; k < this.times.length; ++k) {
+            for (let n = 0; n < perState; ++n, ++i) {
+                let byte = bytes[at++];
+                let value = byte & 127;
+                for (let shift = 7; byte >= 128; shift += 7) {
+                    byte = bytes[at++];
+                    value |= (byte & 127) << shift;
+                }
+                value = (value >>> 1) ^ -(value & 1);
+                if (k > 1) {
+                    value += 2 * places[i - perState] - places[i - 2 * perState];
+                } else if (k === 1) {
+                    value += places[i - perState];
+                } else if (n % this.nodes > 0) {
+                    value += places[i - 1];
+                }
+                places[i] = value;
+            }
+        }
+        return places;
+    }
+
+    active(state, element) {
+        return (this.activity[state * this.row + (element >> 3)] >> (element & 7)) & 1;
+    }
+
+    stateAt(time) {
+        return lastAtOrBelow(this.times, time);
+    }
+
+    // Share of the way to the next state.
+    shareAt(time) {
+        const k = this.stateAt(time);
+        if (k + 1 >= this.times.length || time <= this.times[k]) {
+            return 0;
+        }
+        return (time - this.times[k]) / (this.times[k + 1] - this.times[k]);
+    }
+
+    // Places of some nodes at a state, three numbers each.
+    fillPlaces(state, which, out) {
+        const from = state * 3 * this.nodes;
+        for (let i = 0; i < which.length; ++i) {
+            const n = from + which[i];
+            out[3 * i] = this.places[n] * this.step;
+            out[3 * i + 1] = this.places[n + this.nodes] * this.step;
+            out[3 * i + 2] = this.places[n + 2 * this.nodes] * this.step;
+        }
+    }
+
+    node(state, n) {
+        const from = state * 3 * this.nodes;
+        return [this.places[from + n] * this.step, this.places[from + this.nodes + n] * this.step,
+            this.places[from + 2 * this.nodes + n] * this.step];
+    }
+
+    // Corners of an element at a time: between two states on the straight way, where it is alive at both.
+    cornersAt(element, time) {
+        const k = this.stateAt(time);
+        const share = k + 1 < this.times.length && this.active(k + 1, element) ? this.shareAt(time) : 0;
+        const corners = [];
+        for (let c = this.offsets[element]; c < this.offsets[element + 1]; ++c) {
+            const a = this.node(k, this.corners[c]);
+            const b = share > 0 ? this.node(k + 1, this.corners[c]) : a;
+            corners.push([0, 1, 2].map((i) => a[i] + share * (b[i] - a[i])));
+        }
+        return corners;
+    }
+
+    // For each face, six a cell, the element on its other side; -1: none.
+    neighbours() {
+        if (this.others) {
+            return this.others;
+        }
+        const others = new Int32Array(6 * this.elements).fill(-1);
+        const size = 1 << Math.ceil(Math.log2(12 * this.elements + 16));
+        const table = new Int32Array(size).fill(-1);
+        const keys = new Uint32Array(3 * 6 * this.elements);
+        for (let e = 0; e < this.elements; ++e) {
+            const faces = this.shapes[e] < 4 ? this.faces[this.shapes[e]] : [];
+            for (let f = 0; f < faces.length; ++f) {
+                const slot = 6 * e + f;
+                const nodes = faces[f].filter((c) => c >= 0).map((c) => this.corners[this.offsets[e] + c]).sort((a, b) => a - b);
+                keys.set(nodes.slice(0, 3), 3 * slot);
+                let hash = (Math.imul(nodes[0], 73856093) ^ Math.imul(nodes[1], 19349663) ^ Math.imul(nodes[2], 83492791)) >>> 0;
+                for (hash &= size - 1; table[hash] >= 0; hash = (hash + 1) & (size - 1)) {
+                    const there = table[hash];
+                    if (keys[3 * there] === nodes[0] && keys[3 * there + 1] === nodes[1] && keys[3 * there + 2] === nodes[2]) {
+                        others[slot] = Math.floor(there / 6);
+                        others[there] = e;
+                        break;
+                    }
+                }
+                if (table[hash] < 0) {
+                    table[hash] = slot;
+                }
+            }
+        }
+        this.others = others;
+        return others;
+    }
+}
+
+// Motion of the bodies, from the instants that were kept.
+class Motion {
+    constructor(arrays, about) {
+        this.count = about.bodyCount;
+        this.ends = arrays.numbers('bodyEnds');
+        const instants = arrays.numbers('instants');
+        const counts = arrays.integers('keyCounts', Int32Array);
+        const reader = arrays.reader('keys');
+        this.first = new Uint32Array(this.count + 1);
+        for (let b = 0; b < this.count; ++b) {
+            this.first[b + 1] = this.first[b] + counts[b];
+        }
+        const keys = this.first[this.count];
+        this.times = new Float64Array(keys);
+        this.places = new Float32Array(3 * keys);
+        this.turns = new Float32Array(4 * keys);
+        this.unpack(reader, instants, about.placeStep);
+        this.pointer = this.first.slice(0, this.count);
+        // Place and turn of each body: x, y, z, 0, then x, y, z, w of the quaternion.
+        this.poses = new Float32Array(8 * this.count);
+        this.shown = NaN;
+    }
+
+    unpack(reader, instants, step) {
+        const now = new Float64Array(8);
+        for (let b = 0; b < this.count; ++b) {
+            reader.next();  // bits of the turn, whose scale its norm takes out
+            now.fill(0);
+            for (let k = this.first[b]; k < this.first[b + 1]; ++k) {
+                for (let c = 0; c < 8; ++c) {
+                    now[c] += reader.next();
+                }
+                this.times[k] = instants[now[0]];
+                this.places[3 * k] = now[1] * step;
+                this.places[3 * k + 1] = now[2] * step;
+                this.places[3 * k + 2] = now[3] * step;
+                const norm = Math.hypot(now[4], now[5], now[6], now[7]) || 1;
+                for (let c = 0; c < 4; ++c) {
+                    this.turns[4 * k + c] = now[4 + c] / norm;
+                }
+            }
+        }
+    }
+
+    // Poses of all bodies at a time; what rests costs nothing.
+    moveTo(time) {
+        const back = !(time >= this.shown);
+        for (let b = 0; b < this.count; ++b) {
+            const first = this.first[b];
+            const last = this.first[b + 1] - 1;
+            let k = this.pointer[b];
+            if (!back && k === last && this.times[last] <= this.shown) {
+                continue;
+            }
+            if (back) {
+                while (k > first && this.times[k] > time) {
+                    --k;
+                }
+            }
+            while (k < last && this.times[k + 1] <= time) {
+                ++k;
+            }
+            this.pointer[b] = k;
+            this.fill(b, k, last, time);
+        }
+        this.shown = time;
+    }
+
+    fill(b, k, last, time) {
+        const out = 8 * b;
+        const { places, turns, poses } = this;
+        if (k === last || time <= this.times[k]) {
+            for (let c = 0; c < 3; ++c) {
+                poses[out + c] = places[3 * k + c];
+            }
+            for (let c = 0; c < 4; ++c) {
+                poses[out + 4 + c] = turns[4 * k + c];
+            }
+            return;
+        }
+        const share = (time - this.times[k]) / (this.times[k + 1] - this.times[k]);
+        for (let c = 0; c < 3; ++c) {
+            poses[out + c] = places[3 * k + c] + share * (places[3 * k + 3 + c] - places[3 * k + c]);
+        }
+        const q = 4 * k;
+        const dot = turns[q] * turns[q + 4] + turns[q + 1] * turns[q + 5] + turns[q + 2] * turns[q + 6] + turns[q + 3] * turns[q + 7];
+        let a = 1 - share;
+        let z = dot < 0 ? -share : share;
+        if (Math.abs(dot) < 0.9999) {
+            const angle = Math.acos(Math.abs(dot));
+            const sine = Math.sin(angle);
+            a = Math.sin((1 - share) * angle) / sine;
+            z = Math.sin(share * angle) / sine * (dot < 0 ? -1 : 1);
+        }
+        for (let c = 0; c < 4; ++c) {
+            poses[out + 4 + c] = a * turns[q + c] + z * turns[q + 4 + c];
+        }
+    }
+
+    // Mean speed of a body since the instant that was kept before, m/s.
+    speed(b, time) {
+        const last = this.first[b + 1] - 1;
+        const k = this.pointer[b];
+        if (k >= last || time < this.times[k]) {
+            return 0;
+        }
+        const p = this.places;
+        return Math.hypot(p[3 * k + 3] - p[3 * k], p[3 * k + 4] - p[3 * k + 1], p[3 * k + 5] - p[3 * k + 2]) /
+            (this.times[k + 1] - this.times[k]);
+    }
+
+    // Takes a point of a body to where it is in the pose that was moved to last.
+    carried(b, point) {
+        return posed(this.poses, 8 * b, point);
+    }
+}
+
+// A point turned by a quaternion and moved: place at `at`, quaternion four numbers further.
+function posed(poses, at, [x, y, z]) {
+    const [qx, qy, qz, qw] = [poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 7]];
+    const tx = 2 * (qy * z - qz * y);
+    const ty = 2 * (qz * x - qx * z);
+    const tz = 2 * (qx * y - qy * x);
+    return [poses[at] + x + qw * tx + qy * tz - qz * ty, poses[at + 1] + y + qw * ty + qz * tx - qx * tz,
+        poses[at + 2] + z + qw * tz + qx * ty - qy * tx];
+}
+
+// What bodies carry: fragments, and elements of islands.
+class Pieces {
+    constructor(arrays, about) {
+        this.count = about.pieceCount;
+        this.bodies = arrays.steps('pieceBodies', Int32Array);
+        this.fragments = arrays.steps('pieceFragments', Int32Array);
+        this.elements = arrays.steps('pieceElements', Int32Array);
+        this.shapes = arrays.numbers('pieceShapes');
+        this.from = arrays.numbers('pieceFrom');
+        this.to = Float64Array.from(arrays.numbers('pieceTo'));
+        const ends = arrays.numbers('bodyEnds');
+        this.births = arrays.numbers('fragmentBirths');
+        this.masses = arrays.numbers('fragmentMasses');
+        this.clusters = arrays.integers('fragmentClusters', Int32Array);
+        this.offsets = new Uint32Array(this.count + 1);
+        for (let p = 0; p < this.count; ++p) {
+            this.offsets[p + 1] = this.offsets[p] + about.cornerCounts[this.shapes[p]];
+            this.to[p] = Math.min(this.to[p], ends[this.bodies[p]]);
+        }
+        this.corners = new Float32Array(3 * this.offsets[this.count]);
+        const reader = arrays.reader('pieceCorners');
+        const now = [0, 0, 0];
+        for (let i = 0; i < this.corners.length; ++i) {
+            now[i % 3] += reader.next();
+            this.corners[i] = now[i % 3] * about.cornerStep;
+        }
+        this.ofElement = new Map();
+        for (let p = 0; p < this.count; ++p) {
+            const e = this.elements[p];
+            if (!this.ofElement.has(e)) {
+                this.ofElement.set(e, []);
+            }
+            this.ofElement.get(e).push(p);
+        }
+    }
+
+    shown(p, time) {
+        return this.from[p] <= time && time < this.to[p];
+    }
+
+    // The piece of an element that is seen at a time; -1: none.
+    at(element, time) {
+        const found = (this.ofElement.get(element) || []).filter((p) => this.shown(p, time));
+        return found.length > 0 ? found[found.length - 1] : -1;
+    }
+
+    corner(p, c) {
+        const i = 3 * (this.offsets[p] + c);
+        return [this.corners[i], this.corners[i + 1], this.corners[i + 2]];
+    }
+
+    middle(p) {
+        const count = this.offsets[p + 1] - this.offsets[p];
+        const sum = [0, 0, 0];
+        for (let c = 0; c < count; ++c) {
+            this.corner(p, c).forEach((x, i) => {
+                sum[i] += x / count;
+            });
+        }
+        return sum;
+    }
+
+    // Side of a square that covers about as much as the piece does, m.
+    size(p) {
+        const middle = this.middle(p);
+        const count = this.offsets[p + 1] - this.offsets[p];
+        let sum = 0;
+        for (let c = 0; c < count; ++c) {
+            sum += length3(add3(this.corner(p, c), middle, -1));
+        }
+        return 1.25 * sum / count;
+    }
+
+    // Fragments that are seen at a time.
+    fragmentsAt(time) {
+        let count = 0;
+        for (let p = 0; p < this.count; ++p) {
+            count += this.fragments[p] >= 0 && this.births[this.fragments[p]] <= time && this.shown(p, time) ? 1 : 0;
+        }
+        return count;
+    }
+}

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// A Chromium without a window, driven over the pipe of its DevTools protocol. It draws in software and reaches no network: every
+/// name fails to resolve, and the proxy answers nobody.
+class Browser {
+public:
+    /// The program; empty where there is none. RUBBLE_CHROMIUM may name another.
+    static std::string program();
+
+    /// @param folder  for its profile
+    /// @param more    further options
+    Browser(const std::string& folder, int width, int height, const std::vector<std::string>& more = {});
+    ~Browser();
+    Browser(const Browser&) = delete;
+    Browser& operator=(const Browser&) = delete;
+
+    /// Opens a page from a file and waits until it says that it is ready; what it then says.
+    std::string open(const std::string& path);
+    /// Value of an expression in the page; a promise is waited for. Throws std::runtime_error with what the page threw.
+    nlohmann::json evaluate(const std::string& expression);
+    /// Bytes of a PNG.
+    std::string screenshot();
+    /// Presses and lets go a key: "Tab", "Enter", " ".
+    void press(const std::string& key);
+    /// Clicks at a place of the page, px.
+    void click(double x, double y);
+
+    /// Addresses that were asked for, but for data that pages hold themselves.
+    const std::vector<std::string>& requests() const { return m_requests; }
+    /// Exceptions, and errors in the log of the page.
+    const std::vector<std::string>& complaints() const { return m_complaints; }
+
+private:
+    nlohmann::json command(const std::string& method, nlohmann::json parameters);
+    nlohmann::json nextMessage();
+    void note(const nlohmann::json& event);
+
+    pid_t m_process = 0;
+    int m_out = -1;
+    int m_in = -1;
+    int m_number = 0;
+    std::string m_buffer;
+    std::string m_session;
+    std::vector<std::string> m_requests;
+    std::vector<std::string> m_complaints;
+};
+
+}  // namespace rubble

@@ -1,0 +1,110 @@
+#include "widgets/figures/page_pictures.h"
+
+#include <QBuffer>
+#include <QTranslator>
+
+#include <algorithm>
+#include <memory>
+
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/figure_sheet.h"
+#include "widgets/figures/report/report_photograph.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr QSize viewPixels(1280, 720);
+constexpr QSize mapPixels(1500, 900);
+constexpr double dpi = 130.0;
+constexpr double mapDpi = 170.0;
+constexpr int photographWidth = 1200;  // px
+constexpr std::size_t mostTimes = 8;
+constexpr int jpegQuality = 82;
+
+std::string fileOf(const QImage& image, const char* format) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, format, QByteArray(format) == "JPG" ? jpegQuality : -1);
+    return bytes.toStdString();
+}
+
+PagePicture pictureOf(const ReportPhoto& photo) {
+    const QImage image = photographPicture(photo, photographWidth);
+    PagePicture picture{PagePictureKind::Photograph, 0.0, photo.name, "image/jpeg", {}, photo.problem};
+    if (!image.isNull()) {
+        picture.bytes = fileOf(image, "JPG");
+    }
+    if (photo.comparison) {
+        picture.note = photo.comparison->words;
+    }
+    return picture;
+}
+
+}  // namespace
+
+std::vector<double> pageTimes(const render::SceneData& data, const std::vector<Bookmark>& bookmarks) {
+    const double feEnd = data.fe->times().back();
+    double end = feEnd;
+    if (data.trajectory && data.trajectory->frameCount() > 0) {
+        end = data.trajectory->frameTime(data.trajectory->frameCount() - 1);
+    }
+    const double first = data.fe->times().front();
+    std::vector<double> times{first, first + (feEnd - first) / 3.0, first + 2.0 * (feEnd - first) / 3.0, feEnd, end};
+    for (const Bookmark& bookmark : bookmarks) {
+        if (times.size() < mostTimes) {
+            times.push_back(bookmark.time);
+        }
+    }
+    std::erase_if(times, [&](double time) { return time < first || time > end; });
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const PageDrawing& drawing, const Execution& execution) {
+    const Message stage{"page.drawing", "Drawing the pictures of the page", {}};
+    std::vector<PagePicture> pictures;
+    Studio studio(data);
+    FigureStyle style;
+    style.pixels = viewPixels;
+    style.dpi = dpi;
+    render::View view = render::defaultView(data, viewPixels.width(), viewPixels.height());
+    for (std::size_t i = 0; i < drawing.times.size(); ++i) {
+        execution.report(stage, static_cast<double>(i) / static_cast<double>(drawing.times.size() + 1));
+        view.time = drawing.times[i];
+        const QImage image = studio.sheet(sheetOf(view), style).image();
+        pictures.push_back({PagePictureKind::Views, view.time, {}, "image/png", fileOf(image, "PNG"), {}});
+    }
+    if (drawing.map != nullptr) {
+        MapPictureStyle map = drawing.mapStyle;
+        map.pixels = mapPixels;
+        map.dpi = mapDpi;
+        pictures.push_back({PagePictureKind::Map,
+                            drawing.map->time,
+                            {},
+                            "image/png",
+                            fileOf(mapPicture(*drawing.map, MapLayer::Mass, map), "PNG"),
+                            {}});
+    }
+    for (const ReportPhoto& photo : drawing.photographs) {
+        execution.check();
+        pictures.push_back(pictureOf(photo));
+    }
+    return pictures;
+}
+
+std::function<std::string(const Message&)> chineseWords() {
+    const auto catalogue = std::make_shared<QTranslator>();
+    const bool there = catalogue->load(QStringLiteral(":/translations/rubble_zh_CN.qm"));
+    return [catalogue, there](const Message& message) {
+        Message said = message;
+        if (const QString pattern = there ? catalogue->translate("messages", message.pattern.c_str()) : QString();
+            !pattern.isEmpty()) {
+            said.pattern = pattern.toStdString();
+        }
+        return englishText(said);
+    };
+}
+
+}  // namespace rubble::figures

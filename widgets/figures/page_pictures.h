@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/evidence/page_picture.h"
+#include "core/evidence/report_facts.h"
+#include "core/scenario/case.h"
+#include "widgets/figures/map_picture.h"
+#include "widgets/render/basics/scene_data.h"
+
+namespace rubble::figures {
+
+/// What the pictures of a page are drawn from.
+struct PageDrawing {
+    std::vector<double> times;       ///< s, of the views
+    const DebrisMap* map = nullptr;  ///< null: none
+    MapPictureStyle mapStyle;        ///< place and coordinate system
+    std::span<const ReportPhoto> photographs;
+};
+
+/// Instants at which a page shows the views where a browser cannot: first and last one, end of the FE result, bookmarks; few.
+std::vector<double> pageTimes(const render::SceneData& data, const std::vector<Bookmark>& bookmarks);
+
+/// Draws them off screen. Call ensureGuiApplication() first. Throws what a Studio throws, and Cancelled.
+std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const PageDrawing& drawing, const Execution& execution);
+
+/// Says a message in Chinese, whatever language the program speaks, where the program carries the catalogue; else as it is.
+std::function<std::string(const Message&)> chineseWords();
+
+}  // namespace rubble::figures

@@ -141,10 +141,10 @@ struct Scenario {
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// Parts in which the soft-step solver takes a step: 4, or 8 where the engine moves loose structure. What lies under spans that are
-/// a hundred times as heavy trembles and sinks in longer ones (docs/solver.md).
+/// Parts in which the soft-step solver takes a step: 4, or 16 where the engine moves loose structure. What lies under spans that
+/// are a hundred times as heavy trembles and sinks in longer ones (docs/solver.md).
 inline int substepsOf(const Scenario& scenario) {
-    return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 8);
+    return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 16);
 }
 
 /// The collision shape that clusters take, settled where it is left to the program.

@@ -13,7 +13,16 @@ void ContactResults::take(SoftSolver& solver, bool corrected, ContactReport& rep
     report.pairs = 0;
     report.points = 0;
     m_unloaded.clear();
-    for (const Outcome& outcome : m_outcomes) {
+    for (std::size_t k = 0; k < m_outcomes.size(); ++k) {
+        const Outcome& outcome = m_outcomes[k];
+        const SoftContact& contact = m_scene.contacts[solver.contacts[k].found];
+        // Only now, for pushes were handed on from what was known before the step.
+        if (outcome.pushOnA > noPush) {
+            contact.a->loosePush = std::max(contact.a->loosePush, outcome.pushOnA);
+        }
+        if (outcome.pushOnB > noPush) {
+            contact.b->loosePush = std::max(contact.b->loosePush, outcome.pushOnB);
+        }
         report.pairs += outcome.points > 0;
         report.points += outcome.points;
         if (outcome.unloaded != nobody) {
@@ -40,6 +49,8 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
     }
     if (outcome.points > 0) {
         m_assembly.noteSupport(c);
+        outcome.pushOnA = loosePushBy(false, solver, c, contact);
+        outcome.pushOnB = loosePushBy(true, solver, c, contact);
     }
     if (corrected) {
         contact.offset += pressedByCorrection(solver, c, contact);
@@ -55,6 +66,25 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
         accountForPiece(solver, c, contact, pushed);
     }
     return outcome;
+}
+
+/// J/kg, v^2 / 2 + g z of the fastest point of one side that pushes the other, or noPush if that is neither loose nor was pushed by
+/// what is. What a turning span carries along gets faster than by its fall, and hands that on, but not more.
+double ContactResults::loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const {
+    const Collider& pusher = sideA ? *contact.a : *contact.b;
+    if (!pusher.loose && pusher.loosePush == noPush) {
+        return noPush;
+    }
+    const SolverBody& body = solver.bodies[sideA ? c.a : c.b];
+    double most = noPush;
+    for (std::uint32_t k = 0; k < c.points; ++k) {
+        const SolverPoint& p = solver.points[c.firstPoint + k];
+        const Vec3 velocity = body.velocity + body.spin.cross(sideA ? p.fromA : p.fromB);
+        if (p.largestImpulse > 0.0) {
+            most = std::max(most, 0.5 * velocity.squaredNorm() + m_scene.settings.gravity * contact.points[k].position.z());
+        }
+    }
+    return pusher.loose ? most : std::min(most, pusher.loosePush);
 }
 
 Vec3 ContactResults::loadOf(const SoftContact& contact) const {

@@ -28,10 +28,13 @@ private:
         std::uint32_t points = 0;         ///< if one of them acted
         std::uint32_t unloaded = nobody;  ///< a frozen body
         bool driven = false;              ///< the work is that of a piece
+        double pushOnA = noPush;          ///< J/kg, by what is loose
+        double pushOnB = noPush;
     };
     Outcome outcomeOf(const SoftSolver& solver, const SolverContact& c, bool corrected) const;
     double pressedByCorrection(const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const;
     void accountForPiece(const SoftSolver& solver, const SolverContact& c, SoftContact& contact, double pushed) const;
+    double loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const;
     Vec3 loadOf(const SoftContact& contact) const;
     std::uint32_t unloadedBy(const SoftContact& contact) const;
 

@@ -51,8 +51,11 @@ bool RestOffsets::passes(const SoftContact& contact) const {
 /// analysis never felt the body.
 void RestOffsets::giveWayToJam(SoftContact& contact, double dt) const {
     const bool piece = contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece;
-    contact.jammedFor = piece && !contact.fresh && contact.depth - contact.offset > jamDepth ? contact.jammedFor + dt : 0.0;
-    if (contact.jammedFor > jamTime) {
+    const bool bodies = contact.a->kind == ColliderKind::Body && contact.b->kind == ColliderKind::Body;
+    const double deepest = piece ? jamDepth : jammedDepth * std::min(contact.a->smallestSide, contact.b->smallestSide);
+    const bool jammed = (piece || bodies) && !contact.fresh && contact.depth - contact.offset > deepest;
+    contact.jammedFor = jammed ? contact.jammedFor + dt : 0.0;
+    if (piece && contact.jammedFor > jamTime) {
         contact.jammedFor = 0.0;
         contact.offset = contact.depth;
         giveWay(contact);

@@ -36,7 +36,7 @@ struct SoftContactState {
     double correctedFor = 0.0;     ///< s, in which the two were brought apart by position
     double approach = 0.0;         ///< m/s, of a moving piece towards its body
     double pressed = 0.0;          ///< m/s, by which a pressing piece has changed its body's speed
-    double jammedFor = 0.0;        ///< s, that a body has been deeper in a piece than it ought to be
+    double jammedFor = 0.0;        ///< s, that a body has been deeper in a piece or another body than it ought to be
     int pushes = 0;                ///< of a carrying piece in vain, in a row
     bool fresh = true;             ///< not there in the step before
     bool yielded = false;          ///< the piece of this contact has given way

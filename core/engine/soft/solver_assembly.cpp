@@ -243,15 +243,18 @@ void SolverAssembly::prefetchFor(const SolverContact& c) const {
 double SolverAssembly::correctionOf(const SoftContact& contact, double thickness, double dt) const {
     // Every pair has its time for it, so that a pile comes to rest with what it cannot get rid of.
     const double overlap = contact.correctedFor < m_scene.settings.overlapTime ? contact.offset : 0.0;
-    // Only where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
+    // Where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
     double push = 0.0;
     for (const SoftContact::Point& point : std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
         push = std::max(push, point.push);
     }
     const auto lightness = [&](const Collider& x) { return x.kind == ColliderKind::Body ? m_scene.bodies.of(x).inverseMass : 0.0; };
     const bool pushed = push > 0.0 && push > jammingPush / std::max(lightness(*contact.a), lightness(*contact.b));
+    // A light body between spans stays squeezed, for impulses take as many passes as the ratio of the masses.
+    const bool held = m_scene.settings.partsJammed && contact.jammedFor > jamPatience && contact.b->kind == ColliderKind::Body &&
+                      contact.a->kind == ColliderKind::Body;
     const double jammed = contact.depth - contact.offset - jammedDepth * thickness;
-    return std::clamp(pushed ? std::max(overlap, jammed) : overlap, 0.0, m_scene.settings.overlapSpeed * dt);
+    return std::clamp(pushed || held ? std::max(overlap, jammed) : overlap, 0.0, m_scene.settings.overlapSpeed * dt);
 }
 
 void SolverAssembly::fillContact(SoftSolver& solver, SolverContact& c) const {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
-#include <set>
 
 #include "core/engine/world/tight_box.h"
 
@@ -74,40 +74,61 @@ OrientedBox brickOfHexahedron(std::span<const Vec3> c) {
 /// Bricks that have become one box.
 struct Joined {
     OrientedBox box;  ///< around its bricks
+    Mat3 axes;        ///< of the box
     double volume = 0.0;
     std::size_t bricks = 1;
-    std::set<std::uint32_t> neighbours;
-    bool gone = false;
+    std::vector<std::uint32_t> neighbours;  ///< some may have been joined to others since
+    std::optional<std::uint32_t> into;      ///< the one that it was joined to
 };
 
-std::array<Vec3, 8> cornersOf(const OrientedBox& box) {
-    std::array<Vec3, 8> corners;
-    const Mat3 axes = box.orientation.toRotationMatrix();
-    for (std::size_t i = 0; i < 8; ++i) {
-        const Vec3 sign(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
-        corners[i] = box.centre + axes * sign.cwiseProduct(box.halfExtents);
-    }
-    return corners;
+Joined joinedOf(const OrientedBox& box, double volume, std::size_t bricks) {
+    return {box, box.orientation.toRotationMatrix(), volume, bricks, {}, std::nullopt};
 }
 
+/// The box in the axes of the larger one around both.
 OrientedBox around(const Joined& a, const Joined& b) {
-    const Mat3 axes = (a.volume >= b.volume ? a : b).box.orientation.toRotationMatrix();
-    std::array<Vec3, 16> corners;
-    std::ranges::copy(cornersOf(a.box), corners.begin());
-    std::ranges::copy(cornersOf(b.box), corners.begin() + 8);
-    return boxWithAxes(corners, axes);
+    const Joined& large = a.volume >= b.volume ? a : b;
+    const Joined& small = a.volume >= b.volume ? b : a;
+    const Vec3 centre = large.axes.transpose() * (small.box.centre - large.box.centre);
+    const Vec3 reach = (large.axes.transpose() * small.axes).cwiseAbs() * small.box.halfExtents;
+    const Vec3 low = (centre - reach).cwiseMin(-large.box.halfExtents);
+    const Vec3 high = (centre + reach).cwiseMax(large.box.halfExtents);
+    OrientedBox box;
+    box.centre = large.box.centre + large.axes * (0.5 * (low + high));
+    box.orientation = large.box.orientation;
+    box.halfExtents = 0.5 * (high - low);
+    return box;
+}
+
+/// What a group has become by now.
+std::uint32_t nowOf(const std::vector<Joined>& groups, std::uint32_t group) {
+    while (groups[group].into) {
+        group = *groups[group].into;
+    }
+    return group;
+}
+
+/// The groups beside either of two that are joined, in order.
+std::vector<std::uint32_t> neighboursOfBoth(const std::vector<Joined>& groups, std::uint32_t i, std::uint32_t j) {
+    std::vector<std::uint32_t> both;
+    for (const std::uint32_t one : {i, j}) {
+        for (const std::uint32_t n : groups[one].neighbours) {
+            const std::uint32_t now = nowOf(groups, n);
+            if (now != i && now != j) {
+                both.push_back(now);
+            }
+        }
+    }
+    std::ranges::sort(both);
+    both.erase(std::unique(both.begin(), both.end()), both.end());
+    return both;
 }
 
 void findNeighbours(std::vector<Joined>& groups) {
     std::vector<Aabb> bounds;
     for (const Joined& group : groups) {
-        Aabb box;
-        for (const Vec3& p : cornersOf(group.box)) {
-            box.extend(p);
-        }
-        box.min().array() -= 0.5 * jointWidth;
-        box.max().array() += 0.5 * jointWidth;
-        bounds.push_back(box);
+        const Vec3 reach = group.axes.cwiseAbs() * group.box.halfExtents + Vec3::Constant(0.5 * jointWidth);
+        bounds.emplace_back(group.box.centre - reach, group.box.centre + reach);
     }
     std::vector<std::uint32_t> order(groups.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -115,8 +136,8 @@ void findNeighbours(std::vector<Joined>& groups) {
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t j = i + 1; j < order.size() && bounds[order[j]].min().x() <= bounds[order[i]].max().x(); ++j) {
             if (bounds[order[i]].intersects(bounds[order[j]])) {
-                groups[order[i]].neighbours.insert(order[j]);
-                groups[order[j]].neighbours.insert(order[i]);
+                groups[order[i]].neighbours.push_back(order[j]);
+                groups[order[j]].neighbours.push_back(order[i]);
             }
         }
     }
@@ -137,7 +158,7 @@ OrientedBox brickOf(ElementShape solid, std::span<const Vec3> corners) {
 std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const JoinLimits& limits) {
     std::vector<Joined> groups;
     for (const OrientedBox& brick : bricks) {
-        groups.push_back({brick, brick.volume(), 1, {}, false});
+        groups.push_back(joinedOf(brick, brick.volume(), 1));
     }
     findNeighbours(groups);
     /// Two that could be one: the share that would be empty, then by number.
@@ -145,8 +166,11 @@ std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
     const auto consider = [&](std::uint32_t i, std::uint32_t j) {
         const Joined &a = groups[i], &b = groups[j];
+        if (a.bricks + b.bricks > limits.bricksMax) {
+            return;
+        }
         const double empty = 1.0 - (a.volume + b.volume) / around(a, b).volume();
-        if (a.bricks + b.bricks <= limits.bricksMax && empty <= limits.slack) {
+        if (empty <= limits.slack) {
             candidates.emplace(std::round(1e9 * empty) * 1e-9, std::min(i, j), std::max(i, j));
         }
     };
@@ -160,28 +184,22 @@ std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const
     while (!candidates.empty()) {
         const auto [empty, i, j] = candidates.top();
         candidates.pop();
-        if (groups[i].gone || groups[j].gone) {
+        if (groups[i].into || groups[j].into) {
             continue;
         }
         const auto number = static_cast<std::uint32_t>(groups.size());
-        Joined both;
-        both.box = around(groups[i], groups[j]);
-        both.volume = groups[i].volume + groups[j].volume;
-        both.bricks = groups[i].bricks + groups[j].bricks;
-        std::ranges::set_union(groups[i].neighbours, groups[j].neighbours, std::inserter(both.neighbours, both.neighbours.end()));
-        both.neighbours.erase(i);
-        both.neighbours.erase(j);
-        groups[i].gone = groups[j].gone = true;
-        std::erase_if(both.neighbours, [&](std::uint32_t n) { return groups[n].gone; });
+        Joined both =
+            joinedOf(around(groups[i], groups[j]), groups[i].volume + groups[j].volume, groups[i].bricks + groups[j].bricks);
+        both.neighbours = neighboursOfBoth(groups, i, j);
+        groups[i].into = groups[j].into = number;
         groups.push_back(std::move(both));
         for (const std::uint32_t n : groups[number].neighbours) {
-            groups[n].neighbours.insert(number);
             consider(n, number);
         }
     }
     std::vector<OrientedBox> boxes;
     for (const Joined& group : groups) {
-        if (!group.gone) {
+        if (!group.into) {
             boxes.push_back(ofVolume(group.box, group.volume));
         }
     }

@@ -34,6 +34,7 @@ struct Collider {
     double smallestSide = 0.0;    ///< m, of a body
     double volume = 0.0;          ///< m3, of its material
     double mass = 0.0;            ///< kg, of a body
+    double loosePush = noPush;    ///< J/kg, see RigidWorld::loosePush()
     Vec3 inertia = Vec3::Zero();  ///< kg m2, likewise
     CollisionShape parts;
     OrientedBox box;  ///< around the parts

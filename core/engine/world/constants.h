@@ -51,6 +51,9 @@ constexpr double touchingDepth = 1e-4;
 /// Share of the smallest side that others may press a body into something; deeper, the two come apart by position like overlap at
 /// birth. Lower: what carries its load trembles; higher: light bodies stay jammed in heavy ones.
 constexpr double jammedDepth = 0.04;
+/// s. Where whole spans fall on debris, two bodies that lie deeper in each other than that for so long are brought apart as well.
+/// Lower: what is struck once is moved by position; higher: it stays squeezed.
+constexpr double jamPatience = 0.05;
 /// m in a step. Where overlap at birth pushes the lighter one of two bodies, or presses two together, less than this, contact alone
 /// keeps them apart. Lower: columns that only touch stand too high; higher: more stays jammed.
 constexpr double jammingPush = 0.002;

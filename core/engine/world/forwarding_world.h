@@ -36,6 +36,7 @@ public:
     double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
     double overlapLeft(BodyId body) const override { return m_world->overlapLeft(body); }
     bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
+    double loosePush(BodyId body) const override { return m_world->loosePush(body); }
     const ContactReport& contacts() const override { return m_world->contacts(); }
     const StepCosts& costs() const override { return m_world->costs(); }
 

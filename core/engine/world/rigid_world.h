@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -71,6 +72,9 @@ struct WorldSettings {
     double overlapSpeed = 1.5;    ///< m/s
     double overlapTime = 7.0;     ///< s, for each pair
     bool bounceFriction = false;  ///< what a bounce presses with rubs too, soft-step solver
+    /// Bodies that others have pressed into each other for a while (jamPatience) come apart by position. Off: only where overlap at
+    /// birth pushes one of them.
+    bool partsJammed = false;
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };
@@ -96,6 +100,9 @@ struct StepCosts {
     double substepHook = 0.0;       ///< what the caller did in the substeps
     double total = 0.0;             ///< whole steps
 };
+
+/// J/kg, of a body that nothing loose has pushed.
+constexpr double noPush = -std::numeric_limits<double>::infinity();
 
 /// The seam behind which a solver lives: rigid bodies, kinematic pieces, a ground, and time. Bodies and pieces are numbered in the
 /// order they enter; the same calls in the same order give the same bits. Not thread-safe.
@@ -146,6 +153,9 @@ public:
     virtual double lifted(BodyId body) const = 0;
     /// A moving piece has pushed this body at some time.
     virtual bool pushedByPiece(BodyId body) const = 0;
+    /// J/kg, v^2 / 2 + g z of the point of loose structure (NewBody::loose) that pushed the body, at most so far; noPush: none has,
+    /// or the solver does not tell.
+    virtual double loosePush(BodyId) const { return noPush; }
     virtual const ContactReport& contacts() const = 0;
     virtual const StepCosts& costs() const = 0;
 

@@ -102,7 +102,7 @@ void HealthMonitor::watchPenetration(Watched& watched, double depth, double time
     }
 }
 
-double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted) const {
+double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted, double push) const {
     const double z = body.latest.pose.position.z();
     double fall = body.birthHeight + lifted - z;
     double own = body.birthSpeedSquared + speedFloor * speedFloor / (m_limits.speed * m_limits.speed);
@@ -112,6 +112,10 @@ double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted
         own += m_site.current * m_site.current;
     }
     own += 2.0 * m_site.gravity * std::max(0.0, fall);
+    // What loose structure carries along goes with the point that pushes it.
+    if (push > noPush) {
+        own = std::max(own, 2.0 * (push - m_site.gravity * z));
+    }
     // What was hit may be as fast as whatever hit it.
     return body.hardest > 0.0 ? std::max(own, 2.0 * (m_topEnergy - m_site.gravity * z)) : own;
 }
@@ -119,8 +123,13 @@ double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted
 void HealthMonitor::watchSpeed(const RigidWorld& world, std::size_t index, const TrackedBody& body) {
     Watched& watched = m_bodies[index];
     const double speedSquared = body.latest.velocity.squaredNorm();
-    const double allowed = allowedSpeedSquared(body, world.lifted(idAt<BodyId>(index)));
+    const double push = world.loosePush(idAt<BodyId>(index));
+    const double allowed = allowedSpeedSquared(body, world.lifted(idAt<BodyId>(index)), push);
     const double energy = 0.5 * speedSquared + m_site.gravity * body.latest.pose.position.z();
+    if (push > noPush) {
+        // It may hand on what it got.
+        m_topEnergy = std::max(m_topEnergy, std::min(energy, push));
+    }
     m_gain.add(index, body.mass * (energy - watched.energy), never);
     watched.energy = energy;
     if (speedSquared <= m_report.fastestOverLimit * m_report.fastestOverLimit * allowed &&

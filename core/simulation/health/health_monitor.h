@@ -107,7 +107,7 @@ private:
     void watchPlace(Watched& watched, const Vec3& place, double time);
     /// m, from the structure to a place that debris can get to: down a slope farther than on the level.
     double reachAt(const Vec3& place) const;
-    double allowedSpeedSquared(const TrackedBody& body, double lifted) const;
+    double allowedSpeedSquared(const TrackedBody& body, double lifted, double push) const;
     void note(HealthCheck check, const Tally& tally, double limit, std::span<const TrackedBody> bodies, double time);
     void notePenetration(std::span<const TrackedBody> bodies, double time);
     void noteEnergy(const HealthStep& step, std::span<const TrackedBody> bodies);

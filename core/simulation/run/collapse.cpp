@@ -43,6 +43,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     world.overlapSpeed = s.overlapSpeed;
     world.overlapTime = s.overlapTime;
     world.bounceFriction = s.bounceFriction;
+    world.partsJammed = description.scenario.effects.loose != LooseStructurePolicy::Fe;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
 }

@@ -196,6 +196,27 @@ TEST_F(HealthMonitorTest, WhatAPiecePushedMayBeFaster) {
     EXPECT_EQ(monitor->report().fastestOverLimit, 0.0);
 }
 
+TEST_F(HealthMonitorTest, WhatASpanCarriesAlongMayBeAsFastAsTheSpanIsThere) {
+    TrackedBody& body = add(Vec3(20, 0, 20));
+    TrackedBody& other = add(Vec3(30, 0, 19));
+    // The span went by at 12 m/s at a height of 21 m.
+    world.scripted[0].loosePush = 0.5 * 12.0 * 12.0 + standardGravity * 21.0;
+    run(step);
+    const double speed = std::sqrt(12.0 * 12.0 + 2.0 * standardGravity * 1.0);
+    body.latest.velocity = Vec3(1.04 * speed, 0, 0);
+    run(1.0);
+    EXPECT_TRUE(breaches().empty());
+    // Nor is what it hits in its turn too fast.
+    other.latest.velocity = Vec3(1.04 * speed, 0, 0);
+    other.hardest = 1.0;
+    run(1.0);
+    EXPECT_TRUE(breaches().empty());
+    body.latest.velocity = Vec3(1.06 * speed, 0, 0);
+    run(step);
+    ASSERT_EQ(breaches().size(), 1u);
+    EXPECT_EQ(breaches()[0].body, idAt<BodyId>(0));
+}
+
 TEST_F(HealthMonitorTest, WhatWasHitMayBeAsFastAsWhateverHitIt) {
     add(Vec3(20, 0, 20)).birthSpeedSquared = 100.0;
     TrackedBody& low = add(Vec3(20, 0, 0.5));

@@ -30,6 +30,14 @@
 <context>
     <name>actions</name>
     <message>
+        <source>Save the run as one page that any browser opens without network, with both views and its sources</source>
+        <translation>把计算保存为一个网页，任何浏览器无需网络即可打开，含两个视图及其来源</translation>
+    </message>
+    <message>
+        <source>Share as a page…</source>
+        <translation>共享为网页…</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>打开…</translation>
     </message>
@@ -12096,6 +12104,14 @@
 </context>
 <context>
     <name>rubble::PictureExport</name>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>网页</translation>
+    </message>
     <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>

@@ -23,7 +23,7 @@ namespace io {
 class RunReader;
 }
 
-/// Figures and movies of what the views show: asks what they are to be, draws them on the worker, says what came of it.
+/// Figures, movies and pages of what the views show: asks what they are to be, draws them on the worker, says what came of it.
 class PictureExport : public QObject {
     Q_OBJECT
 
@@ -32,7 +32,10 @@ public:
 
     void exportFigure(const render::View& view, const render::SceneData& data);
     void exportMovie(const render::View& view, const render::SceneData& data);
+    /// A page of the run that is shown; nothing while it is not finished.
+    void sharePage(const render::SceneData& data);
     /// The same without asking.
+    void sharePageAt(const QString& path, const render::SceneData& data);
     void exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
                         const render::SceneData& data);
     void exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,

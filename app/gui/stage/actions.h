@@ -135,6 +135,7 @@ enum class ActionId {
     ExportMovie,
     WriteReport,
     ExportMap,
+    SharePage,
     ExportFragments,
     ExportSelection,
     ExportSeries,

@@ -24,7 +24,8 @@ constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,   Act
                                   ActionId::PresetPaper, ActionId::Terrain,  ActionId::Orthophoto, ActionId::Surroundings,
                                   ActionId::Site,        ActionId::AddSurvey};
 /// Need a run that is complete.
-constexpr ActionId ofTheRun[] = {ActionId::ExportFragments, ActionId::ExportSeries, ActionId::ExportVtkhdf, ActionId::ExportGltf};
+constexpr ActionId ofTheRun[] = {ActionId::SharePage, ActionId::ExportFragments, ActionId::ExportSeries, ActionId::ExportVtkhdf,
+                                 ActionId::ExportGltf};
 
 }  // namespace
 

@@ -118,6 +118,7 @@ void WindowRooms::connectFiles(const WindowParts& parts) {
     });
     on(ActionId::ExportFigure, [this, area = &parts.area] { pictures->exportFigure(area->views().view(), scene->data()); });
     on(ActionId::ExportMovie, [this, area = &parts.area] { pictures->exportMovie(area->views().view(), scene->data()); });
+    on(ActionId::SharePage, [this] { pictures->sharePage(scene->data()); });
     widgets::AccuracyPage* page = &parts.accuracyPage;
     QObject::connect(page, &widgets::AccuracyPage::saveTableRequested, files.get(),
                      [this] { files->saveSweep(accuracy->work().report()); });

@@ -85,6 +85,21 @@ TEST_F(Exports, ClosingWhileAMovieIsWrittenLeavesNoHalfOfIt) {
     EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00001.png")));
 }
 
+TEST_F(Exports, ARunIsSharedAsAPageOnceItIsFinished) {
+    QAction& share = window->actions()[ActionId::SharePage];
+    EXPECT_FALSE(share.isEnabled()) << "nothing is open";
+    simulated();
+    EXPECT_TRUE(share.isEnabled());
+    const QString page = QString::fromStdString(m_folder / "small.html");
+    window->rooms().pictures->sharePageAt(page, window->rooms().scene->data());
+    ASSERT_TRUE(idle());
+    const std::string html = textOf(page);
+    EXPECT_NE(html.find(session->computation().currentRun()->outcome->trajectoryHash.hex()), std::string::npos);
+    EXPECT_NE(html.find("<figure><img alt="), std::string::npos) << "pictures for browsers without WebGL";
+    EXPECT_NE(html.find("\"kind\":\"map\""), std::string::npos);
+    EXPECT_EQ(html.find("{{"), std::string::npos);
+}
+
 TEST_F(Exports, AReportIsMadeOfTheRunAndNotOfAStaleOne) {
     widgets::ReportPanel& panel = window->rooms().deck->report();
     auto* write = panel.findChild<QPushButton*>(QStringLiteral("writeReport"));

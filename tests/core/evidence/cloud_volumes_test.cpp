@@ -11,7 +11,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double cell = 0.5;
+constexpr double gridCell = 0.5;
 constexpr double half = 6.0;
 
 template <class Height>
@@ -32,13 +32,13 @@ CloudVolumes above(const Height& height, double registration, std::uint64_t seed
     const PointIndex ground = surface(1, [](double, double) { return 0.0; });
     const PointIndex other = surface(seed, height);
     std::vector<Vec3> middles;
-    for (double x = -half + 0.5 * cell; x < half; x += cell) {
-        for (double y = -half + 0.5 * cell; y < half; y += cell) {
+    for (double x = -half + 0.5 * gridCell; x < half; x += gridCell) {
+        for (double y = -half + 0.5 * gridCell; y < half; y += gridCell) {
             middles.emplace_back(x, y, 0.0);
         }
     }
-    const CloudDistanceSettings upwards{cell, cell / std::sqrt(std::numbers::pi), 5.0, registration, true};
-    return cloudVolumes(cloudDistances(middles, ground, other, upwards, Execution()), cell, registration);
+    const CloudDistanceSettings upwards{gridCell, gridCell / std::sqrt(std::numbers::pi), 5.0, registration, true};
+    return cloudVolumes(cloudDistances(middles, ground, other, upwards, Execution()), gridCell, registration);
 }
 
 TEST(CloudVolumes, AreThoseOfShapesSolvedOnPaper) {
@@ -63,7 +63,7 @@ TEST(CloudVolumes, AreThoseOfShapesSolvedOnPaper) {
     const double within = 2.0 * std::numbers::pi * (9.0 - 27.0 / 6.0);
     EXPECT_NEAR(poor.fill, within, 0.06 * within);
     EXPECT_NEAR(poor.fill + poor.undetected, heap.fill, 0.02 * whole);
-    EXPECT_NEAR(poor.fillError.systematic, 0.5 * cell * cell * static_cast<double>(poor.fillCells), 1e-9);
+    EXPECT_NEAR(poor.fillError.systematic, 0.5 * gridCell * gridCell * static_cast<double>(poor.fillCells), 1e-9);
 }
 
 TEST(CloudVolumes, ASurfaceHasNoneAgainstItself) {

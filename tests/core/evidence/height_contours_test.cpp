@@ -17,12 +17,12 @@ struct Heights {
 };
 
 template <class Height>
-Heights heightsOf(int reach, double cell, Height height) {
+Heights heightsOf(int reach, double side, Height height) {
     Heights map;
     for (int j = -reach; j < reach; ++j) {
         for (int i = -reach; i < reach; ++i) {
             map.cells.push_back({j, i});
-            map.values.push_back(height((i + 0.5) * cell, (j + 0.5) * cell));
+            map.values.push_back(height((i + 0.5) * side, (j + 0.5) * side));
         }
     }
     return map;

@@ -10116,6 +10116,10 @@
         <source>The run has no fragments that a page could show</source>
         <translation>此计算没有网页可显示的碎块</translation>
     </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -87,7 +87,9 @@ TEST_F(Acknowledgements, NeedANameANoteAndARunWithBreaches) {
     sound.feed(*createRun(path, sound.origin));
     EXPECT_EQ(idOf([&] { acknowledge(path, {"Ada", "", "note", {}}); }), "io.acknowledged.sound");
     EXPECT_FALSE(taintOf(*openRun(path)).tainted());
-    const SampleRun stopped = makeSampleRun(4, 10, 3);
+    SampleRun stopped = makeSampleRun(4, 10, 3);
+    ASSERT_EQ(stopped.result.health.breaches.front().check, HealthCheck::Energy);
+    stopped.result.health.breaches.front().worst = 0.5;
     stopped.feed(*createRun(path, stopped.origin), 2);
     EXPECT_EQ(idOf([&] { acknowledge(path, {"Ada", "", "note", {}}); }), "io.acknowledged.incomplete");
     EXPECT_TRUE(taintOf(*openRun(path)).tainted()) << "it tells of breaches on its way";

@@ -104,6 +104,7 @@ void EffectsPanel::buildMaterials() {
     contact->addNote(tr("One number for all pairs, in place of the table:"));
     addParameter(contact, "friction");
     addParameter(contact, "restitution");
+    addParameter(contact, "bounce_friction");
     connect(m_materials, &MaterialsTable::edited, this, &Panel::edited);
     connect(m_contact, &ContactTable::edited, this, &Panel::edited);
 }

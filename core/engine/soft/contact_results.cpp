@@ -69,10 +69,12 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
 }
 
 /// J/kg, v^2 / 2 + g z of the fastest point of one side that pushes the other, or noPush if that is neither loose nor was pushed by
-/// what is. What a turning span carries along gets faster than by its fall, and hands that on, but not more.
+/// what is, or if the other is loose itself. What a turning span carries along gets faster than by its fall, and hands that on, but
+/// not more.
 double ContactResults::loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const {
     const Collider& pusher = sideA ? *contact.a : *contact.b;
-    if (!pusher.loose && pusher.loosePush == noPush) {
+    const Collider& pushed = sideA ? *contact.b : *contact.a;
+    if (pushed.loose || (!pusher.loose && pusher.loosePush == noPush)) {
         return noPush;
     }
     const SolverBody& body = solver.bodies[sideA ? c.a : c.b];

@@ -47,7 +47,7 @@ const std::set<QString>& sameEverywhere() {
             "VTKHDF FE MB MiB GiB "
             "kB kg mm ms "
             "min kJ MJ GJ TJ nbsp amp lt gt quot Ctrl Shift Enter Delete Esc Home End Space Tab Alt auto Auto English "
-            "NAVFAC DM ACI Rockyfor3D Dorren Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
+            "NAVFAC DM ACI Rockyfor Dorren Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
             "accuracy calibrate csv pair inspect frame status none EPYC AMD Intel CPU GHz Core Xeon Processor Platinum x86 Mesa "
             "LLVM bits llvmpipe "
             "NAME true false Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf px viridis cividis JPEG TIFF "

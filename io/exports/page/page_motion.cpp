@@ -57,7 +57,7 @@ PackedKey MotionPacker::packed(const MotionKey& key, double turnScale) const {
         steps.numbers[static_cast<std::size_t>(c)] = std::llround(static_cast<double>(key.position[c]) / m_precision.placeStep);
     }
     for (int c = 0; c < 4; ++c) {
-        steps.numbers[static_cast<std::size_t>(3 + c)] = std::llround(static_cast<double>(key.orientation.coeffs()[c]) * turnScale);
+        steps.numbers[3 + static_cast<std::size_t>(c)] = std::llround(static_cast<double>(key.orientation.coeffs()[c]) * turnScale);
     }
     return steps;
 }
@@ -71,7 +71,7 @@ MotionKey MotionPacker::unpacked(const PackedKey& steps, double turnScale) const
     }
     for (int c = 0; c < 4; ++c) {
         key.orientation.coeffs()[c] =
-            static_cast<float>(static_cast<double>(steps.numbers[static_cast<std::size_t>(3 + c)]) / turnScale);
+            static_cast<float>(static_cast<double>(steps.numbers[3 + static_cast<std::size_t>(c)]) / turnScale);
     }
     key.orientation.normalize();
     return key;

@@ -23,7 +23,7 @@ struct Found {
 };
 
 /// The narrow phase: contacts of pairs that come near each other and of bodies near the ground. Poses are those at the start of the
-/// step; Contacts have an order of their own, which threads do not reach.
+/// step. Contacts have an order of their own, which threads do not reach.
 class ContactFinder {
 public:
     ContactFinder(const SiteSurface& surface, double gravity, const SoftBodies& bodies, PairFinder& pairs, WorkerPool& pool);

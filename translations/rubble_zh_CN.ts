@@ -1317,6 +1317,14 @@
 <context>
     <name>messages</name>
     <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
         <source>&quot;{0}&quot; cannot be the name of a regrouped component</source>
         <translation>“{0}”不能作为重新分组后构件的名称</translation>
     </message>

@@ -210,6 +210,10 @@ void RunMapPanel::setContent(const Content& content) {
     showLedger();
 }
 
+/// Names of layers of one word, which are told from keys nowhere else.
+[[maybe_unused]] static constexpr const char* namesOfLayers[] = {QT_TRANSLATE_NOOP("messages", "Height"),
+                                                                 QT_TRANSLATE_NOOP("messages", "Fragments")};
+
 void RunMapPanel::fillLayers() {
     m_layer->clear();
     if (m_content.map == nullptr) {

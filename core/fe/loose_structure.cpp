@@ -22,12 +22,12 @@ bool onlyGrows(const Activity& activity, std::size_t earlier, std::size_t later)
     return true;
 }
 
-/// Islands of each state. Nodes are joined backwards through the states, for what has died only comes back on that way.
-std::vector<std::vector<LiveIsland>> islandsOfStates(const FeResult& fe, const Activity& activity, const SiteSurface& ground,
-                                                     const Execution& execution) {
+/// Calls visit(state, loose islands) from the last state to the first, until it returns false. Nodes are joined backwards through
+/// the states, for what has died only comes back on that way.
+template <class Visit>
+void visitLooseIslands(const FeResult& fe, const Activity& activity, const SiteSurface& ground, Visit visit) {
     const Mesh& mesh = fe.mesh();
     const Supports supports(fe, activity, ground);
-    std::vector<std::vector<LiveIsland>> islands(fe.stateCount());
     NodeGroups groups(mesh.nodeCount());
     std::vector<bool> joined(mesh.elementCount(), false);
     for (std::size_t left = fe.stateCount(); left > 0; --left) {
@@ -42,11 +42,23 @@ std::vector<std::vector<LiveIsland>> islandsOfStates(const FeResult& fe, const A
                 joined[i] = true;
             }
         }
-        islands[k] = islandsAt(fe, activity, supports, groups, k);
-        std::erase_if(islands[k], [](const LiveIsland& island) { return island.supported; });
+        std::vector<LiveIsland> islands = islandsAt(fe, activity, supports, groups, k);
+        std::erase_if(islands, [](const LiveIsland& island) { return island.supported; });
+        if (!visit(k, std::move(islands))) {
+            return;
+        }
+    }
+}
+
+std::vector<std::vector<LiveIsland>> islandsOfStates(const FeResult& fe, const Activity& activity, const SiteSurface& ground,
+                                                     const Execution& execution) {
+    std::vector<std::vector<LiveIsland>> islands(fe.stateCount());
+    visitLooseIslands(fe, activity, ground, [&](std::size_t k, std::vector<LiveIsland> loose) {
+        islands[k] = std::move(loose);
         const double done = static_cast<double>(fe.stateCount() - k) / static_cast<double>(fe.stateCount());
         execution.report({"fe.loose_progress", "looking for loose structure", {}}, done);
-    }
+        return true;
+    });
     return islands;
 }
 
@@ -228,6 +240,17 @@ std::uint32_t LooseStructure::islandOf(std::size_t state, ElementIndex element) 
         return inNoIsland;
     }
     return found->island;
+}
+
+bool comesLoose(const FeResult& fe, const Activity& activity, const SiteSurface& ground) {
+    bool found = false;
+    visitLooseIslands(fe, activity, ground, [&](std::size_t k, const std::vector<LiveIsland>& loose) {
+        found = k + 1 < fe.stateCount() && std::ranges::any_of(loose, [&](const LiveIsland& island) {
+                    return std::ranges::any_of(island.elements, [&](ElementIndex e) { return activity.active(k + 1, e); });
+                });
+        return !found;
+    });
+    return found;
 }
 
 LooseStructure looseStructure(const FeResult& fe, const Activity& activity, const SiteSurface& ground, const Execution& execution) {

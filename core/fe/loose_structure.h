@@ -50,6 +50,10 @@ struct LooseStructure {
 /// Throws Cancelled.
 LooseStructure looseStructure(const FeResult& fe, const Activity& activity, const SiteSurface& ground, const Execution& execution);
 
+/// Some element is loose at a state and still active at the next. Looks from the last state backwards and reads no more states than
+/// it needs.
+bool comesLoose(const FeResult& fe, const Activity& activity, const SiteSurface& ground);
+
 /// One island for people: how much of it there was and how long until it died.
 struct IslandFate {
     std::uint32_t island = 0;  ///< index in LooseStructure

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/engine/soft/soft_solver.h"
@@ -10,6 +11,8 @@ namespace rubble {
 
 namespace {
 
+/// Groups; a body with more contacts than this puts the rest into the ordered group.
+constexpr std::uint32_t mostColours = 63;
 /// Contacts that the cuts are found from, about.
 constexpr std::size_t sampleSize = 2048;
 
@@ -46,6 +49,40 @@ std::pair<int, std::vector<double>> cutsOf(std::span<const SolverContact> contac
 }
 
 }  // namespace
+
+void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours) {
+    std::vector<std::uint64_t> used(movable, 0);
+    std::vector<std::uint8_t> colour(ends.size());
+    std::vector<std::uint32_t> counts(mostColours + 2, 0);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const auto [a, b] = ends[i];
+        const std::uint64_t taken = (a < movable ? used[a] : 0) | (b < movable ? used[b] : 0);
+        const auto free = std::min<std::uint32_t>(static_cast<std::uint32_t>(std::countr_one(taken)), mostColours);
+        if (free < mostColours) {
+            const std::uint64_t bit = std::uint64_t{1} << free;
+            if (a < movable) {
+                used[a] |= bit;
+            }
+            if (b < movable) {
+                used[b] |= bit;
+            }
+        }
+        colour[i] = static_cast<std::uint8_t>(free);
+        ++counts[free + 1];
+    }
+    colours.lastInOrder = counts[mostColours + 1] > 0;
+    for (std::uint32_t k = 0; k <= mostColours; ++k) {
+        counts[k + 1] += counts[k];
+    }
+    colours.first.assign(counts.begin(), counts.end());
+    colours.order.resize(ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        colours.order[counts[colour[i]]++] = static_cast<std::uint32_t>(i);
+    }
+    while (colours.first.size() > 1 && colours.first[colours.first.size() - 2] == colours.first.back()) {
+        colours.first.pop_back();
+    }
+}
 
 void cutIntoStrips(std::span<const SolverContact> contacts, std::size_t movable, std::size_t count, std::size_t loose,
                    ContactStrips& strips) {

@@ -1,7 +1,6 @@
 #include "core/engine/soft/soft_solver.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -37,49 +36,12 @@ constexpr int stepsAlone = 32;
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
 constexpr KeptNumber unlimited = std::numeric_limits<KeptNumber>::max();
-/// Groups; a body with more contacts than this puts the rest into the ordered group.
-constexpr std::uint32_t mostColours = 63;
-
 int correctionPassesFor(std::size_t contacts) {
     const double wanted = fewestCorrectionPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
     return static_cast<int>(std::clamp<double>(wanted, fewestCorrectionPasses, mostCorrectionPasses));
 }
 
 }  // namespace
-
-void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours) {
-    std::vector<std::uint64_t> used(movable, 0);
-    std::vector<std::uint8_t> colour(ends.size());
-    std::vector<std::uint32_t> counts(mostColours + 2, 0);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        const auto [a, b] = ends[i];
-        const std::uint64_t taken = (a < movable ? used[a] : 0) | (b < movable ? used[b] : 0);
-        const auto free = std::min<std::uint32_t>(static_cast<std::uint32_t>(std::countr_one(taken)), mostColours);
-        if (free < mostColours) {
-            const std::uint64_t bit = std::uint64_t{1} << free;
-            if (a < movable) {
-                used[a] |= bit;
-            }
-            if (b < movable) {
-                used[b] |= bit;
-            }
-        }
-        colour[i] = static_cast<std::uint8_t>(free);
-        ++counts[free + 1];
-    }
-    colours.lastInOrder = counts[mostColours + 1] > 0;
-    for (std::uint32_t k = 0; k <= mostColours; ++k) {
-        counts[k + 1] += counts[k];
-    }
-    colours.first.assign(counts.begin(), counts.end());
-    colours.order.resize(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        colours.order[counts[colour[i]]++] = static_cast<std::uint32_t>(i);
-    }
-    while (colours.first.size() > 1 && colours.first[colours.first.size() - 2] == colours.first.back()) {
-        colours.first.pop_back();
-    }
-}
 
 template <class Pass>
 void SoftSolver::forEachWithWork(Pass pass) {
@@ -118,6 +80,19 @@ void SoftSolver::forEachColour(int passes, Pass pass) {
                 pass(static_cast<int>(k / colours), m_scene, strip.colours[k % colours].first, strip.colours[k % colours].last);
             }
         }
+    }
+}
+
+/// Passes after each of which the copies of split bodies are joined.
+template <class Pass, class Join>
+void SoftSolver::forEachPass(int passes, Pass pass, Join join) {
+    if (split.empty()) {
+        forEachColour(passes, pass);
+        return;
+    }
+    for (int i = 0; i < passes; ++i) {
+        forEachColour(1, [&](int, const LaneScene& scene, std::size_t first, std::size_t last) { pass(i, scene, first, last); });
+        join();
     }
 }
 
@@ -191,7 +166,7 @@ void SoftSolver::arrange() {
     const std::size_t colours = firstOfGroup.size() - 1;
     const std::size_t loose = lastInOrder ? firstOfGroup[colours - 1] : contacts.size();
     const std::size_t strips = stripCount();
-    cutIntoStrips(contacts, m_scene.movable, strips, loose, m_cut);
+    cutIntoStrips(contacts, m_movable, strips, loose, m_cut);
     m_strips = std::vector<Strip>(strips);
 
     constexpr std::size_t counts = 4, idle = counts, still = 2 * counts, half = 4 * counts, sections = 2 * half;
@@ -200,9 +175,8 @@ void SoftSolver::arrange() {
     for (std::size_t colour = 0; colour < colours; ++colour) {
         for (std::size_t i = firstOfGroup[colour]; i < firstOfGroup[colour + 1]; ++i) {
             const SolverContact& c = contacts[i];
-            const std::size_t section = (m_cut.border[i] != 0 ? 0 : half) +
-                                        (c.a >= m_scene.movable || c.b >= m_scene.movable ? still : 0) + (c.idle ? idle : 0) +
-                                        counts - c.points;
+            const std::size_t section = (m_cut.border[i] != 0 ? 0 : half) + (c.a >= m_movable || c.b >= m_movable ? still : 0) +
+                                        (c.idle ? idle : 0) + counts - c.points;
             keys[i] = static_cast<std::uint32_t>((m_cut.strip[i] * colours + colour) * sections + (i < loose ? section : 0));
             ++first[keys[i] + 1];
         }
@@ -299,7 +273,7 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
     tally = LaneTally{};
     lanes.firstPoint = first;
     lanes.points = most;
-    const auto still = static_cast<std::uint32_t>(bodies.size() - 1);
+    const auto still = static_cast<std::uint32_t>(m_massProperties.size() - 1);
     for (std::uint32_t i = count; i < solverLanes; ++i) {
         lanes.a[i] = lanes.b[i] = still;
     }
@@ -312,11 +286,12 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
     for (std::uint32_t lane = 0; lane < count; ++lane) {
         source.fill(group.found[lane]);
         const SolverContact& c = contacts[group.found[lane]];
-        const MassProperties& a = m_massProperties[c.a];
-        const MassProperties& b = m_massProperties[c.b];
-        lanes.a[lane] = c.a;
-        lanes.b[lane] = c.b;
-        lanes.allMove = lanes.allMove && c.a < m_scene.movable && c.b < m_scene.movable;
+        const auto [copyA, copyB] = endsOf(group.found[lane]);
+        const MassProperties& a = m_massProperties[copyA];
+        const MassProperties& b = m_massProperties[copyB];
+        lanes.a[lane] = copyA;
+        lanes.b[lane] = copyB;
+        lanes.allMove = lanes.allMove && copyA < m_scene.movable && copyB < m_scene.movable;
         setLane(lanes.normal, lane, c.normal);
         setLane(lanes.tangent, lane, c.tangent[0]);
         setLane(lanes.inverseInertiaA, lane, a.inverseInertia);
@@ -355,12 +330,25 @@ void SoftSolver::place(std::size_t body, const Pose& pose) {
     }
 }
 
+std::pair<std::uint32_t, std::uint32_t> SoftSolver::endsOf(std::size_t contact) const {
+    return copies.empty() ? std::pair{contacts[contact].a, contacts[contact].b} : copies[contact];
+}
+
 void SoftSolver::begin(std::size_t movable) {
-    m_scene.movable = static_cast<std::uint32_t>(movable);
-    m_massProperties.resize(bodies.size());
-    m_laneBodies.resize(bodies.size());
-    m_laneTravel.resize(bodies.size());
-    m_laneSolids.resize(bodies.size());
+    m_movable = movable;
+    m_added = 0;
+    m_copiesOf.assign(split.empty() ? 0 : movable, 1);
+    for (const SplitBody& body : split) {
+        m_added += body.copies - 1;
+        m_copiesOf[body.slot] = body.copies;
+    }
+    const std::size_t count = bodies.size() + m_added;
+    m_scene.movable = static_cast<std::uint32_t>(movable) + m_added;
+    m_massProperties.resize(count);
+    m_laneBodies.resize(count);
+    m_laneTravel.resize(count);
+    m_laneSolids.resize(count);
+    m_lanePoses.resize(count, {{}, {0.0, 0.0, 0.0, 1.0}});
     m_scene.bodies = m_laneBodies.data();
     m_scene.travel = m_laneTravel.data();
     m_scene.poses = m_lanePoses.data();
@@ -368,20 +356,35 @@ void SoftSolver::begin(std::size_t movable) {
     m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const SolverBody& body = bodies[i];
-            const Mat3& t = body.inverseInertia;
-            m_massProperties[i] = {
-                body.inverseMass,
+            const std::size_t at = i < movable ? i : i + m_added;
+            const double share = isSplit(static_cast<std::uint32_t>(i)) ? m_copiesOf[i] : 1.0;
+            const Mat3 t = share * body.inverseInertia;
+            m_massProperties[at] = {
+                share * body.inverseMass,
                 {static_cast<KeptNumber>(t(0, 0)), static_cast<KeptNumber>(t(1, 1)), static_cast<KeptNumber>(t(2, 2)),
                  static_cast<KeptNumber>(t(0, 1)), static_cast<KeptNumber>(t(0, 2)), static_cast<KeptNumber>(t(1, 2))}};
-            setVelocity(i, body.velocity, body.spin);
-            m_laneBodies[i].velocity[3] = 0.0;
-            m_laneTravel[i] = {};
+            m_laneBodies[at] = {{body.velocity.x(), body.velocity.y(), body.velocity.z(), 0.0},
+                                {body.spin.x(), body.spin.y(), body.spin.z(), 0.0}};
+            m_laneTravel[at] = {};
             for (int k = 0; k < 3; ++k) {
-                m_laneSolids[i].inertia[k] = body.inertia[k];
+                m_laneSolids[at].inertia[k] = body.inertia[k];
             }
-            m_laneSolids[i].inertia[3] = body.radius;
-            m_laneSolids[i].limit[0] = body.fastest;
+            m_laneSolids[at].inertia[3] = body.radius;
+            m_laneSolids[at].limit[0] = body.fastest;
         }
+    });
+    forEachCopy(split, [&](std::size_t body, std::size_t copy) {
+        m_massProperties[copy] = m_massProperties[body];
+        m_laneSolids[copy] = m_laneSolids[body];
+    });
+    shareOut();
+}
+
+/// What moves by itself, or was told to, moves as a whole: copies take it over.
+void SoftSolver::shareOut() {
+    forEachCopy(split, [&](std::size_t body, std::size_t copy) {
+        m_laneBodies[copy] = m_laneBodies[body];
+        m_laneTravel[copy] = m_laneTravel[body];
     });
 }
 
@@ -407,19 +410,20 @@ void SoftSolver::setVelocity(std::size_t body, const Vec3& velocity, const Vec3&
 }
 
 void SoftSolver::applyGravity(double speed) {
-    m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
+    m_pool.loop(m_movable, bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             m_laneBodies[i].velocity[2] -= speed;
             m_laneBodies[i].velocity[3] = 0.0;
         }
     });
+    shareOut();
 }
 
 std::int64_t SoftSolver::move(double gravity) {
     std::atomic<std::int64_t> held = 0;
-    m_pool.loop(m_scene.movable, bodyGrain,
-                [&](std::size_t from, std::size_t to) { held += m_passes.move(m_scene, from, to, gravity); });
-    for (std::size_t i = m_scene.movable; i < bodies.size(); ++i) {
+    m_pool.loop(m_movable, bodyGrain, [&](std::size_t from, std::size_t to) { held += m_passes.move(m_scene, from, to, gravity); });
+    shareOut();
+    for (std::size_t i = m_scene.movable; i < m_laneBodies.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
             m_laneTravel[i].moved[k] += m_scene.h * m_laneBodies[i].velocity[k];
             m_laneTravel[i].turned[k] += m_scene.h * m_laneBodies[i].spin[k];
@@ -429,7 +433,7 @@ std::int64_t SoftSolver::move(double gravity) {
 }
 
 void SoftSolver::end() {
-    m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
+    m_pool.loop(m_movable, bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const LaneBody& lane = m_laneBodies[i];
             SolverBody& body = bodies[i];
@@ -444,19 +448,25 @@ void SoftSolver::end() {
 
 void SoftSolver::solveSoft(double push) {
     forEachWithWork(m_passes.noteOpening);
-    forEachColour(2, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
-        if (pass == 0) {
-            m_passes.warmStart(scene, first, last, warmGrowth);
-        } else {
-            m_passes.soft(scene, first, last, push);
-        }
-    });
+    forEachPass(
+        2,
+        [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+            if (pass == 0) {
+                m_passes.warmStart(scene, first, last, warmGrowth);
+            } else {
+                m_passes.soft(scene, first, last, push);
+            }
+        },
+        [&] { joinVelocities(split, m_laneBodies); });
 }
 
 void SoftSolver::relax() {
-    forEachColour(relaxPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
-        m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
-    });
+    forEachPass(
+        relaxPasses,
+        [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+            m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
+        },
+        [&] { joinVelocities(split, m_laneBodies); });
 }
 
 void SoftSolver::accumulateWork() {
@@ -470,18 +480,19 @@ bool SoftSolver::correctPositions() {
         }
         return false;
     }
-    m_corrections.assign(bodies.size(), LaneWay{});
+    m_corrections.assign(m_laneBodies.size(), LaneWay{});
     m_scene.corrected = m_corrections.data();
     m_scene.corrections = m_laneCorrections.data();
     m_scene.correctionPoints = m_correctionPoints.data();
     const int correctionPasses = correctionPassesFor(contacts.size());
-    forEachColour(1 + correctionPasses + holdPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+    const auto correct = [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
         if (pass == 0) {
             m_passes.startCorrection(scene, first, last);
         } else {
             m_passes.correct(scene, first, last, pass > correctionPasses);
         }
-    });
+    };
+    forEachPass(1 + correctionPasses + holdPasses, correct, [&] { joinWays(split, m_corrections); });
     return true;
 }
 
@@ -535,22 +546,26 @@ void SoftSolver::restitute(double threshold, bool friction) {
             }
         }
     });
-    std::vector<std::uint32_t> hit;
+    std::vector<std::uint32_t> hit, ofSplit;
+    const auto give = [&](std::uint32_t i) {
+        SolverContact& c = contacts[i];
+        const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
+        restituteContact(c, own, bodies[c.a], bodies[c.b], threshold, friction);
+    };
     for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
         hit.clear();
+        ofSplit.clear();
         for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
             if (m_fastest[i] >= threshold) {
-                hit.push_back(i);
+                (isSplit(contacts[i].a) || isSplit(contacts[i].b) ? ofSplit : hit).push_back(i);
             }
         }
         const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
         m_pool.loop(hit.size(), inOrder ? hit.size() : grain, [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = from; i < to; ++i) {
-                SolverContact& c = contacts[hit[i]];
-                const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
-                restituteContact(c, own, bodies[c.a], bodies[c.b], threshold, friction);
-            }
+            std::for_each(hit.begin() + static_cast<std::ptrdiff_t>(from), hit.begin() + static_cast<std::ptrdiff_t>(to), give);
         });
+        // Here a body is one again.
+        std::ranges::for_each(ofSplit, give);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/geometry.h"
 #include "core/engine/soft/contact_strips.h"
+#include "core/engine/soft/mass_split.h"
 #include "core/engine/soft/soft_lanes.h"
 #include "core/engine/world/worker_pool.h"
 
@@ -77,17 +78,6 @@ struct SolverContact {
     bool driven = false;        ///< account for the work of the immovable one of the two
 };
 
-/// Contacts in groups within which no movable body occurs twice: the contacts of a group can be solved in any order, on any
-/// number of threads, to the same bits. The last group may repeat bodies and is solved in order.
-struct ContactColours {
-    std::vector<std::uint32_t> order;  ///< contacts by group
-    std::vector<std::uint32_t> first;  ///< [groups + 1] into order
-    bool lastInOrder = false;          ///< the last group must be solved one by one
-};
-/// @param bodies  number of bodies; only those below `movable` count
-/// Contacts are taken in the order given.
-void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours);
-
 /// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved,
 /// three relax passes without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
 /// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side (soft_lanes.h).
@@ -103,6 +93,9 @@ public:
     std::vector<SolverPoint> points;
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
+    std::span<const SplitBody> split;  ///< bodies that the passes see as several, for the whole step
+    /// [contacts] the copies that each is between; empty: the bodies themselves. What does not move comes behind the copies.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
 
     /// Makes room for bodies.
     void resizeBodies(std::size_t count);
@@ -173,6 +166,11 @@ private:
         double inverseMass = 0.0;           ///< 1/kg
         KeptNumber inverseInertia[6] = {};  ///< 1/(kg m2), in the order of KeptLaneTensor
     };
+    template <class Pass, class Join>
+    void forEachPass(int passes, Pass pass, Join join);
+    std::pair<std::uint32_t, std::uint32_t> endsOf(std::size_t contact) const;
+    bool isSplit(std::uint32_t body) const { return !m_copiesOf.empty() && body < m_movable && m_copiesOf[body] > 1; }
+    void shareOut();
     /// Contacts that go side by side.
     struct Group {
         std::uint32_t firstPoint = 0;
@@ -192,6 +190,9 @@ private:
     void takeGroupBack(std::size_t group);
 
     WorkerPool& m_pool;
+    std::size_t m_movable = 0;              ///< bodies below this one move
+    std::uint32_t m_added = 0;              ///< copies behind them
+    std::vector<std::uint32_t> m_copiesOf;  ///< [movable bodies]; empty: none is split
     LanePasses m_passes = lanePasses();
     LaneScene m_scene;
     ContactStrips m_cut;
@@ -207,14 +208,14 @@ private:
     std::vector<LanePoint> m_lanePoints;
     std::vector<LanePointTally> m_pointTallies;  ///< beside them, as the next ones
     std::vector<LanePointWork> m_laneWorks;
-    std::vector<MassProperties> m_massProperties;  ///< [bodies], as the next ones
+    std::vector<MassProperties> m_massProperties;  ///< [copies], as the next ones
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
     std::vector<LanePose> m_lanePoses;
     std::vector<LaneSolid> m_laneSolids;
     std::vector<LaneCorrection> m_laneCorrections;        ///< beside the contacts
     std::vector<LaneCorrectionPoint> m_correctionPoints;  ///< beside the points
-    std::vector<LaneWay> m_corrections;                   ///< [bodies]
+    std::vector<LaneWay> m_corrections;                   ///< [copies]
 };
 
 }  // namespace rubble

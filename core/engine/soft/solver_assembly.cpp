@@ -2,15 +2,48 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/prefetch.h"
-#include "core/engine/soft/height_order.h"
 #include "core/engine/world/constants.h"
 
 namespace rubble {
 
 namespace {
+
+/// A number that is the larger the higher, as bits.
+std::uint64_t heightKey(double height) {
+    const auto bits = std::bit_cast<std::uint64_t>(height + 0.0);  // no negative zero
+    constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+    return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/// Sorts by height, digit by digit from the last one on; what is equally high keeps its order.
+template <class Entry>
+void sortByHeight(std::vector<Entry>& entries) {
+    constexpr unsigned digitBits = 11, digits = 6;
+    constexpr std::uint64_t mask = (1u << digitBits) - 1;
+    std::vector<std::array<std::uint32_t, mask + 1>> counts(digits);
+    for (const Entry& entry : entries) {
+        for (unsigned d = 0; d < digits; ++d) {
+            ++counts[d][entry.height >> (d * digitBits) & mask];
+        }
+    }
+    std::vector<Entry> sorted(entries.size());
+    for (unsigned d = 0; d < digits && !entries.empty(); ++d) {
+        const auto digitOf = [&](const Entry& entry) { return entry.height >> (d * digitBits) & mask; };
+        if (counts[d][digitOf(entries[0])] == entries.size()) {
+            continue;
+        }
+        std::exclusive_scan(counts[d].begin(), counts[d].end(), counts[d].begin(), 0u);
+        for (const Entry& entry : entries) {
+            sorted[counts[d][digitOf(entry)]++] = entry;
+        }
+        entries.swap(sorted);
+    }
+}
 
 ContactKind kindOf(const SoftContact& contact) {
     if (contact.a->kind == ColliderKind::Ground) {
@@ -187,8 +220,12 @@ void SolverAssembly::limitMassRatios(SoftSolver& solver) {
 void SolverAssembly::order(SoftSolver& solver) {
     std::vector<SpeedBound::SlotPair> ends(m_taken.size());
     std::transform(m_taken.begin(), m_taken.end(), ends.begin(), [](const Taken& x) { return SpeedBound::SlotPair{x.a, x.b}; });
+    if (m_scene.settings.splitsMass) {
+        m_split.split(ends, m_scene.bodies.awake.size());
+    }
+    solver.split = m_split.bodies();
     ContactColours colours;
-    colourContacts(ends, m_scene.bodies.awake.size(), colours);
+    colourContacts(ends, m_scene.bodies.awake.size() + m_split.added(), colours);
     solver.firstOfGroup = colours.first;
     solver.lastInOrder = colours.lastInOrder;
     m_points.fill(0.0);
@@ -201,6 +238,11 @@ void SolverAssembly::order(SoftSolver& solver) {
         m_ends[k] = {from.a, from.b};
     }
     solver.resize(m_taken.size(), firstPoint.back());
+    solver.copies.clear();
+    if (m_split.added() > 0) {
+        std::transform(colours.order.begin(), colours.order.end(), std::back_inserter(solver.copies),
+                       [&](std::uint32_t contact) { return ends[contact]; });
+    }
     m_scene.pool.loop(m_taken.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const Taken& from = m_taken[colours.order[k]];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/soft/contact_book.h"
+#include "core/engine/soft/mass_split.h"
 #include "core/engine/soft/rest_offsets.h"
 #include "core/engine/soft/soft_bodies.h"
 #include "core/engine/soft/soft_solver.h"
@@ -106,6 +107,7 @@ private:
     std::vector<Side> m_sides;                      ///< [slots], but for the still one
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
     SpeedBound m_speeds;
+    MassSplit m_split;
     std::vector<SpeedBound::SlotPair> m_ends;  ///< [contacts of the solver]
     std::array<double, 3> m_points{};          ///< by kind
 };

@@ -75,6 +75,8 @@ struct WorldSettings {
     /// Bodies that others have pressed into each other for a while (jamPatience) come apart by position. Off: only where overlap at
     /// birth pushes one of them.
     bool partsJammed = false;
+    /// Bodies with very many contacts are solved as several that share their mass, so that no contact waits for another.
+    bool splitsMass = false;
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };

@@ -7,6 +7,7 @@
 #include "core/base/unknown.h"
 #include "core/engine/world/body_shapes.h"
 #include "core/engine/world/collider.h"
+#include "core/fe/loose_structure.h"
 #include "core/fragments/birth_windows.h"
 #include "core/simulation/effects/box_tree.h"
 #include "core/simulation/effects/island_reach.h"
@@ -52,8 +53,11 @@ class Decider {
 public:
     explicit Decider(const EffectScene& scene);
     EffectDecisions decide();
+    /// The engine moves loose structure, and there is some.
+    bool carriesLoose();
 
 private:
+    void findSite(EffectDecisions& decisions);
     Verdict ground() const;
     Verdict terrain() const;
     Verdict structureContact() const;
@@ -75,6 +79,7 @@ private:
     const EffectScene& m_scene;
     const EffectSettings& m_effects;
     bool m_terrainOn = false, m_groundOn = false;
+    bool m_carriesLoose = false;
     std::vector<Reach> m_reach;  ///< [clusters]
     LiveReach m_live;
     Aabb m_site;  ///< of all that falls
@@ -125,13 +130,29 @@ EffectDecision Decider::settled(EffectKind kind, Verdict verdict) const {
     return decision;
 }
 
-EffectDecisions Decider::decide() {
-    EffectDecisions decisions;
+/// What the others build on.
+void Decider::findSite(EffectDecisions& decisions) {
     const auto settle = [&](EffectKind kind, Verdict verdict) {
         return decisions[static_cast<std::size_t>(kind)] = settled(kind, std::move(verdict));
     };
     m_terrainOn = settle(EffectKind::Terrain, terrain()).on;
     m_groundOn = settle(EffectKind::Ground, ground()).on;
+    m_carriesLoose = m_effects.loose != LooseStructurePolicy::Fe &&
+                     comesLoose(m_scene.fe, simulatedActivity(m_scene.fe, m_scene.scenario.fragments), surface());
+}
+
+bool Decider::carriesLoose() {
+    EffectDecisions decisions;
+    findSite(decisions);
+    return m_carriesLoose;
+}
+
+EffectDecisions Decider::decide() {
+    EffectDecisions decisions;
+    const auto settle = [&](EffectKind kind, Verdict verdict) {
+        return decisions[static_cast<std::size_t>(kind)] = settled(kind, std::move(verdict));
+    };
+    findSite(decisions);
     m_reach = reaches(m_scene, limits());
     m_live = liveReach(m_scene, surface(), limits());
     m_site = m_live.site;
@@ -230,7 +251,7 @@ Verdict Decider::structureContact() const {
         return impossible(
             {"effect.structure_contact.no_pieces", "pieces = none leaves the structure without collision shapes", {}});
     }
-    if (m_scene.scenario.effects.loose != LooseStructurePolicy::Fe) {
+    if (m_carriesLoose) {
         return {true, {"effect.structure_contact.loose", "the engine moves loose structure, which can fall on what stands", {}}};
     }
     const BoxTree tree = structure();
@@ -290,7 +311,7 @@ bool Decider::releasedMeet(const std::vector<TimedBox>& columns) const {
 }
 
 Verdict Decider::fragmentContact() const {
-    if (m_scene.scenario.effects.loose != LooseStructurePolicy::Fe) {
+    if (m_carriesLoose) {
         return {true, {"effect.fragment_contact.loose", "the engine moves loose structure, which can meet debris", {}}};
     }
     std::vector<TimedBox> columns;
@@ -521,6 +542,14 @@ std::string_view effectName(EffectKind kind) {
 
 EffectDecisions decideEffects(const EffectScene& scene) {
     return Decider(scene).decide();
+}
+
+Scenario settledScenario(const EffectScene& scene) {
+    Scenario settled = scene.scenario;
+    if (settled.effects.loose != LooseStructurePolicy::Fe && !Decider(scene).carriesLoose()) {
+        settled.effects.loose = LooseStructurePolicy::Fe;
+    }
+    return settled;
 }
 
 }  // namespace rubble

@@ -41,6 +41,10 @@ struct EffectScene {
 /// Decides on every effect without simulating; cheap against a run. Every entry has a reason, also those that the user set.
 EffectDecisions decideEffects(const EffectScene& scene);
 
+/// The scenario as a run takes it: where nothing comes loose before the FE result ends, loose_structure has nothing to do, and what
+/// it would ask for (steps, substeps, shapes of clusters) is that of fe.
+Scenario settledScenario(const EffectScene& scene);
+
 /// An effect after a run.
 struct EffectReport {
     EffectDecision decision;

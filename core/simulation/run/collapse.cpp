@@ -18,8 +18,14 @@ namespace {
 /// Share of the bodies that must sleep for a run to end before its time.
 constexpr double asleepShare = 0.99;
 
-EffectDecisions decisionsOf(const RunDescription& d) {
-    return decideEffects({*d.fe, *d.components, *d.fragments, *d.clustering, d.terrain.get(), d.scenario});
+EffectScene sceneOf(const RunDescription& d) {
+    return {*d.fe, *d.components, *d.fragments, *d.clustering, d.terrain.get(), d.scenario};
+}
+
+RunDescription settled(const RunDescription& description) {
+    RunDescription settled = description;
+    settled.scenario = settledScenario(sceneOf(description));
+    return settled;
 }
 
 WorldSettings worldSettings(const RunDescription& description, const EffectDecisions& decisions, const Execution& execution) {
@@ -44,6 +50,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     world.overlapTime = s.overlapTime;
     world.bounceFriction = s.bounceFriction;
     world.partsJammed = description.scenario.effects.loose != LooseStructurePolicy::Fe;
+    world.splitsMass = world.partsJammed;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
 }
@@ -62,26 +69,27 @@ HealthSite healthSite(const RunDescription& description, const EffectDecisions& 
 
 Collapse::Collapse(const WorldFactory& makeWorld, const RunDescription& description, TrajectorySink& sink,
                    const Execution& execution, CheckpointStore* checkpoints)
-    : m_description(description),
+    : m_asked(description),
+      m_description(settled(description)),
       m_settings(description.scenario.simulation),
       m_times(description.fe->times()),
       m_sink(sink),
       m_execution(execution),
       m_activity(simulatedActivity(*description.fe, description.scenario.fragments)),
-      m_decisions(decisionsOf(description)),
-      m_stepRate(chosenStepRate(description, m_decisions)),
-      m_worldSettings(worldSettings(description, m_decisions, execution)),
+      m_decisions(decideEffects(sceneOf(m_description))),
+      m_stepRate(chosenStepRate(m_description, m_decisions)),
+      m_worldSettings(worldSettings(m_description, m_decisions, execution)),
       m_surface{m_worldSettings.ground, m_worldSettings.groundHeight, m_worldSettings.terrain},
       m_world(makeWorld(m_worldSettings)),
-      m_structure(description, m_activity, isOn(m_decisions, EffectKind::StructureContact)),
-      m_effects(m_decisions, description, *m_world),
-      m_islands(description, m_activity, m_surface),
-      m_carried(description, m_activity, m_surface),
+      m_structure(m_description, m_activity, isOn(m_decisions, EffectKind::StructureContact)),
+      m_effects(m_decisions, m_description, *m_world),
+      m_islands(m_description, m_activity, m_surface),
+      m_carried(m_description, m_activity, m_surface),
       m_recorder(sink, m_settings.frameRate),
       m_energy(m_settings.gravity),
-      m_ledger(description),
-      m_outcomes(description, m_settings.gravity),
-      m_health(healthSite(description, m_decisions, m_worldSettings)),
+      m_ledger(m_description),
+      m_outcomes(m_description, m_settings.gravity),
+      m_health(healthSite(m_description, m_decisions, m_worldSettings)),
       m_checkpoints(checkpoints) {
     m_islands.leaveOut([this](ElementIndex e) { return m_carried.carries(e); });
 }
@@ -526,7 +534,7 @@ SimulationResult Collapse::run() {
         m_result.firstTime = m_times[clusters.front().handOverState];
     }
     if (!resumed) {
-        m_sink.begin(m_description);
+        m_sink.begin(m_asked);
         m_time = m_result.firstTime;
         m_place.state = clusters.empty() ? m_times.size() - 1 : clusters.front().handOverState;
         m_clockRuns = !clusters.empty();

@@ -102,7 +102,8 @@ private:
     };
     using Clock = std::chrono::steady_clock;
 
-    const RunDescription& m_description;
+    const RunDescription& m_asked;       ///< as it is kept beside the run
+    const RunDescription m_description;  ///< the same with what is left to the program settled
     const SimulationSettings& m_settings;
     const std::vector<double>& m_times;
     TrajectorySink& m_sink;

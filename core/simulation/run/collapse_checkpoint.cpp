@@ -31,7 +31,7 @@ bool Collapse::resume(std::string_view content) {
         Archive archive(content);
         std::string mark;
         archive(mark, m_result.checkpoints.secondsBefore);
-        if (!keep(archive) || !archive.atEnd() || !m_sink.resume(m_description, mark)) {
+        if (!keep(archive) || !archive.atEnd() || !m_sink.resume(m_asked, mark)) {
             return false;
         }
     } catch (const ParseError&) {
@@ -69,7 +69,7 @@ void Collapse::keepCheckpoint() {
         std::optional<std::string> mark = m_sink.mark();
         Archive archive;
         archive.reserve(m_checkpointBytes + m_checkpointBytes / 8);
-        beginCheckpoint(archive, runDigest(m_description));
+        beginCheckpoint(archive, runDigest(m_asked));
         double seconds = secondsSoFar();
         if (mark) {
             archive(*mark, seconds);

@@ -173,6 +173,22 @@ TEST(LooseStructure, AllOfAStructureCanBeLoose) {
     EXPECT_EQ(loose.islands[0].end, IslandEnd::Alive);
 }
 
+TEST(LooseStructure, SaysWhetherAnythingComesLoose) {
+    const auto any = [](const Row& row) {
+        const auto fe = row.scene.result();
+        return comesLoose(*fe, activityUnder(fe->activity(), Revival::Latch), {true, 0.0, nullptr});
+    };
+    EXPECT_FALSE(any(Row({"11111", "11111", "10000", "11111"}, 0.0))) << "all stand on the ground";
+    Row falling({"11111", "11000", "11111", "11110"}, 50.0);
+    falling.scene.position = fallBeyond(1.5);
+    EXPECT_TRUE(any(falling));
+    // Loose from 2 s on, and dead or at the end of the FE result by 3 s.
+    Row brief({"1111", "1100", "1110", "1110"}, 50.0);
+    brief.scene.position = fallBeyond(1.5);
+    EXPECT_FALSE(brief.loose().islands.empty());
+    EXPECT_FALSE(any(brief));
+}
+
 TEST(LooseStructure, CanBeCancelled) {
     const Row row({"11", "11"}, 0.0);
     const auto fe = row.scene.result();

@@ -214,6 +214,29 @@ TEST_F(CarriedIslandsRun, RepeatBitByBitOnAnyNumberOfThreads) {
     EXPECT_EQ(again.simulation->trajectoryHash, first.trajectoryHash);
 }
 
+/// A row of cubes on the ground, of which some die where they stand.
+std::shared_ptr<const FeResult> standingRow() {
+    scenes::Block row;
+    row.name = "row";
+    row.size = Vec3(6, 1, 1);
+    row.cells = {6, 1, 1};
+    row.deathState = [](std::size_t i) { return i % 2 == 0 ? std::size_t{2} : scenes::never; };
+    return scenes::makeScene({row}, 6, 0.1);
+}
+
+TEST_F(CarriedIslandsRun, WhereNothingComesLooseARunIsAsByTheFeResult) {
+    const auto fe = standingRow();
+    const SimulationResult asked = simulateScene(fe);
+    EXPECT_EQ(asked.carried.islands, 0);
+    scenario.effects.loose = LooseStructurePolicy::Fe;
+    MemoryTrajectory other;
+    Inputs inputs;
+    inputs.fe = fe;
+    const auto byFe = run(inputs, scenario, Stage::Simulation, {}, &other, Execution());
+    EXPECT_EQ(asked.trajectoryHash, byFe.simulation->trajectoryHash);
+    EXPECT_EQ(asked.steps, byFe.simulation->steps);
+}
+
 TEST_F(CarriedIslandsRun, ByTheFeResultNothingIsCarried) {
     scenario.effects.loose = LooseStructurePolicy::Fe;
     scenes::Block falling = fallingSlab(Vec3(0, 0, 5));

@@ -238,6 +238,7 @@ struct Members<CarriedStructure> {
         visit("born", c.born);
         visit("born_mass", c.bornMass);
         visit("born_at_rest_mass", c.bornAtRestMass);
+        visit.added("born_softer_mass", c.bornSofterMass);
         visit("left", c.left);
         visit("left_mass", c.leftMass);
         visit("still_moving", c.stillMoving);

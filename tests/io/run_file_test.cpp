@@ -99,6 +99,7 @@ TEST(RunFile, GivesBackEverythingThatWasWritten) {
     EXPECT_EQ(resultJson(*result), resultJson(run.result));
     EXPECT_EQ(result->penetrationMax, run.result.penetrationMax);
     EXPECT_EQ(result->carried.bornAtRestMass, 1e4);
+    EXPECT_EQ(result->carried.bornSofterMass, 2e3);
     EXPECT_EQ(result->carried.losses.bodyAngularMomentum, 9e-15);
     EXPECT_EQ(result->effects.size(), effectCount);
     EXPECT_EQ(result->effects[1].decision.asked, EffectSwitch::On);

@@ -233,6 +233,7 @@ void makeResult(SampleRun& run, Dice& dice) {
                           800,
                           2.5e5,
                           1e4,
+                          2e3,
                           2,
                           5e4,
                           1,

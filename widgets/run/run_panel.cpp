@@ -153,9 +153,11 @@ void RunPanel::setOutcome(const Outcome& outcome) {
             .arg(shownWith(r.islands.releasedMass, "kg"), shownCount(r.islands.occupied), shownCount(r.islands.stillMoving)));
     m_islands->setText(islands(r.islands.held(), r.islands.elements - r.islands.releasedElements));
     m_carried->setText(islands(r.carried.islands, r.carried.elements));
-    m_carried->setToolTip(tr("%1; fragments born from them %2, of these after they had come to rest %3; bodies left at the end %4")
-                              .arg(shownWith(r.carried.mass, "kg"), shownWith(r.carried.bornMass, "kg"),
-                                   shownWith(r.carried.bornAtRestMass, "kg"), shownCount(r.carried.left)));
+    m_carried->setToolTip(
+        tr("%1; fragments born from them %2, of these after they had come to rest %3, by a blow twice as hard as in the engine %4; "
+           "bodies left at the end %5")
+            .arg(shownWith(r.carried.mass, "kg"), shownWith(r.carried.bornMass, "kg"), shownWith(r.carried.bornAtRestMass, "kg"),
+                 shownWith(r.carried.bornSofterMass, "kg"), shownCount(r.carried.left)));
     m_ledger->setText(shownNumber(std::max({r.ledger.mass, r.ledger.momentum, r.ledger.angularMomentum}), 2));
     m_bodyLedger->setText(shownNumber(std::max({r.ledger.bodyMass, r.ledger.bodyMomentum, r.ledger.bodyAngularMomentum}), 2));
     m_hash->setText(QString::fromStdString(r.trajectoryHash.hex()).left(8));

@@ -83,6 +83,7 @@ Json carriedJson(const CarriedStructure& carried) {
             {"born", carried.born},
             {"born_mass_kg", carried.bornMass},
             {"born_at_rest_mass_kg", carried.bornAtRestMass},
+            {"born_softer_mass_kg", carried.bornSofterMass},
             {"left", carried.left},
             {"left_mass_kg", carried.leftMass},
             {"still_moving", carried.stillMoving},
@@ -106,7 +107,9 @@ void addCarried(FactList& facts, const CarriedStructure& carried) {
                   (carried.refused > 0 ? "; " + englishInteger(carried.refused) + " could not be handed over" : std::string()));
     facts.add("born from islands", englishInteger(carried.born) + " fragments, " + tonnesText(carried.bornMass) + "; of these " +
                                        tonnesText(carried.bornAtRestMass) +
-                                       " were killed by the FE result after the island had come to rest elsewhere");
+                                       " were killed by the FE result after the island had come to rest elsewhere, " +
+                                       tonnesText(carried.bornSofterMass) +
+                                       " by a blow more than twice as hard as any that the engine had given them");
     facts.add("left of islands", englishInteger(carried.left) + " bodies at the end, " + tonnesText(carried.leftMass) + "; " +
                                      englishInteger(carried.stillMoving) + " still move");
 }

@@ -56,17 +56,19 @@ struct LiveIslands {
 
 /// Loose structure that the engine moved before the FE result ended (setting loose_structure).
 struct CarriedStructure {
-    std::int64_t islands = 0;      ///< handed over by the FE result
-    std::int64_t elements = 0;     ///< of those
-    double mass = 0.0;             ///< kg
-    std::int64_t refused = 0;      ///< islands without a finite place or mass, at each state: the FE result goes on moving them
-    std::int64_t bodies = 0;       ///< of islands, and of what was left of them whenever they lost something
-    std::int64_t born = 0;         ///< fragments that were born from them
-    double bornMass = 0.0;         ///< kg
-    double bornAtRestMass = 0.0;   ///< kg, of this: killed by the FE result after the island had come to rest elsewhere
-    std::int64_t left = 0;         ///< bodies at the end
-    double leftMass = 0.0;         ///< kg
-    std::int64_t stillMoving = 0;  ///< of these, awake at the end
+    std::int64_t islands = 0;     ///< handed over by the FE result
+    std::int64_t elements = 0;    ///< of those
+    double mass = 0.0;            ///< kg
+    std::int64_t refused = 0;     ///< islands without a finite place or mass, at each state: the FE result goes on moving them
+    std::int64_t bodies = 0;      ///< of islands, and of what was left of them whenever they lost something
+    std::int64_t born = 0;        ///< fragments that were born from them
+    double bornMass = 0.0;        ///< kg
+    double bornAtRestMass = 0.0;  ///< kg, of this: killed by the FE result after the island had come to rest elsewhere
+    double bornSofterMass =
+        0.0;                ///< kg, of this: of elements that the FE result hit more than twice as hard as the engine had by then
+    std::int64_t left = 0;  ///< bodies at the end
+    double leftMass = 0.0;  ///< kg
+    std::int64_t stillMoving = 0;       ///< of these, awake at the end
     double droppedKineticEnergy = 0.0;  ///< J, of deformation, which a rigid body cannot carry
     LedgerErrors handOvers;             ///< elements and bodies against the FE result, the largest over all states
     LedgerErrors losses;                ///< the same for bodies born and left against those before; only those of bodies are used

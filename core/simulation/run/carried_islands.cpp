@@ -107,6 +107,15 @@ Vec3 velocityAt(const BodyMotion& motion, const Vec3& place) {
     return motion.velocity + motion.angularVelocity.cross(place - motion.pose.position);
 }
 
+/// m/s, of the corners of an element.
+Vec3 meanVelocity(const Mesh& mesh, ElementIndex element, const NodeState& nodes) {
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t node : mesh.cornersOf(element)) {
+        sum += nodes.velocity(node);
+    }
+    return sum / static_cast<double>(mesh.cornersOf(element).size());
+}
+
 }  // namespace
 
 CarriedIslands::CarriedIslands(const RunDescription& description, const Activity& activity, const SiteSurface& ground)
@@ -225,6 +234,27 @@ void CarriedIslands::goOn(std::size_t before, const std::vector<ElementIndex>& l
     change.loss->left += world.momenta(m_bodies.back().id);
 }
 
+/// Follows what is carried through the FE states, in the FE result and in the engine.
+void CarriedIslands::noteBlows(std::size_t k, const RigidWorld& world) {
+    if (k == 0 || m_bodies.empty()) {
+        return;
+    }
+    const FeResult& fe = *m_description.fe;
+    const NodeState nodes(fe, k);
+    const Vec3 fall(0, 0, -m_description.scenario.simulation.gravity * (fe.times()[k] - fe.times()[k - 1]));
+    for (const Body& body : m_bodies) {
+        if (!body.there || world.state(body.id) == BodyState::Removed) {
+            continue;
+        }
+        const BodyMotion motion = world.motion(body.id);
+        const Pose carried = motion.pose * body.island.pose.inverse();
+        for (const IslandElement& part : body.island.parts) {
+            m_blows.advance(part.element, meanVelocity(fe.mesh(), part.element, nodes),
+                            velocityAt(motion, carried * part.box.centre), fall);
+        }
+    }
+}
+
 void CarriedIslands::countBirths(const HandOver& born, const RigidWorld& world) {
     for (const Carrier& carrier : born.carriers) {
         const Fragment& fragment = m_description.fragments->list[at(carrier.fragment)];
@@ -234,6 +264,9 @@ void CarriedIslands::countBirths(const HandOver& born, const RigidWorld& world) 
         const BodyMotion motion = world.motion(from.id);
         if (world.state(from.id) == BodyState::Frozen || motion.velocity.norm() < restingSpeed) {
             m_account.bornAtRestMass += fragment.mass;
+        }
+        if (m_blows.softer(fragment.element)) {
+            m_account.bornSofterMass += fragment.mass;
         }
     }
 }
@@ -312,6 +345,7 @@ void CarriedIslands::take(std::size_t k, RigidWorld& world, Pieces& pieces, Chan
     change.ledger.state = static_cast<std::uint32_t>(k);
     MotionScale scale;
     IslandMaker maker(m_description, m_activity, islands, k);
+    const NodeState nodes(*m_description.fe, k);
     for (const LiveIsland& island : islands) {
         std::optional<IslandBody> made = maker.make(island, findings);
         if (!made) {
@@ -330,6 +364,9 @@ void CarriedIslands::take(std::size_t k, RigidWorld& world, Pieces& pieces, Chan
         body.state = static_cast<std::uint32_t>(k);
         body.island = std::move(*made);
         const NewBody entering = newBody(body.island, *m_description.components);
+        for (const ElementIndex e : body.island.elements) {
+            m_blows.begin(e, meanVelocity(m_description.fe->mesh(), e, nodes));
+        }
         enter(std::move(body), entering, k, world, change);
         change.ledger.bodies += world.momenta(m_bodies.back().id);
     }
@@ -354,6 +391,7 @@ CarriedIslands::Change CarriedIslands::atState(std::size_t k, const HandOver& bo
         return change;
     }
     begin(execution);
+    noteBlows(k, world);
     lose(k, born, world, change);
     take(k, world, pieces, change, findings);
     return change;
@@ -391,7 +429,7 @@ void CarriedIslands::Body::keep(Archive& archive) {
 }
 
 void CarriedIslands::keep(Archive& archive) {
-    archive(m_bodies, m_carrier, m_gone, m_account);
+    archive(m_bodies, m_carrier, m_gone, m_blows, m_account);
 }
 
 }  // namespace rubble

@@ -9,6 +9,7 @@
 #include "core/simulation/bodies/island_bodies.h"
 #include "core/simulation/bodies/pieces.h"
 #include "core/simulation/bodies/run_account.h"
+#include "core/simulation/run/island_blows.h"
 
 namespace rubble {
 
@@ -61,6 +62,7 @@ private:
         void keep(Archive& archive);
     };
     void begin(const Execution& execution);
+    void noteBlows(std::size_t k, const RigidWorld& world);
     void lose(std::size_t k, const HandOver& born, RigidWorld& world, Change& change);
     void countBirths(const HandOver& born, const RigidWorld& world);
     void goOn(std::size_t before, const std::vector<ElementIndex>& left, std::size_t k, RigidWorld& world, Change& change);
@@ -77,6 +79,7 @@ private:
     std::vector<Body> m_bodies;
     std::vector<std::int32_t> m_carrier;  ///< [elements], index into m_bodies or -1; empty: none
     std::vector<bool> m_gone;             ///< [elements] that left the FE result's hands
+    IslandBlows m_blows;
     CarriedStructure m_account;
 };
 

@@ -73,6 +73,7 @@ TEST_F(CarriedIslandsRun, WhatDiesIsBornWhereTheEngineHasIt) {
     EXPECT_EQ(result.carried.born, 24);
     EXPECT_NEAR(result.carried.bornMass, 24 * 2000.0, 1e-6);
     EXPECT_NEAR(result.carried.bornAtRestMass, 24 * 2000.0, 1e-6) << "it had come to rest before the first of them died";
+    EXPECT_EQ(result.carried.bornSofterMass, 0.0) << "the FE result, in which it falls on, gives it no blow";
     EXPECT_EQ(result.carried.left, 0);
     EXPECT_EQ(result.births.occupied, 0) << "what is born from an island has its room";
     ASSERT_EQ(result.fragments.size(), 25u);

@@ -185,6 +185,7 @@ void ReportSections::addCarried() {
     tonnes(tr("their mass"), carried.mass);
     tonnes(tr("fragments born from them"), carried.bornMass);
     tonnes(tr("of these, killed by the FE result after their island had come to rest elsewhere"), carried.bornAtRestMass);
+    tonnes(tr("and by a blow more than twice as hard as any that the engine had given them"), carried.bornSofterMass);
     tonnes(tr("left of them at the end"), carried.leftMass);
     table.rows.push_back({tr("kinetic energy of deformation that was dropped"),
                           reportNumber(carried.droppedKineticEnergy / 1e6) + QStringLiteral(" MJ")});

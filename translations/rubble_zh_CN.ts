@@ -6973,10 +6973,6 @@
         <translation>有一个模拟无法保留供再次启动时使用。</translation>
     </message>
     <message>
-        <source>Ask sinfo whether the cluster answers and has nodes for it; --sbatch gives sbatch more options.</source>
-        <translation>请用 sinfo 查看集群是否应答、是否有合适的节点；--sbatch 可为 sbatch 添加选项。</translation>
-    </message>
-    <message>
         <source>Ask sinfo whether the cluster is up, and start the same command again.</source>
         <translation>请用 sinfo 查看集群是否在运行，然后再次启动同一命令。</translation>
     </message>
@@ -7039,10 +7035,6 @@
     <message>
         <source>See which there are: rubble-cli jobs list.</source>
         <translation>查看现有作业：rubble-cli jobs list。</translation>
-    </message>
-    <message>
-        <source>Slurm did not take this: {0}: {1}</source>
-        <translation>Slurm 未接受：{0}：{1}</translation>
     </message>
     <message>
         <source>Slurm does not answer.</source>
@@ -7209,32 +7201,12 @@
         <translation>{0} 的原点、坐标轴、坐标系或控制点与 {1} 不同。</translation>
     </message>
     <message>
-        <source>A world was not made on the cluster.</source>
-        <translation>有一个世界没有在集群上生成。</translation>
-    </message>
-    <message>
-        <source>Ask whoever runs the cluster, or simulate on this machine.</source>
-        <translation>请询问集群的管理者，或在本机模拟。</translation>
-    </message>
-    <message>
         <source>Install rubble-cli beside rubble.</source>
         <translation>请将 rubble-cli 与 rubble 安装在一起。</translation>
     </message>
     <message>
-        <source>Slurm does not answer: {0}</source>
-        <translation>Slurm 没有应答：{0}</translation>
-    </message>
-    <message>
-        <source>Start again: only what is missing is submitted.</source>
-        <translation>请再次开始：只提交缺少的。</translation>
-    </message>
-    <message>
         <source>There is no {0}, which makes the worlds on the cluster.</source>
         <translation>没有 {0}，它在集群上生成世界。</translation>
-    </message>
-    <message>
-        <source>on the cluster: {0}</source>
-        <translation>在集群上：{0}</translation>
     </message>
     <message>
         <source>sinfo waits in vain</source>
@@ -10127,6 +10099,122 @@
     <message>
         <source>Pages (*.html)</source>
         <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>A machine of the cluster failed while it made a world.</source>
+        <translation>集群的一台机器在计算一个世界时发生故障。</translation>
+    </message>
+    <message>
+        <source>A world ended with an error on the cluster.</source>
+        <translation>一个世界在集群上出错结束。</translation>
+    </message>
+    <message>
+        <source>A world needed more memory than the cluster gave it.</source>
+        <translation>一个世界所需的内存超过集群给予的内存。</translation>
+    </message>
+    <message>
+        <source>A world took longer than the cluster gave it.</source>
+        <translation>一个世界所用的时间超过集群给予的时间。</translation>
+    </message>
+    <message>
+        <source>A world was cancelled on the cluster.</source>
+        <translation>一个世界在集群上被取消。</translation>
+    </message>
+    <message>
+        <source>Ask sinfo whether the cluster answers and has nodes for it, or ask whoever runs it. Slurm says: {0}</source>
+        <translation>请用 sinfo 查看集群是否应答、是否有可用节点，或询问其管理者。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Ask whoever runs the cluster, or simulate on this machine. Slurm says: {0}</source>
+        <translation>请询问集群的管理者，或在本机模拟。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Check the options of sbatch against its manual. Slurm says: {0}</source>
+        <translation>请对照 sbatch 的手册检查其选项。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Mend what the error names, then start again: only what is missing is submitted. The cluster says: {0}</source>
+        <translation>请解决错误所指的问题后重新开始：只提交缺少的部分。集群原文：{0}</translation>
+    </message>
+    <message>
+        <source>Name a partition for longer jobs among the options of sbatch (--partition). Slurm says: {0}</source>
+        <translation>请在 sbatch 选项中指定适合较长作业的分区（--partition）。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Name a partition for longer jobs among the options of sbatch, or use more threads. The cluster says: {0}</source>
+        <translation>请在 sbatch 选项中指定适合较长作业的分区，或使用更多线程。集群原文：{0}</translation>
+    </message>
+    <message>
+        <source>Name a partition with larger machines among the options of sbatch. The cluster says: {0}</source>
+        <translation>请在 sbatch 选项中指定机器更大的分区。集群原文：{0}</translation>
+    </message>
+    <message>
+        <source>Name another among the options of sbatch (--partition); sinfo lists them. Slurm says: {0}</source>
+        <translation>请在 sbatch 选项中指定另一个分区（--partition）；sinfo 会列出它们。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Name one of yours among the options of sbatch (--account); sacctmgr lists them. Slurm says: {0}</source>
+        <translation>请在 sbatch 选项中指定您的账户（--account）；sacctmgr 会列出它们。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>No machine of the cluster has the processors and the memory that a world asks for.</source>
+        <translation>集群中没有机器具有一个世界所要求的处理器和内存。</translation>
+    </message>
+    <message>
+        <source>Put the cluster&apos;s slurm.conf into /etc/slurm, or simulate on this machine. Slurm says: {0}</source>
+        <translation>请将集群的 slurm.conf 放入 /etc/slurm，或在本机模拟。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>See that munge runs here with the key of the cluster, and that it knows the user. Slurm says: {0}</source>
+        <translation>请确认本机的 munge 使用集群的密钥运行，且集群认识该用户。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Slurm is installed here, but does not know its cluster.</source>
+        <translation>此处已安装 Slurm，但不知道其集群。</translation>
+    </message>
+    <message>
+        <source>Start again: only what is missing is submitted. The cluster says: {0}</source>
+        <translation>请重新开始：只提交缺少的部分。集群原文：{0}</translation>
+    </message>
+    <message>
+        <source>The cluster did not take this, for a reason of its own.</source>
+        <translation>集群因其自身的原因未接受。</translation>
+    </message>
+    <message>
+        <source>The cluster does not accept this user or this machine.</source>
+        <translation>集群不接受该用户或本机。</translation>
+    </message>
+    <message>
+        <source>The cluster does not allow a world the time that it needs.</source>
+        <translation>集群不允许一个世界使用其所需的时间。</translation>
+    </message>
+    <message>
+        <source>The cluster does not take the account that the job is charged to.</source>
+        <translation>集群不接受作业所记入的账户。</translation>
+    </message>
+    <message>
+        <source>The cluster has no such partition, or it takes no jobs now.</source>
+        <translation>集群没有该分区，或其现在不接受作业。</translation>
+    </message>
+    <message>
+        <source>The cluster&apos;s controller does not answer.</source>
+        <translation>集群的控制器没有应答。</translation>
+    </message>
+    <message>
+        <source>The cluster&apos;s limits do not let this user submit so much.</source>
+        <translation>集群的限制不允许该用户提交这么多。</translation>
+    </message>
+    <message>
+        <source>Use fewer threads, or name a partition with larger machines (--partition). Slurm says: {0}</source>
+        <translation>请使用较少的线程，或指定机器更大的分区（--partition）。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>Wait until other jobs have ended, or name another account or quality of service. Slurm says: {0}</source>
+        <translation>请等待其他作业结束，或指定另一个账户或服务质量。Slurm 原文：{0}</translation>
+    </message>
+    <message>
+        <source>sbatch does not know one of the options that it was given.</source>
+        <translation>sbatch 不认识给它的某个选项。</translation>
     </message>
 </context>
 <context>
@@ -16683,22 +16771,6 @@ What the file fits: %2.</source>
         <translation>与视图相同</translation>
     </message>
     <message>
-        <source>Three instants, FE above fragments (figure 11)</source>
-        <translation>三个时刻，有限元在上、碎块在下(图 11)</translation>
-    </message>
-    <message>
-        <source>Both at the end (figure 12)</source>
-        <translation>两者在结束时(图 12)</translation>
-    </message>
-    <message>
-        <source>Debris and surroundings (figure 13)</source>
-        <translation>碎块与周边环境(图 13)</translation>
-    </message>
-    <message>
-        <source>Four stages (figure 14)</source>
-        <translation>四个阶段(图 14)</translation>
-    </message>
-    <message>
         <source>Preview of the figure</source>
         <translation>插图预览</translation>
     </message>
@@ -16757,6 +16829,22 @@ What the file fits: %2.</source>
     <message>
         <source>Selected elements in their colour; without it the figure is as if nothing were selected</source>
         <translation>选中的单元以其颜色显示；不勾选时，图如同没有选中任何内容</translation>
+    </message>
+    <message>
+        <source>FE against fragments</source>
+        <translation>有限元与碎块对照</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>结束时</translation>
+    </message>
+    <message>
+        <source>In its surroundings</source>
+        <translation>在周边环境中</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>各阶段</translation>
     </message>
 </context>
 <context>
@@ -18380,6 +18468,14 @@ What the file fits: %2.</source>
     <message>
         <source>%1 of the point of the model or survey, in the frame of the case</source>
         <translation>模型或测量点的 %1，在案例坐标框架中</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Number of the pair, as it stands in the photograph and in the model</source>
+        <translation>点对的编号，与照片和模型中的一致</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/base/trimmed.h"
 #include "io/jobs/program.h"
+#include "io/jobs/slurm_words.h"
 
 namespace rubble::io {
 
@@ -29,10 +30,9 @@ ProgramOutcome outcomeOf(const std::vector<std::string>& words) {
     return std::move(*outcome);
 }
 
-[[noreturn]] void refused(const std::string& program, const ProgramOutcome& outcome) {
-    throw WorldError(
-        {"io.slurm", "Slurm did not take this: {0}: {1}", {program, std::string(trimmed(outcome.err))}},
-        {"io.slurm.remedy", "Ask sinfo whether the cluster answers and has nodes for it; --sbatch gives sbatch more options.", {}});
+[[noreturn]] void refused(const ProgramOutcome& outcome) {
+    const SlurmReason reason = slurmReason(outcome.err);
+    throw WorldError(reason.what, reason.remedy);
 }
 
 /// States in the words of squeue. Those that come and go count as waiting or running.
@@ -71,11 +71,8 @@ void Slurm::reach() {
     // A controller that is away is waited for up to minutes.
     const ProgramOutcome outcome = outcomeOf({"timeout", secondsToAnswer, "sinfo", "--noheader", "--format=%D"});
     if (outcome.exitCode != 0) {
-        // The last line is the reason, those before it lead there.
-        const std::string all(trimmed(outcome.err));
-        const std::string said = all.substr(all.rfind('\n') + 1);
-        throw WorldError({"io.slurm_unreachable", "Slurm does not answer: {0}", {said.empty() ? "sinfo waits in vain" : said}},
-                         {"io.slurm_unreachable.remedy", "Ask whoever runs the cluster, or simulate on this machine.", {}});
+        const SlurmReason reason = slurmReason(trimmed(outcome.err).empty() ? "sinfo waits in vain" : outcome.err);
+        throw WorldError(reason.what, reason.remedy);
     }
 }
 
@@ -112,7 +109,7 @@ std::string Slurm::submit(const SlurmArray& array) {
     // "12" or "12;cluster"
     const std::string job = outcome.out.substr(0, outcome.out.find_first_of(";\n"));
     if (outcome.exitCode != 0 || job.empty() || job.find_first_not_of("0123456789") != std::string::npos) {
-        refused("sbatch", outcome);
+        refused(outcome);
     }
     return job;
 }
@@ -138,7 +135,7 @@ std::optional<std::map<std::string, SlurmState>> Slurm::states(const std::vector
 void Slurm::cancel(const std::string& name) {
     const ProgramOutcome outcome = outcomeOf({"scancel", "--name=" + name});
     if (outcome.exitCode != 0) {
-        refused("scancel", outcome);
+        refused(outcome);
     }
 }
 

@@ -29,15 +29,15 @@ class Slurm {
 public:
     /// Throws WorldError where Slurm is not installed.
     static void check();
-    /// Throws WorldError where it is not installed or does not answer within seconds.
+    /// Throws WorldError where it is not installed or does not answer within seconds, as slurmReason() says.
     static void reach();
     /// Tasks that one array may have.
     static std::size_t arrayLimit();
-    /// @return  the number of the job. Throws WorldError with what sbatch said
+    /// @return  the number of the job. Throws WorldError with the reason behind what sbatch said
     static std::string submit(const SlurmArray& array);
     /// What it knows of all tasks of the jobs of these names, "12_3"; unset if it does not answer.
     static std::optional<std::map<std::string, SlurmState>> states(const std::vector<std::string>& names);
-    /// Throws WorldError with what scancel said.
+    /// Throws WorldError with the reason behind what scancel said.
     static void cancel(const std::string& name);
 };
 

@@ -62,8 +62,8 @@ std::vector<std::string> PlaceChoice::sbatchOptions() const {
     return words;
 }
 
-void PlaceChoice::setReached(const QString& why) {
-    m_notReached = why;
+void PlaceChoice::setReached(const QString& why, const QString& remedy) {
+    m_notReached = remedy.isEmpty() ? why : why + QLatin1Char(' ') + remedy;
     showChoice();
 }
 

@@ -22,7 +22,7 @@ public:
     /// Words for sbatch, as typed.
     std::vector<std::string> sbatchOptions() const;
     /// @param why  the cluster cannot be chosen; empty: it can
-    void setReached(const QString& why);
+    void setReached(const QString& why, const QString& remedy = {});
 
 signals:
     /// Somebody chose where.

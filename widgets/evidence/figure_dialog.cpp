@@ -44,10 +44,10 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     setObjectName(QStringLiteral("figureDialog"));
     m_preset->setObjectName(QStringLiteral("figurePreset"));
     m_preset->addItem(tr("As the views are"), -1);
-    m_preset->addItem(tr("Three instants, FE above fragments (figure 11)"), static_cast<int>(figures::FigurePreset::Pairs));
-    m_preset->addItem(tr("Both at the end (figure 12)"), static_cast<int>(figures::FigurePreset::End));
-    m_preset->addItem(tr("Debris and surroundings (figure 13)"), static_cast<int>(figures::FigurePreset::Surroundings));
-    m_preset->addItem(tr("Four stages (figure 14)"), static_cast<int>(figures::FigurePreset::Stages));
+    m_preset->addItem(tr("FE against fragments"), static_cast<int>(figures::FigurePreset::Pairs));
+    m_preset->addItem(tr("At the end"), static_cast<int>(figures::FigurePreset::End));
+    m_preset->addItem(tr("In its surroundings"), static_cast<int>(figures::FigurePreset::Surroundings));
+    m_preset->addItem(tr("Stages"), static_cast<int>(figures::FigurePreset::Stages));
     m_preset->setCurrentIndex(choice.preset ? m_preset->findData(static_cast<int>(*choice.preset)) : 0);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);

@@ -59,7 +59,9 @@ PhotoPairs::PhotoPairs(QWidget* parent)
     column->setSpacing(6);
     m_table->setAccessibleName(tr("Point pairs"));
     m_table->setObjectName(QStringLiteral("pointPairs"));
-    m_table->setHorizontalHeaderLabels({QString(), tr("point"), tr("residual, px")});
+    m_table->setHorizontalHeaderLabels({tr("no."), tr("point"), tr("residual, px")});
+    m_table->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_table->horizontalHeaderItem(0)->setToolTip(tr("Number of the pair, as it stands in the photograph and in the model"));
     m_table->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeaderItem(2)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_table->horizontalHeaderItem(2)->setToolTip(

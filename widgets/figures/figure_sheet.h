@@ -43,12 +43,18 @@ Sheet sheetOf(const render::View& view);
 
 /// Arrangements of published figures (DESIGN.md 2.6).
 enum class FigurePreset : std::uint8_t {
-    Pairs,         ///< figure 11: FE above, fragments below, same camera, three instants
-    End,           ///< figure 12: both at the end
-    Surroundings,  ///< figure 13: debris within terrain and surroundings
-    Stages         ///< figure 14: original, early, intermediate and final stage
+    Pairs,         ///< FE above, fragments below, same camera, three instants
+    End,           ///< both at the end
+    Surroundings,  ///< debris within terrain and surroundings
+    Stages         ///< original, early, intermediate and final stage
 };
 inline constexpr std::array<std::pair<std::string_view, FigurePreset>, 4> figurePresets{
+    {{"fe_against_fragments", FigurePreset::Pairs},
+     {"at_the_end", FigurePreset::End},
+     {"in_its_surroundings", FigurePreset::Surroundings},
+     {"stages", FigurePreset::Stages}}};
+/// The same as earlier versions called them: by the published figure of that arrangement.
+inline constexpr std::array<std::pair<std::string_view, FigurePreset>, 4> numberedPresets{
     {{"11", FigurePreset::Pairs}, {"12", FigurePreset::End}, {"13", FigurePreset::Surroundings}, {"14", FigurePreset::Stages}}};
 
 /// Where the instants of a preset come from and how its model is seen.

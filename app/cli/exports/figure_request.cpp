@@ -74,26 +74,28 @@ constexpr std::array<Choice<render::Style>, 2> styleNames{
 }  // namespace
 
 std::vector<Option> FigureRequest::viewOptions() {
-    return {{"--view", "FILE", false, "a view saved in the workbench; the options below take the place of parts of it"},
-            {"--pane", "PANE", false, "what a figure shows: fe, fragments, both (default), overlay or four"},
-            {"--colour", "BY", false, "fragments by highlight (default), component, birth_time, speed or cluster"},
-            {"--scale", "COLOURS", false, "of birth time and speed: standard (default), viridis, cividis or grey"},
-            {"--style", "STYLE", false, "analysis (default) or presentation: every element in the look of its material"},
-            {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
-            {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
-            {"--hide", "NAME", true, "leaves a component out; may be repeated"},
-            {"--selection", "on|off", false, "the elements that the saved view has selected in their colour (default: off)"},
-            {"--size", "WxH", false, "pixels of a figure (default: 1600x1000, of figure 11 1600x1600; of a movie 1280x720)"},
-            {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
+    return {
+        {"--view", "FILE", false, "a view saved in the workbench; the options below take the place of parts of it"},
+        {"--pane", "PANE", false, "what a figure shows: fe, fragments, both (default), overlay or four"},
+        {"--colour", "BY", false, "fragments by highlight (default), component, birth_time, speed or cluster"},
+        {"--scale", "COLOURS", false, "of birth time and speed: standard (default), viridis, cividis or grey"},
+        {"--style", "STYLE", false, "analysis (default) or presentation: every element in the look of its material"},
+        {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
+        {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
+        {"--hide", "NAME", true, "leaves a component out; may be repeated"},
+        {"--selection", "on|off", false, "the elements that the saved view has selected in their colour (default: off)"},
+        {"--size", "WxH", false, "pixels of a figure (default: 1600x1000, of fe_against_fragments 1600x1600; of a movie 1280x720)"},
+        {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
 }
 
 std::vector<Option> FigureRequest::options() {
     std::vector<Option> options = viewOptions();
     options.push_back({"--time", "SECONDS", false, "instant of a figure on the file's clock, or end (default: end)"});
     options.push_back({"--state", "K", false, "instant of a figure as FE state, from 0; instead of --time"});
-    options.push_back({"--preset", "NUMBER", false,
-                       "arrangement of the published figure 11 (pairs), 12 (end), 13 (surroundings) or 14 (stages)"});
-    options.push_back({"--times", "A,B,C", false, "instants of --preset 11 (three), 12 and 13 (one) or 14 (four), s"});
+    options.push_back({"--preset", "NAME", false, "arrangement: fe_against_fragments, at_the_end, in_its_surroundings or stages"});
+    options.push_back(
+        {"--times", "A,B,C", false,
+         "instants of --preset fe_against_fragments (three), at_the_end, in_its_surroundings (one) or stages (four), s"});
     return options;
 }
 
@@ -138,14 +140,18 @@ void FigureRequest::readTime(const Arguments& arguments) {
 }
 
 void FigureRequest::readPreset(const Arguments& arguments) {
-    if (const auto number = arguments.value("--preset")) {
-        for (const auto& [name, preset] : figures::figurePresets) {
-            if (name == *number) {
-                m_preset = preset;
+    if (const auto wanted = arguments.value("--preset")) {
+        for (const auto& presets : {figures::figurePresets, figures::numberedPresets}) {
+            for (const auto& [name, preset] : presets) {
+                if (name == *wanted) {
+                    m_preset = preset;
+                }
             }
         }
         if (!m_preset || arguments.has("--time") || arguments.has("--state") || arguments.has("--pane")) {
-            throw wrongValue("--preset", *number, "11, 12, 13 or 14, and no --time, --state or --pane beside it");
+            throw wrongValue(
+                "--preset", *wanted,
+                "fe_against_fragments, at_the_end, in_its_surroundings or stages, and no --time, --state or --pane beside it");
         }
     }
     if (const auto text = arguments.value("--times")) {

@@ -6,6 +6,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
+#include "io/jobs/slurm_words.h"
 #include "io/run/study_files.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/live_screen.h"
@@ -161,7 +162,7 @@ AccuracyReport AccuracyWork::collect(const Comparison& comparison, const io::Job
     for (const io::JobTask& task : progress.failed) {
         const auto take = [&](AccuracyPoint& point) {
             if (!point.done && point.origin.key.hex() == task.key) {
-                point.failure = {"accuracy.on_cluster", "on the cluster: {0}", {task.failure}};
+                point.failure = io::taskReason(task).what;
             }
         };
         take(report.reference);

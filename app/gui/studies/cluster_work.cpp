@@ -13,6 +13,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/jobs/program.h"
+#include "io/jobs/slurm_words.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble {
@@ -128,7 +129,7 @@ void ClusterWork::probe() {
     m_asking.start({Worker::Kind::Study, [](const Execution&) { io::Slurm::reach(); },
                     [this](const std::exception_ptr& thrown) {
                         const auto failure = failureOf(thrown);
-                        emit reached(failure ? failure->what() : QString());
+                        emit reached(failure ? failure->what() : QString(), failure ? failure->remedy() : QString());
                     }});
 }
 
@@ -178,9 +179,8 @@ std::string keepJobCase(const std::string& store, const std::string& id, const J
 Findings findingsOf(const io::JobProgress& progress) {
     Findings findings;
     for (const io::JobTask& task : progress.failed) {
-        findings.add({"jobs.world_failed", "A world was not made on the cluster.", {}},
-                     {"jobs.world_failed.remedy", "Start again: only what is missing is submitted.", {}},
-                     task.name + ": " + task.failure);
+        const io::SlurmReason reason = io::taskReason(task);
+        findings.add(reason.what, reason.remedy, task.name);
     }
     return findings;
 }

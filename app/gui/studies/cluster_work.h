@@ -57,7 +57,7 @@ signals:
     /// @param failure  null: nothing is under way any more
     void ended(const rubble::Failure* failure);
     /// @param why  studies cannot be given to Slurm; empty: they can
-    void reached(const QString& why);
+    void reached(const QString& why, const QString& remedy);
 
 private:
     void run(Study study, bool told);

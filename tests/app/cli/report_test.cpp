@@ -172,14 +172,14 @@ protected:
 };
 
 TEST_F(FigureFiles, PresetsAreDrawnInEveryFormatAndCarryTheirSource) {
-    for (const char* preset : {"11", "12", "13", "14"}) {
+    for (const char* preset : {"fe_against_fragments", "at_the_end", "in_its_surroundings", "stages"}) {
         const std::string path = m_folder / (std::string(preset) + ".svg");
         const Outcome outcome = without({"figure", m_out, "--preset", preset, "--size", "800x500", "--dpi", "100", "--out", path});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_THAT(textOf(path), HasSubstr("a) "));
     }
-    EXPECT_THAT(textOf(m_folder / "11.svg"), HasSubstr("Conventional FE result (t = 0.30 s)"));
-    EXPECT_THAT(textOf(m_folder / "14.svg"), HasSubstr("Original (t = 0.00 s"));
+    EXPECT_THAT(textOf(m_folder / "fe_against_fragments.svg"), HasSubstr("Conventional FE result (t = 0.30 s)"));
+    EXPECT_THAT(textOf(m_folder / "stages.svg"), HasSubstr("Original (t = 0.00 s"));
     for (const char* name : {"f.png", "f.pdf", "f.svg"}) {
         ASSERT_EQ(without({"figure", m_out, "--time", "0.3", "--out", m_folder / name}).exitCode, 0);
         const auto carried = io::readProvenance(m_folder / name);

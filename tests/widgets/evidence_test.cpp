@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLabel>
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -72,6 +74,40 @@ TEST_F(Photo, TheKeyboardPlacesPointsToo) {
     EXPECT_EQ(placed[0][0].toPointF(), QPointF(2050.0, 1495.0));
     QTest::keyClick(&m_view, Qt::Key_Escape);
     EXPECT_EQ(left.count(), 1);
+}
+
+TEST_F(Photo, ALoupeStandsBesideTheMouseWhilePointsArePicked) {
+    PhotoView::Content content = contentOf({800, 600});
+    content.picture = QImage(800, 600, QImage::Format_RGB32);
+    content.picture.fill(Qt::gray);
+    // A red spot of four pixels is sixteen wide in the loupe.
+    for (int x = 398; x < 402; ++x) {
+        for (int y = 298; y < 302; ++y) {
+            content.picture.setPixelColor(x, y, Qt::red);
+        }
+    }
+    m_view.setContent(content);
+    QTest::mouseMove(&m_view, QPoint(380, 300));
+    EXPECT_FALSE(m_view.loupe()) << "nothing is picked";
+    m_view.setTool(PhotoView::Tool::Point);
+    EXPECT_FALSE(m_view.loupe());
+    QMouseEvent move(QEvent::MouseMove, QPointF(400, 300), m_view.mapToGlobal(QPointF(400, 300)), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&m_view, &move);
+    ASSERT_TRUE(m_view.loupe());
+    const QImage seen = m_view.grab().toImage();
+    const QPoint middle = m_view.loupe()->toPoint();
+    EXPECT_EQ(seen.pixelColor(middle + QPoint(5, 5)), QColor(Qt::red));
+    EXPECT_EQ(seen.pixelColor(middle + QPoint(-6, 5)), QColor(Qt::red));
+    EXPECT_NE(seen.pixelColor(middle + QPoint(14, 14)), QColor(Qt::red));
+    for (const QPointF& corner : {QPointF(2, 2), QPointF(798, 2), QPointF(2, 598), QPointF(798, 598)}) {
+        QMouseEvent there(QEvent::MouseMove, corner, m_view.mapToGlobal(corner), Qt::NoButton, Qt::NoButton, {});
+        QApplication::sendEvent(&m_view, &there);
+        ASSERT_TRUE(m_view.loupe());
+        EXPECT_TRUE(m_view.rect().contains(m_view.loupe()->toPoint())) << "it stays within the picture";
+    }
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&m_view, &leave);
+    EXPECT_FALSE(m_view.loupe());
 }
 
 TEST_F(Photo, MasksAreDrawnCornerByCornerAndClosed) {

@@ -28,6 +28,7 @@ EvidencePage::EvidencePage(QWidget* parent)
     : QWidget(parent),
       m_photo(new PhotoView),
       m_model(new ViewWidget),
+      m_marks(new ModelMarks(*m_model)),
       m_splitter(new QSplitter(Qt::Horizontal)),
       m_survey(new SurveyView),
       m_surveyShown(new QToolButton),
@@ -204,6 +205,7 @@ void EvidencePage::setSeen(bool seen, const QString& why) {
 
 void EvidencePage::setTool(PhotoView::Tool tool, MaskClass kind) {
     m_photo->setTool(tool, kind);
+    m_marks->setPicking(tool == PhotoView::Tool::Point);
     m_point->setChecked(tool == PhotoView::Tool::Point);
     m_draw->setChecked(tool == PhotoView::Tool::Mask);
     if (tool == PhotoView::Tool::Mask) {

@@ -7,6 +7,7 @@
 
 #include "core/base/ids.h"
 #include "core/evidence/surveys/survey_comparison.h"
+#include "widgets/evidence/model_marks.h"
 #include "widgets/evidence/photo_view.h"
 
 class QButtonGroup;
@@ -31,6 +32,8 @@ public:
     PhotoView& photo() { return *m_photo; }
     SurveyView& survey() { return *m_survey; }
     ViewWidget& model() { return *m_model; }
+    /// What is marked in the model.
+    ModelMarks& modelMarks() { return *m_marks; }
     /// Whether the simulation can be seen from the camera; else why not.
     void setSeen(bool seen, const QString& why);
     void setShow(PhotoView::Show show);
@@ -63,6 +66,7 @@ private:
 
     PhotoView* m_photo;
     ViewWidget* m_model;
+    ModelMarks* m_marks;
     QSplitter* m_splitter;
     SurveyView* m_survey;
     QToolButton* m_surveyShown;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "widgets/basics/theme.h"
+#include "widgets/evidence/point_marks.h"
 
 namespace rubble::widgets {
 
@@ -44,20 +45,6 @@ QPen maskPen(MaskClass kind, bool chosen) {
             break;
     }
     return pen;
-}
-
-void drawChip(QPainter& painter, const QString& text, const QPointF& corner, Qt::Alignment side) {
-    const figures::Palette& colours = tints();
-    const QFontMetricsF metrics(painter.font());
-    QRectF chip(corner, QSizeF(metrics.horizontalAdvance(text) + 16.0, metrics.height() + 6.0));
-    if (side == Qt::AlignRight) {
-        chip.moveRight(corner.x());
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colours.chip);
-    painter.drawRoundedRect(chip, 3.0, 3.0);
-    painter.setPen(colours.chipText);
-    painter.drawText(chip, Qt::AlignCenter, text);
 }
 
 }  // namespace
@@ -133,6 +120,7 @@ void PhotoView::setTool(Tool tool, MaskClass kind) {
     m_kind = kind;
     m_corners.clear();
     m_crossShown = false;
+    m_hovered = false;
     setCursor(tool == Tool::Look ? Qt::ArrowCursor : Qt::CrossCursor);
     update();
 }
@@ -287,6 +275,7 @@ void PhotoView::mouseMoveEvent(QMouseEvent* event) {
     m_moved = m_moved || off.manhattanLength() > 3.0;
     if (m_tool != Tool::Look) {
         m_cross = toPhotograph(event->position());
+        m_hovered = true;
         update();
     }
     if (m_drag == Drag::Swipe) {
@@ -305,6 +294,12 @@ void PhotoView::mouseMoveEvent(QMouseEvent* event) {
         const double line = frame().left() + m_swipe * frame().width();
         setCursor(std::abs(event->position().x() - line) < near ? Qt::SplitHCursor : Qt::ArrowCursor);
     }
+}
+
+void PhotoView::leaveEvent(QEvent* event) {
+    m_hovered = false;
+    update();
+    QWidget::leaveEvent(event);
 }
 
 void PhotoView::mouseReleaseEvent(QMouseEvent* event) {
@@ -456,46 +451,34 @@ void PhotoView::paintMasks(QPainter& painter) const {
 }
 
 void PhotoView::paintMarks(QPainter& painter) const {
-    // A photograph has no theme: deep colours with a white rim show on all of it.
     const figures::Palette& colours = figures::palette(render::Theme::Light);
-    const auto cross = [&](const QPointF& at, const QColor& colour, double arm, double wide) {
-        painter.setPen(QPen(colour, wide));
-        painter.drawLine(at - QPointF(arm, 0.0), at + QPointF(arm, 0.0));
-        painter.drawLine(at - QPointF(0.0, arm), at + QPointF(0.0, arm));
-    };
     painter.setBrush(Qt::NoBrush);
     for (std::size_t i = 0; i < m_content.marks.size(); ++i) {
         const PhotoMark& mark = m_content.marks[i];
         const QPointF at = toWidget(mark.at);
-        const bool chosen = static_cast<int>(i) == m_content.chosenMark;
-        const QColor colour = mark.used ? colours.accent : colours.finding;
         if (mark.projected) {
             const QPointF there = toWidget(*mark.projected);
             painter.setPen(QPen(QColor(255, 255, 255, 200), 3.5));
             painter.drawLine(at, there);
-            painter.setPen(QPen(colour, 1.5, mark.used ? Qt::SolidLine : Qt::DashLine));
+            painter.setPen(QPen(mark.used ? colours.accent : colours.finding, 1.5, mark.used ? Qt::SolidLine : Qt::DashLine));
             painter.drawLine(at, there);
             painter.drawEllipse(there, 3.0, 3.0);
         }
-        cross(at, QColor(255, 255, 255, 220), chosen ? 11.0 : 8.0, 4.0);
-        cross(at, colour, chosen ? 10.0 : 7.0, chosen ? 2.5 : 1.5);
-        if (!mark.used) {
-            painter.drawEllipse(at, 10.0, 10.0);
-        }
-        drawChip(painter, QString::number(i + 1) + (mark.used ? QString() : QStringLiteral(" !")), at + QPointF(7.0, 5.0),
-                 Qt::AlignLeft);
-        painter.setBrush(Qt::NoBrush);
+        paintPointMark(painter, at, i + 1, mark.used, static_cast<int>(i) == m_content.chosenMark);
     }
     if (m_content.pending) {
-        const QPointF at = toWidget(*m_content.pending);
-        cross(at, Qt::white, 13.0, 4.0);
-        cross(at, colours.accent, 12.0, 2.0);
-        painter.drawEllipse(at, 12.0, 12.0);
+        paintPendingPoint(painter, toWidget(*m_content.pending));
     }
     if (m_crossShown && m_tool != Tool::Look) {
-        cross(toWidget(m_cross), Qt::white, 20.0, 3.0);
-        cross(toWidget(m_cross), Qt::black, 20.0, 1.0);
+        paintCross(painter, toWidget(m_cross), Qt::black, Qt::white, 19.0, 1.0);
     }
+}
+
+std::optional<QPointF> PhotoView::loupe() const {
+    if (m_tool != Tool::Point || m_content.picture.isNull() || !(m_crossShown || m_hovered)) {
+        return std::nullopt;
+    }
+    return loupeMiddle(QRectF(rect()), toWidget(m_cross));
 }
 
 void PhotoView::paintChips(QPainter& painter) const {
@@ -503,10 +486,10 @@ void PhotoView::paintChips(QPainter& painter) const {
     const bool over =
         !m_overlay.isNull() && (m_show == Show::Swipe || m_show == Show::Blend || (m_show == Show::Blink && m_blinkOn));
     if (m_show != Show::Blink || !over) {
-        drawChip(painter, m_content.title, {8.0, 8.0}, Qt::AlignLeft);
+        paintChip(painter, m_content.title, {8.0, 8.0}, Qt::AlignLeft);
     }
     if (over || (m_show == Show::Outline && !m_content.outlines.empty())) {
-        drawChip(painter, m_overlayCaption, {width() - 8.0, 8.0}, Qt::AlignRight);
+        paintChip(painter, m_overlayCaption, {width() - 8.0, 8.0}, Qt::AlignRight);
     }
 }
 
@@ -526,6 +509,9 @@ void PhotoView::paintEvent(QPaintEvent*) {
     paintMasks(painter);
     paintMarks(painter);
     paintChips(painter);
+    if (loupe()) {
+        paintLoupe(painter, QRectF(rect()), toWidget(m_cross), [this](QPainter& inside) { paintPictures(inside); });
+    }
 }
 
 }  // namespace rubble::widgets

@@ -62,6 +62,8 @@ public:
     void lookAt(const QPointF& pixel);
     QPointF toWidget(const QPointF& pixel) const;
     QPointF toPhotograph(const QPointF& place) const;
+    /// Where the loupe stands while points are picked; unset: there is none.
+    std::optional<QPointF> loupe() const;
 
 signals:
     void pointPlaced(const QPointF& pixel);
@@ -80,6 +82,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
@@ -113,6 +116,7 @@ private:
     QPointF m_middle{0.5, 0.5};  // of the widget, in shares of the photograph
     QPointF m_cross;             // px of the photograph
     bool m_crossShown = false;
+    bool m_hovered = false;  ///< the mouse is over it, with a tool
     Drag m_drag = Drag::None;
     int m_dragged = -1;
     QPointF m_grabbed;

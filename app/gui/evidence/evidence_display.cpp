@@ -542,6 +542,8 @@ void EvidenceDisplay::showPage() {
         }
     }
     m_page.photo().setContent(content);
+    m_page.modelMarks().setPairs(photograph != nullptr ? photograph->pairs : std::vector<PointPair>(),
+                                 m_kept.match ? m_kept.match->used : std::vector<bool>(), m_kept.chosenPair, m_pendingModel);
     m_page.setReady(photograph != nullptr);
     const bool seen = m_kept.match && m_computation.inputs().fe != nullptr;
     m_page.setSeen(seen, photograph == nullptr

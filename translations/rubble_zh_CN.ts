@@ -1037,6 +1037,22 @@
         <source>Where the debris of this run lies, seen from above, beside the views</source>
         <translation>本次计算的堆积物位于何处，俯视，显示在视图旁</translation>
     </message>
+    <message>
+        <source>Fragment table</source>
+        <translation>碎块表</translation>
+    </message>
+    <message>
+        <source>All fragments in a table; show only those of some speed, mass, size, birth or component</source>
+        <translation>以表格列出所有碎块；可只显示某种速度、质量、尺寸、产生时刻或构件的碎块</translation>
+    </message>
+    <message>
+        <source>History curves</source>
+        <translation>时程曲线</translation>
+    </message>
+    <message>
+        <source>Speed, height and energy over time, of what is selected or of all fragments</source>
+        <translation>选中内容或所有碎块的速度、高度和能量随时间的变化</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -10216,6 +10232,14 @@
         <source>sbatch does not know one of the options that it was given.</source>
         <translation>sbatch 不认识给它的某个选项。</translation>
     </message>
+    <message>
+        <source>Reading the history of fragments</source>
+        <translation>正在读取碎块的时程</translation>
+    </message>
+    <message>
+        <source>the name of a component</source>
+        <translation>一个构件的名称</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -11718,6 +11742,10 @@
         <source>The run of this case is kept nowhere and goes with it.</source>
         <translation>此案例的计算没有保留在任何地方，将随案例一起消失。</translation>
     </message>
+    <message>
+        <source>History curves</source>
+        <translation>时程曲线</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Help</name>
@@ -11728,6 +11756,37 @@
     <message>
         <source>Copy</source>
         <translation>复制</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::HistoryDisplay</name>
+    <message>
+        <source>Simulate first: there are no curves without a run.</source>
+        <translation>请先模拟：没有计算就没有曲线。</translation>
+    </message>
+    <message>
+        <source>Nothing of what is selected becomes a fragment: it stays active to the end.</source>
+        <translation>选中的内容都不会成为碎块：它们直到结束都保持激活。</translation>
+    </message>
+    <message>
+        <source>Fragment %1</source>
+        <translation>碎块 %1</translation>
+    </message>
+    <message>
+        <source>All %1 fragments</source>
+        <translation>全部 %1 个碎块</translation>
+    </message>
+    <message>
+        <source>Cluster %1: %2 fragments</source>
+        <translation>聚类 %1：%2 个碎块</translation>
+    </message>
+    <message>
+        <source>%1 selected fragments of %2</source>
+        <translation>选中的 %1 个碎块，属于 %2</translation>
+    </message>
+    <message>
+        <source>%1 selected fragments</source>
+        <translation>选中的 %1 个碎块</translation>
     </message>
 </context>
 <context>
@@ -11846,6 +11905,14 @@
     <message>
         <source>Shaded edges are off: a picture took %1 s with them</source>
         <translation>边缘阴影已关闭：带它的一幅画面用了 %1 s</translation>
+    </message>
+    <message>
+        <source>Fragment table</source>
+        <translation>碎块表</translation>
+    </message>
+    <message>
+        <source>History curves</source>
+        <translation>时程曲线</translation>
     </message>
 </context>
 <context>
@@ -12962,6 +13029,10 @@
     <message>
         <source>simplified while moving: %1</source>
         <translation>运动时简化：%1</translation>
+    </message>
+    <message>
+        <source>filter: %1 of %2 shown</source>
+        <translation>筛选：显示 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -16859,6 +16930,164 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::FragmentModel</name>
+    <message>
+        <source>Number of the fragment</source>
+        <translation>碎块的编号</translation>
+    </message>
+    <message>
+        <source>Number of its element in the FE result</source>
+        <translation>其单元在有限元结果中的编号</translation>
+    </message>
+    <message>
+        <source>Component that its element belongs to</source>
+        <translation>其单元所属的构件</translation>
+    </message>
+    <message>
+        <source>When it is shown and reported as a fragment</source>
+        <translation>作为碎块显示和报告的时刻</translation>
+    </message>
+    <message>
+        <source>Volume at rest times the density of its component</source>
+        <translation>静止体积乘以其构件的密度</translation>
+    </message>
+    <message>
+        <source>Longest side of the box around it</source>
+        <translation>其包围盒的最长边</translation>
+    </message>
+    <message>
+        <source>Of the body that carries it, at the time shown; a dash: none does then. Without a run: as it is born</source>
+        <translation>所示时刻承载它的刚体的速度；短横：当时没有刚体承载它。没有计算时：其产生时的速度</translation>
+    </message>
+    <message>
+        <source>Number of the cluster that it moves with</source>
+        <translation>与其一同运动的聚类的编号</translation>
+    </message>
+    <message>
+        <source>fragment</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>born</source>
+        <translation>产生</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>longest side</source>
+        <translation>最长边</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>cluster</source>
+        <translation>聚类</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::FragmentTable</name>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>A row selects the fragment in the views, Ctrl and Shift choose several; Enter goes to its birth</source>
+        <translation>点击一行即在视图中选中该碎块，按 Ctrl 和 Shift 可选多个；Enter 转到其产生时刻</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 起于</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 止于</translation>
+    </message>
+    <message>
+        <source>greatest</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Shown are fragments as fast as this at the time shown</source>
+        <translation>显示在所示时刻速度如此的碎块</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Shown are fragments as heavy as this</source>
+        <translation>显示质量如此的碎块</translation>
+    </message>
+    <message>
+        <source>longest side</source>
+        <translation>最长边</translation>
+    </message>
+    <message>
+        <source>Shown are fragments whose box has a longest side like this</source>
+        <translation>显示包围盒最长边如此的碎块</translation>
+    </message>
+    <message>
+        <source>born</source>
+        <translation>产生</translation>
+    </message>
+    <message>
+        <source>Shown are fragments born within these times</source>
+        <translation>显示在此时段内产生的碎块</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>所属构件</translation>
+    </message>
+    <message>
+        <source>Shown are fragments of this component</source>
+        <translation>显示该构件的碎块</translation>
+    </message>
+    <message>
+        <source>Take all bounds away</source>
+        <translation>去掉所有界限</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>There are no fragments yet: open a result whose elements die.</source>
+        <translation>还没有碎块：请打开有单元失效的结果。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fragments shown</source>
+        <translation>显示 %1 / %2 个碎块</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::FragmentsPanel</name>
     <message>
         <source>Fragments</source>
@@ -17253,6 +17482,104 @@ What the file fits: %2.</source>
     <message>
         <source>Go to the worst of its times</source>
         <translation>转到其中最差的一次</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::HistoryChart</name>
+    <message>
+        <source>fastest</source>
+        <translation>最快</translation>
+    </message>
+    <message>
+        <source>in the mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>centre of mass</source>
+        <translation>质心</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>势能</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>动能</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>History curves</source>
+        <translation>时程曲线</translation>
+    </message>
+    <message>
+        <source>Click or drag to go to an instant</source>
+        <translation>点击或拖动以转到某一时刻</translation>
+    </message>
+    <message>
+        <source>None of them is on its way yet.</source>
+        <translation>其中还没有碎块开始运动。</translation>
+    </message>
+    <message>
+        <source>%1 s: %2 of fragments, %3 in the mean, %4 the fastest</source>
+        <translation>%1 s：碎块 %2，平均 %3，最快 %4</translation>
+    </message>
+    <message>
+        <source>%1; at %2; kinetic %3, potential %4</source>
+        <translation>%1；高 %2；动能 %3，势能 %4</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>时间，s</translation>
+    </message>
+    <message>
+        <source>History of %1</source>
+        <translation>%1 的时程</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::HistoryPanel</name>
+    <message>
+        <source>Save table…</source>
+        <translation>保存表格…</translation>
+    </message>
+    <message>
+        <source>Save chart…</source>
+        <translation>保存图表…</translation>
+    </message>
+    <message>
+        <source>Of what is selected; of all fragments while nothing is. Speeds are those of the bodies that carry them</source>
+        <translation>属于选中的内容；未选中时属于所有碎块。速度为承载它们的刚体的速度</translation>
+    </message>
+    <message>
+        <source>Save the figures of every frame as CSV</source>
+        <translation>将每一帧的数值保存为 CSV</translation>
+    </message>
+    <message>
+        <source>Save the chart as SVG or PNG</source>
+        <translation>将图表保存为 SVG 或 PNG</translation>
+    </message>
+    <message>
+        <source>Kinetic energy without spin; potential energy above the level ground</source>
+        <translation>动能不含自转；势能自水平地面算起</translation>
+    </message>
+    <message>
+        <source>Simulate first: there are no curves without a run.</source>
+        <translation>请先模拟：没有计算就没有曲线。</translation>
+    </message>
+    <message>
+        <source>%1 · being read…</source>
+        <translation>%1 · 正在读取…</translation>
     </message>
 </context>
 <context>

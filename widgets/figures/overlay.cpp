@@ -375,6 +375,10 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
         if (status.hidden > 0) {
             overlay.legend.push_back({QColor(), tr("hidden %1").arg(countText(status.hidden))});
         }
+        if (status.meeting && pane.content != render::PaneContent::Fe) {
+            overlay.legend.push_back(
+                {QColor(), tr("filter: %1 of %2 shown").arg(countText(*status.meeting), countText(status.fragments))});
+        }
         if (!view.selection.empty()) {
             overlay.legend.push_back({p.accent, tr("selected %1").arg(countText(view.selection.size())), true});
         }

@@ -285,6 +285,60 @@ void readPath(const QJsonValue& value, std::string_view source, render::View& vi
     }
 }
 
+/// The quantities of a filter by their keys.
+template <class Filter>
+auto rangesOf(Filter& filter) {
+    return std::array{std::pair("speed", &filter.speed), std::pair("mass", &filter.mass), std::pair("size", &filter.size),
+                      std::pair("birth", &filter.birth)};
+}
+
+void readFilter(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (value.isUndefined() || value.isNull()) {
+        return;
+    }
+    if (!value.isObject()) {
+        refuse(source, "filter is not an object", "an object with speed, mass, size, birth and component, or null");
+    }
+    const QJsonObject object = value.toObject();
+    for (const auto& [key, range] : rangesOf(view.filter)) {
+        const QJsonValue bounds = object.value(QLatin1String(key));
+        if (bounds.isUndefined() || bounds.isNull()) {
+            continue;
+        }
+        const QJsonArray list = bounds.toArray();
+        const auto bound = [&](qsizetype i) -> std::optional<double> {
+            if (i < list.size() && (list[i].isDouble() || list[i].isNull())) {
+                return list[i].isNull() ? std::nullopt : std::optional(list[i].toDouble());
+            }
+            refuse(source, std::string("filter.") + key + " is no pair of bounds", "two numbers or null: least and greatest");
+        };
+        range->low = bound(0);
+        range->high = bound(1);
+    }
+    const QJsonValue component = object.value(QLatin1String("component"));
+    if (!component.isUndefined() && !component.isString()) {
+        refuse(source, "filter.component is no name", "the name of a component");
+    }
+    view.filter.component = component.toString().toStdString();
+}
+
+QJsonValue objectOf(const render::FragmentFilter& filter) {
+    if (filter.empty()) {
+        return QJsonValue(QJsonValue::Null);
+    }
+    QJsonObject object;
+    for (const auto& [key, range] : rangesOf(filter)) {
+        const auto bound = [](const std::optional<double>& of) { return of ? QJsonValue(*of) : QJsonValue(QJsonValue::Null); };
+        if (!range->empty()) {
+            object.insert(QLatin1String(key), QJsonArray{bound(range->low), bound(range->high)});
+        }
+    }
+    if (!filter.component.empty()) {
+        object.insert("component", QString::fromStdString(filter.component));
+    }
+    return object;
+}
+
 QJsonArray listOf(const std::vector<ElementIndex>& elements) {
     QJsonArray list;
     for (const ElementIndex e : elements) {
@@ -320,6 +374,7 @@ void addMarks(QJsonObject& object, const render::View& view) {
     object.insert("selection", listOf(view.selection));
     object.insert("hidden", listOf(view.hidden));
     object.insert("hidden_components", hidden);
+    object.insert("filter", objectOf(view.filter));
     object.insert("component_colours", colours);
     object.insert("clip",
                   view.clip ? QJsonValue(QJsonObject{{"point", pointOf(view.clip->point)}, {"normal", pointOf(view.clip->normal)}})
@@ -420,6 +475,7 @@ render::View viewFromJson(std::string_view json, std::string_view source) {
     readElements(reader.object(), "selection", source, view.selection);
     readElements(reader.object(), "hidden", source, view.hidden);
     readHiddenComponents(reader.object().value("hidden_components"), source, view);
+    readFilter(reader.object().value("filter"), source, view);
     readComponentColours(reader.object().value("component_colours"), source, view);
     readClip(reader.object().value("clip"), source, view);
     readMeasurements(reader.object().value("measurements"), source, view);

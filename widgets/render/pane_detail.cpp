@@ -45,7 +45,8 @@ PaneGeometry::Cells PaneGeometry::cellsWanted() const {
     const auto ofStructure = [&](const StructureFaces::Face& face) { return (nodes[face.nodes[1]] - nodes[face.nodes[0]]).norm(); };
     Cells cells;
     cells.structure = cellFor(m_structure->visible(0).size(), meanEdge(m_structure->faces(), ofStructure));
-    if (m_debris) {
+    // Boxes of whole clusters would hide which of their fragments are left.
+    if (m_debris && m_filter.empty()) {
         const auto vertices = m_debris->vertices();
         const auto ofDebris = [&](const DebrisGeometry::Face& face) {
             return static_cast<double>((vertices[face.vertices[1]].local - vertices[face.vertices[0]].local).norm());

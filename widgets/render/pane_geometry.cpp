@@ -74,7 +74,9 @@ void PaneGeometry::makeFaces(bool carried) {
         for (std::size_t f = 0; f < left.size(); ++f) {
             left[f] = m_hidden[at(m_data.fragments->list[f].element)];
         }
-        m_debris = std::make_unique<DebrisGeometry>(*m_data.fragments, m_data.clustering.get(), hideInner, left);
+        // A fragment that is left out opens its cluster.
+        m_debris =
+            std::make_unique<DebrisGeometry>(*m_data.fragments, m_data.clustering.get(), hideInner && m_filter.empty(), left);
         m_boundBodies = 0;
     }
     m_elementCounts = std::make_unique<ElementCounts>(m_showTimes);
@@ -189,8 +191,9 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
     const std::size_t debrisSlot = m_slots ? m_slots->slotAt(shown) : 0;
     const bool otherIslands = m_islands.version() != m_islandsDrawn;
     const bool otherDetail = settleDetail();
+    const bool otherFilter = settleFilter();
     const bool changed =
-        otherLooks || otherDetail || otherIslands || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
+        otherLooks || otherDetail || otherIslands || otherFilter || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
     if (changed) {
         findVisible(structureSlot);
         m_debrisSlot = debrisSlot;
@@ -285,7 +288,7 @@ void PaneGeometry::addDebris() {
     const auto groups = drawnDebris().groups();
     std::uint32_t lastVertex = 0;
     for (const auto& face : drawnDebris().faces()) {
-        if (!m_slots->drawn(at(face.fragment), m_debrisSlot)) {
+        if (!m_slots->drawn(at(face.fragment), m_debrisSlot) || !meets(at(face.fragment))) {
             continue;
         }
         const Owner owner{list[at(face.fragment)].element, static_cast<std::uint32_t>(face.fragment)};
@@ -526,6 +529,7 @@ void PaneGeometry::select(const std::vector<ElementIndex>& selection) {
 
 void PaneGeometry::countShown(double time) {
     m_status.fragments = m_status.clusters = 0;
+    m_status.meeting.reset();
     m_status.released = m_islands.elements();
     m_status.bornByComponent.clear();
     m_status.faces = m_triangles.size() / 3;
@@ -541,6 +545,12 @@ void PaneGeometry::countShown(double time) {
     m_status.fragments = counts.born;
     m_status.bornByComponent = counts.bornByComponent;
     m_status.clusters = counts.clusters;
+    if (!m_meets.empty()) {
+        m_status.meeting = 0;
+        for (std::size_t f = 0; f < m_meets.size(); ++f) {
+            *m_status.meeting += m_meets[f] != 0 && born(f) ? 1 : 0;
+        }
+    }
 }
 
 }  // namespace rubble::render

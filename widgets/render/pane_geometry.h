@@ -52,6 +52,8 @@ public:
     /// of elements need full detail; counts do not.
     void setSimplified(bool simplified);
     static constexpr std::size_t simplifiedFaces = 30000;
+    /// Leaves out fragments that do not meet a filter; speeds are those of the time shown.
+    void setFilter(const FragmentFilter& filter);
     /// A plane that opens the model needs the faces inside it too. What draws the triangles cuts them.
     void setClip(const std::optional<ClipPlane>& clip);
 
@@ -100,6 +102,8 @@ private:
     Cells cellsWanted() const;
     void makeCoarse();
     bool settleDetail();
+    bool settleFilter();
+    bool meets(std::size_t fragment) const { return m_meets.empty() || m_meets[fragment] != 0; }
     const DebrisGeometry& drawnDebris() const { return m_cells.debris > 0.0 ? *m_coarse : *m_debris; }
     void findVisible(std::size_t slot);
     void joinNodes();
@@ -130,6 +134,9 @@ private:
     bool m_allFaces;
     std::vector<std::uint8_t> m_hidden;  ///< by element, or empty
     std::optional<ClipPlane> m_clip;
+    FragmentFilter m_filter;
+    bool m_filterSettled = true;          ///< m_meets is of m_filter, but for speeds
+    std::vector<std::uint8_t> m_meets;    ///< by fragment, or empty: all do
     std::vector<std::uint32_t> m_lookOf;  ///< by component: which of the looks its active structure has
     std::vector<Rgb> m_looks;
     std::vector<Rgb> m_customColours;       ///< by component

@@ -38,7 +38,7 @@ std::vector<ElementIndex> PaneGeometry::elementsWhere(const std::function<bool(c
     for (std::size_t f = 0; m_debris && f < m_data.fragments->size(); ++f) {
         const Fragment& fragment = m_data.fragments->list[f];
         const double from = m_carried ? fragment.handOverTime : fragment.birthTime;
-        if (from <= m_placedTime && m_placedTime < fragment.endTime) {
+        if (meets(f) && from <= m_placedTime && m_placedTime < fragment.endTime) {
             take(fragment.element, m_debris->centreOf(idAt<FragmentId>(f), m_frame, m_placedTime));
         }
     }

@@ -230,6 +230,7 @@ struct Scene::Impl {
         if (geometry) {
             geometry->setHidden(hidden);
             geometry->setClip(view.clip);
+            geometry->setFilter(view.filter);
             geometry->setSimplified(simple);
         }
         return geometry.get();

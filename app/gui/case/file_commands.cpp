@@ -19,6 +19,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
+#include "io/exports/provenance.h"
 #include "io/run/acknowledgements.h"
 #include "io/site/place_check.h"
 #include "widgets/basics/file_chart.h"
@@ -445,6 +446,32 @@ void FileCommands::saveChart(const widgets::FileChart& chart, const QString& suf
     const QString path = askForOutput(tr("Chart"), suffix, tr("Drawings (*.svg);;Images (*.png)"));
     if (!path.isEmpty()) {
         saveChartTo(path, chart);
+    }
+}
+
+void FileCommands::saveHistory(const widgets::HistoryChart::Content& history) {
+    const QString path = askForOutput(tr("History curves"), QStringLiteral("-history.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        saveHistoryTo(path, history);
+    }
+}
+
+void FileCommands::saveHistoryTo(const QString& path, const widgets::HistoryChart::Content& history) {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || history.points.empty()) {
+        return;
+    }
+    const std::string subject = "History of " + history.subject.toStdString();
+    const io::ExportRecord exported{"table",
+                                    {{subject, history.points.front().time, history.points.back().time, "simulated"}},
+                                    {},
+                                    {},
+                                    m_document.path().toStdString()};
+    writeTable(path, [&](std::ostream& out) { writeHistoryCsv(history.points, out); });
+    try {
+        io::writeProvenance(path.toStdString(), io::exportProvenance(exported, record->reader->origin(), record->reader.get()));
+    } catch (...) {
+        m_session.report(*failureOf(std::current_exception()));
     }
 }
 

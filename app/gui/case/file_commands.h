@@ -10,6 +10,7 @@
 #include "widgets/basics/wording.h"
 #include "widgets/render/basics/scene_data.h"
 #include "widgets/render/basics/view.h"
+#include "widgets/views/history_chart.h"
 
 class QWidget;
 
@@ -73,11 +74,13 @@ public:
     void saveCalibration(const std::shared_ptr<const Calibration>& calibration);
     /// @param suffix  that the proposed name ends with: "-accuracy.svg"
     void saveChart(const widgets::FileChart& chart, const QString& suffix);
+    void saveHistory(const widgets::HistoryChart::Content& history);
     /// Writes the settings compared as CSV, with the columns of rubble-cli accuracy --csv.
     void saveSweepTo(const QString& path, const AccuracyReport& report);
     /// Writes the points of a calibration as CSV, with the columns of rubble-cli calibrate --csv.
     void saveCalibrationTo(const QString& path, const Calibration& calibration);
     void saveChartTo(const QString& path, const widgets::FileChart& chart);
+    void saveHistoryTo(const QString& path, const widgets::HistoryChart::Content& history);
 
 private:
     bool mayLeaveRun();

@@ -53,6 +53,7 @@ enum class ActionId {
     Inspector,
     DebrisMap,
     History,
+    HistoryCurves,
     ResetLayout,
     // Camera
     Link,
@@ -86,6 +87,7 @@ enum class ActionId {
     ThemeDark,
     // Select
     SelectBy,
+    FragmentTable,
     SelectCluster,
     SelectComponent,
     SelectNone,

@@ -21,12 +21,12 @@ DockArea::DockArea(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
     setContextMenuPolicy(Qt::PreventContextMenu);
 }
 
-QDockWidget* DockArea::addDock(QWidget* content, const QString& title, const QString& name) {
+QDockWidget* DockArea::addDock(QWidget* content, const QString& title, const QString& name, Qt::DockWidgetArea side) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
     dock->setAccessibleName(title);
     dock->setWidget(content);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
+    addDockWidget(side, dock);
     dock->hide();
     return dock;
 }
@@ -44,7 +44,8 @@ void DockArea::floatWhereNarrow(QDockWidget& dock) {
 bool DockArea::narrow() const {
     int beside = std::max(m_floating->widget()->sizeHint().width(), m_floating->minimumSizeHint().width());
     for (const QDockWidget* other : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
-        const bool shares = tabifiedDockWidgets(m_floating).contains(const_cast<QDockWidget*>(other));
+        const bool below = dockWidgetArea(const_cast<QDockWidget*>(other)) == Qt::BottomDockWidgetArea;
+        const bool shares = below || tabifiedDockWidgets(m_floating).contains(const_cast<QDockWidget*>(other));
         if (other != m_floating && other->isVisible() && !other->isFloating() && !shares) {
             // Docks of one side stand one above the other.
             beside = std::max(beside, other->width());

@@ -11,8 +11,9 @@ class DockArea : public QMainWindow {
 public:
     explicit DockArea(QWidget* parent = nullptr);
 
-    /// Takes a widget into a dock at the right that the user may move, float or close.
-    QDockWidget* addDock(QWidget* content, const QString& title, const QString& name);
+    /// Takes a widget into a dock that the user may move, float or close.
+    QDockWidget* addDock(QWidget* content, const QString& title, const QString& name,
+                         Qt::DockWidgetArea side = Qt::RightDockWidgetArea);
     /// From now on this dock floats over the centre wherever beside it the centre would become too narrow to work in. Where the
     /// user puts it holds until it is closed.
     void floatWhereNarrow(QDockWidget& dock);

@@ -9,9 +9,13 @@
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/view_area.h"
 #include "app/gui/stage/view_tools.h"
+#include "app/gui/views/fragment_list.h"
+#include "app/gui/views/history_display.h"
 #include "app/gui/views/selection_display.h"
 #include "widgets/basics/wording.h"
 #include "widgets/case/component_tree.h"
+#include "widgets/views/fragment_table.h"
+#include "widgets/views/history_panel.h"
 
 namespace rubble {
 
@@ -23,11 +27,17 @@ Inspection::Inspection(Session& session, Playback& playback, ViewArea& area, Act
       m_tree(new widgets::ComponentTree),
       m_inspector(new widgets::Inspector),
       m_form(new widgets::SelectForm),
+      m_table(new widgets::FragmentTable),
+      m_curves(new widgets::HistoryPanel),
       m_treeDock(m_docks->addDock(m_tree, tr("Components"), QStringLiteral("componentsDock"))),
       m_formDock(m_docks->addDock(m_form, tr("Select by"), QStringLiteral("selectDock"))),
       m_inspectorDock(m_docks->addDock(m_inspector, tr("Inspector"), QStringLiteral("inspectorDock"))),
+      m_tableDock(m_docks->addDock(m_table, tr("Fragment table"), QStringLiteral("tableDock"), Qt::BottomDockWidgetArea)),
+      m_curvesDock(m_docks->addDock(m_curves, tr("History curves"), QStringLiteral("curvesDock"))),
       m_components(new ComponentDisplay(session.document(), session.computation(), playback.clock(), area.views(), *m_tree, this)),
       m_selection(new SelectionDisplay(session, playback, area, *m_inspector, *m_form, this)),
+      m_list(new FragmentList(playback, area, *m_selection, *m_table, *m_tableDock, this)),
+      m_history(new HistoryDisplay(session, playback, area, *m_selection, *m_curves, *m_curvesDock, this)),
       m_tools(new ViewTools(actions, area, this)) {
     m_docks->floatWhereNarrow(*m_inspectorDock);
     connect(&area.views(), &widgets::ViewWidget::shadingEnded, this, [this, &session](double seconds) {
@@ -46,6 +56,8 @@ Inspection::Inspection(Session& session, Playback& playback, ViewArea& area, Act
 
 // Work on the way of a fragment ends before anything it tells goes.
 Inspection::~Inspection() {
+    delete m_history;
+    delete m_list;
     delete m_selection;
     delete m_components;
 }
@@ -63,8 +75,11 @@ void Inspection::connectActions() {
     on(ActionId::Isolate, [this] { m_selection->isolate(); });
     on(ActionId::ShowAll, [this] { m_components->showAll(); });
     on(ActionId::GoToBirth, [this] { m_selection->goToBirth(); });
-    const std::pair<ActionId, QDockWidget*> docks[] = {
-        {ActionId::Components, m_treeDock}, {ActionId::SelectBy, m_formDock}, {ActionId::Inspector, m_inspectorDock}};
+    const std::pair<ActionId, QDockWidget*> docks[] = {{ActionId::Components, m_treeDock},
+                                                       {ActionId::SelectBy, m_formDock},
+                                                       {ActionId::Inspector, m_inspectorDock},
+                                                       {ActionId::FragmentTable, m_tableDock},
+                                                       {ActionId::HistoryCurves, m_curvesDock}};
     for (const auto& [id, dock] : docks) {
         QAction& action = m_actions[id];
         connect(&action, &QAction::triggered, dock, [dock = dock](bool visible) {
@@ -92,10 +107,14 @@ void Inspection::selectionChanged(bool something) {
 void Inspection::refresh() {
     m_components->refresh();
     m_selection->refresh();
+    m_list->refresh();
+    m_history->refresh();
     m_tools->refresh();
     const bool have = m_area.views().data().fe != nullptr;
     m_actions[ActionId::ShowAll].setEnabled(have);
-    m_actions[ActionId::SelectBy].setEnabled(have);
+    for (const ActionId id : {ActionId::SelectBy, ActionId::FragmentTable, ActionId::HistoryCurves}) {
+        m_actions[id].setEnabled(have);
+    }
 }
 
 }  // namespace rubble

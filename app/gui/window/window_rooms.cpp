@@ -7,12 +7,15 @@
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/view_area.h"
 #include "app/gui/stage/view_tools.h"
+#include "app/gui/views/fragment_list.h"
+#include "app/gui/views/history_display.h"
 #include "widgets/accuracy/accuracy_chart.h"
 #include "widgets/accuracy/accuracy_page.h"
 #include "widgets/accuracy/calibration_chart.h"
 #include "widgets/accuracy/calibration_view.h"
 #include "widgets/evidence/cause_chart.h"
 #include "widgets/evidence/causes_page.h"
+#include "widgets/views/history_panel.h"
 #include "widgets/views/status_line.h"
 
 namespace rubble {
@@ -83,6 +86,7 @@ void WindowRooms::connectViews(const WindowParts& parts) {
         errors->setShown(view.colourBy == render::ColourBy::Error);
         scenarioPane->setShown(view.layout == render::Layout::Scenarios);
         inspection->tools().refresh();
+        inspection->list().showFilter();
     });
     QObject::connect(errors.get(), &ErrorDisplay::changed, scene.get(), [this] { scene->setReference(errors->reference()); });
     const auto layGround = [this] {
@@ -129,6 +133,11 @@ void WindowRooms::connectFiles(const WindowParts& parts) {
                      [this] { files->saveCalibration(calibration->work().calibration()); });
     QObject::connect(curves, &widgets::CalibrationView::saveChartRequested, files.get(),
                      [this, curves] { files->saveChart(curves->chart(), QStringLiteral("-calibration.svg")); });
+    widgets::HistoryPanel* history = &inspection->history().panel();
+    QObject::connect(history, &widgets::HistoryPanel::saveTableRequested, files.get(),
+                     [this, history] { files->saveHistory(history->chart().content()); });
+    QObject::connect(history, &widgets::HistoryPanel::saveChartRequested, files.get(),
+                     [this, history] { files->saveChart(history->chart(), QStringLiteral("-history.svg")); });
     QObject::connect(studies.get(), &EvidenceStudies::saveChartRequested, files.get(),
                      [this] { files->saveChart(studies->causesPage().chart(), QStringLiteral("-causes.svg")); });
 }

@@ -135,8 +135,9 @@ TEST_F(Screens, CanBeReadWholeWithARun) {
         return window;
     });
     window->actions()[ActionId::SelectNone].trigger();
-    for (const ActionId id : {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::DebrisMap, ActionId::Clip,
-                              ActionId::Four, ActionId::Overlay, ActionId::Presentation}) {
+    for (const ActionId id :
+         {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::FragmentTable, ActionId::HistoryCurves,
+          ActionId::DebrisMap, ActionId::Clip, ActionId::Four, ActionId::Overlay, ActionId::Presentation}) {
         window->actions()[id].trigger();
         look(window->actions()[id].objectName(), [this] { return window; });
         // The window is another one by now.

@@ -59,6 +59,11 @@ render::View randomView(std::mt19937& engine) {
     if (pick(2) == 1) {
         view.clip = render::ClipPlane{point(), point().normalized()};
     }
+    for (render::FilterRange* range : {&view.filter.speed, &view.filter.mass, &view.filter.size, &view.filter.birth}) {
+        range->low = pick(2) == 1 ? std::optional(n(engine)) : std::nullopt;
+        range->high = pick(2) == 1 ? std::optional(n(engine)) : std::nullopt;
+    }
+    view.filter.component = pick(2) == 1 ? "deck \"1\"" : "";
     return view;
 }
 
@@ -101,6 +106,10 @@ TEST(ViewJson, RefusesWhatItCannotReadAndSaysWhere) {
                                       {R"({"clip": {"normal": [0, 0, 0]}})", "clip.normal"},
                                       {R"({"clip": 3})", "clip"},
                                       {R"({"hidden": [1.5]})", "hidden"},
+                                      {R"({"filter": 3})", "filter"},
+                                      {R"({"filter": {"mass": [1]}})", "filter.mass"},
+                                      {R"({"filter": {"speed": ["fast", 2]}})", "filter.speed"},
+                                      {R"({"filter": {"component": 3}})", "filter.component"},
                                       {R"({"hidden_components": [3]})", "hidden_components"},
                                       {R"({"component_colours": {"deck": "blue"}})", "component_colours.deck"},
                                       {R"({"measurements": [{}, {"from": [1]}]})", "measurements[1].from"},

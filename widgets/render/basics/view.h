@@ -11,6 +11,7 @@
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
 #include "widgets/render/basics/colours.h"
+#include "widgets/render/basics/fragment_filter.h"
 
 namespace rubble::render {
 
@@ -82,6 +83,7 @@ struct View {
     std::vector<ElementIndex> selection;                      ///< drawn in the accent colour in all panes, active or fragment
     std::vector<std::string> hiddenComponents;                ///< by name; not drawn, active or fragment
     std::vector<ElementIndex> hidden;                         ///< not drawn, active or fragment
+    FragmentFilter filter;                                    ///< fragments that do not meet it are not drawn
     std::map<std::string, Rgb> componentColours;              ///< that take the place of the component's own
     std::optional<ClipPlane> clip;
     std::vector<Measurement> measurements;

@@ -1053,6 +1053,30 @@
         <source>Speed, height and energy over time, of what is selected or of all fragments</source>
         <translation>选中内容或所有碎块的速度、高度和能量随时间的变化</translation>
     </message>
+    <message>
+        <source>Camera key here</source>
+        <translation>在此设相机关键帧</translation>
+    </message>
+    <message>
+        <source>Keep the camera of the fragments at this instant: movies move from key to key</source>
+        <translation>保存此时刻碎块视图的相机：动画从一个关键帧移动到下一个</translation>
+    </message>
+    <message>
+        <source>Remove the camera key</source>
+        <translation>删除相机关键帧</translation>
+    </message>
+    <message>
+        <source>Remove the camera key of this instant</source>
+        <translation>删除此时刻的相机关键帧</translation>
+    </message>
+    <message>
+        <source>Look along the camera keys</source>
+        <translation>沿相机关键帧观看</translation>
+    </message>
+    <message>
+        <source>The views move from camera key to camera key as time goes on, as a movie does</source>
+        <translation>视图随时间从一个相机关键帧移动到下一个，与动画相同</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -10181,6 +10205,10 @@
         <translation>请将集群的 slurm.conf 放入 /etc/slurm，或在本机模拟。Slurm 原文：{0}</translation>
     </message>
     <message>
+        <source>Reading the history of fragments</source>
+        <translation>正在读取碎块的时程</translation>
+    </message>
+    <message>
         <source>See that munge runs here with the key of the cluster, and that it knows the user. Slurm says: {0}</source>
         <translation>请确认本机的 munge 使用集群的密钥运行，且集群认识该用户。Slurm 原文：{0}</translation>
     </message>
@@ -10233,12 +10261,24 @@
         <translation>sbatch 不认识给它的某个选项。</translation>
     </message>
     <message>
-        <source>Reading the history of fragments</source>
-        <translation>正在读取碎块的时程</translation>
-    </message>
-    <message>
         <source>the name of a component</source>
         <translation>一个构件的名称</translation>
+    </message>
+    <message>
+        <source>a length above 0</source>
+        <translation>大于 0 的长度</translation>
+    </message>
+    <message>
+        <source>a point that is not the position</source>
+        <translation>不同于位置的点</translation>
+    </message>
+    <message>
+        <source>a time after that of the key before</source>
+        <translation>晚于前一关键帧的时刻</translation>
+    </message>
+    <message>
+        <source>an angle above 0 and up to 179 degrees</source>
+        <translation>大于 0、至多 179 度的角度</translation>
     </message>
 </context>
 <context>
@@ -11235,6 +11275,17 @@
     <message>
         <source>The calibration was cancelled</source>
         <translation>标定已取消</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CameraKeys</name>
+    <message>
+        <source>camera key at %1 s</source>
+        <translation>%1 s 处的相机关键帧</translation>
+    </message>
+    <message>
+        <source>camera key removed</source>
+        <translation>相机关键帧已删除</translation>
     </message>
 </context>
 <context>
@@ -18064,6 +18115,14 @@ What the file fits: %2.</source>
     <message>
         <source>The end must come after the beginning, with at most 100,000 pictures between them.</source>
         <translation>结束必须在开始之后，其间最多 100,000 张图片。</translation>
+    </message>
+    <message>
+        <source>Along the camera keys (%1)</source>
+        <translation>沿相机关键帧（%1 个）</translation>
+    </message>
+    <message>
+        <source>The camera moves from key to key; without it the movie looks as the views do</source>
+        <translation>相机从一个关键帧移动到下一个；不勾选时动画与视图所见相同</translation>
     </message>
 </context>
 <context>

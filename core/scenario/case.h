@@ -49,14 +49,27 @@ struct Bookmark {
     friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
+/// Where the camera of a movie stands at an instant. It moves smoothly from one key to the next.
+struct CameraKey {
+    double time = 0.0;                ///< s, as in the FE result
+    Vec3 position = Vec3::Zero();     ///< m
+    Vec3 focalPoint = Vec3::UnitX();  ///< m, what lies in the middle; not at the position
+    Vec3 up = Vec3::UnitZ();          ///< upwards in the picture
+    double viewAngle = 30.0;          ///< degrees, vertical
+    bool parallel = false;            ///< parallel projection
+    double parallelScale = 1.0;       ///< m, half the height of the picture then
+    friend bool operator==(const CameraKey&, const CameraKey&) = default;
+};
+
 /// What a case file (*.rubble) holds.
 struct Case {
     std::string title;
     Frame frame;
     std::vector<CaseInput> inputs;
     std::vector<CaseScenario> scenarios;
-    std::string activeScenario;       ///< id
-    std::vector<Bookmark> bookmarks;  ///< in the order of their times
+    std::string activeScenario;         ///< id
+    std::vector<Bookmark> bookmarks;    ///< in the order of their times
+    std::vector<CameraKey> cameraKeys;  ///< in the order of their times
     std::vector<Photograph> photographs;
     Site site;
     EnsembleSettings ensemble{usualVariations()};

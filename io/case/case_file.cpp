@@ -16,6 +16,7 @@
 #include "io/fe/bodies/bodies_reader.h"
 #include "io/fe/bodies/body_table.h"
 #include "io/fe/fe_reader.h"
+#include "io/json/camera_key_json.h"
 #include "io/json/case_migrations.h"
 #include "io/json/ensemble_json.h"
 #include "io/json/json_cursor.h"
@@ -202,6 +203,9 @@ json caseJson(const Case& theCase) {
                 {"photographs", photographsJson(theCase.photographs)},
                 {"ensemble", ensembleJson(theCase.ensemble)},
                 {"journal", journalJson(theCase.journal)}};
+    if (!theCase.cameraKeys.empty()) {
+        object["camera_keys"] = cameraKeysJson(theCase.cameraKeys);
+    }
     if (!(theCase.site == Site())) {
         object["site"] = siteJson(theCase.site);
     }
@@ -209,8 +213,8 @@ json caseJson(const Case& theCase) {
 }
 
 Case caseFromJson(const JsonCursor& top) {
-    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "photographs",
-                   "site", "ensemble", "journal"});
+    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "camera_keys",
+                   "photographs", "site", "ensemble", "journal"});
     Case theCase;
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
@@ -226,6 +230,9 @@ Case caseFromJson(const JsonCursor& top) {
     for (const JsonCursor& bookmark : top["bookmarks"].elements()) {
         bookmark.allowOnly({"time", "note"});
         theCase.bookmarks.push_back({bookmark["time"].number(), bookmark["note"].text()});
+    }
+    if (top.has("camera_keys")) {
+        theCase.cameraKeys = cameraKeysFromJson(top["camera_keys"]);
     }
     theCase.photographs = photographsFromJson(top["photographs"]);
     if (top.has("site")) {

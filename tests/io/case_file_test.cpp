@@ -135,6 +135,8 @@ Case randomCase(std::mt19937& engine, double share) {
             {"scenario-" + std::to_string(i), "Name", "note", i == 1 ? "fe-2" : "fe-1", randomScenario(engine, share)});
     }
     theCase.activeScenario = "scenario-2";
+    theCase.cameraKeys = {{-0.25, {1.5, -20.0, 3.0}, {0.0, 0.0, 1.0}, Vec3::UnitZ(), 28.5, false, 1.0},
+                          {2.0, {0.0, 0.0, 30.0}, {0.0, 0.0, 1.0}, Vec3::UnitY(), 30.0, true, 12.25}};
     theCase.bookmarks = {{-0.25, "before \"it\" began"}, {4.75, "crown \xC3\xA4"}};
     theCase.photographs = {randomPhotograph(engine)};
     return theCase;

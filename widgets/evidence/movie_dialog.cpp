@@ -1,5 +1,6 @@
 #include "widgets/evidence/movie_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -38,6 +39,8 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
       m_fps(new QSpinBox),
       m_size(new QComboBox),
       m_format(new QComboBox),
+      m_along(new QCheckBox),
+      m_cameras(choice.settings.cameras),
       m_length(new QLabel) {
     setWindowTitle(tr("Movie"));
     setObjectName(QStringLiteral("movieDialog"));
@@ -75,6 +78,12 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
            encoder ? tr("One file to play, or numbered pictures for other programs")
                    : tr("Numbered pictures; for an MP4 install the program ffmpeg"));
     column->addLayout(form);
+    m_along->setObjectName(QStringLiteral("movieAlong"));
+    m_along->setText(tr("Along the camera keys (%1)").arg(m_cameras.size()));
+    m_along->setToolTip(tr("The camera moves from key to key; without it the movie looks as the views do"));
+    m_along->setChecked(!m_cameras.empty());
+    column->addWidget(m_along);
+    m_along->setVisible(!m_cameras.empty());
     m_length->setObjectName(QStringLiteral("muted"));
     m_length->setWordWrap(true);
     column->addWidget(m_length);
@@ -93,7 +102,8 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
 
 MovieChoice MovieDialog::choice() const {
     MovieChoice choice;
-    choice.settings = {m_from->value(), m_to->value(), static_cast<double>(m_fps->value()), m_pace->currentData().toDouble()};
+    choice.settings = {m_from->value(), m_to->value(), static_cast<double>(m_fps->value()), m_pace->currentData().toDouble(),
+                       m_along->isChecked() ? m_cameras : std::vector<CameraKey>()};
     choice.pixels = m_size->currentData().toSize();
     choice.encoded = m_format->currentData().toBool();
     return choice;

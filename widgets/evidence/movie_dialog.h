@@ -5,6 +5,7 @@
 
 #include "widgets/figures/movie.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -24,7 +25,7 @@ class MovieDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param choice  its span is all that can be shown
+    /// @param choice  its span is all that can be shown, its cameras are those that can be looked along
     /// @param encoder  whether an MP4 can be made on this machine
     MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent = nullptr);
 
@@ -39,6 +40,8 @@ private:
     QSpinBox* m_fps;
     QComboBox* m_size;
     QComboBox* m_format;
+    QCheckBox* m_along;
+    std::vector<CameraKey> m_cameras;
     QLabel* m_length;
 };
 

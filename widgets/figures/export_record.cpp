@@ -32,7 +32,15 @@ std::string settingsText(QSize pixels, double dpi, std::optional<FigurePreset> p
 }
 
 std::string settingsText(QSize pixels, const MovieSettings& settings) {
-    return textOf({{"pixels", QJsonArray{pixels.width(), pixels.height()}}, {"fps", settings.fps}, {"pace", settings.pace}});
+    QJsonObject object{{"pixels", QJsonArray{pixels.width(), pixels.height()}}, {"fps", settings.fps}, {"pace", settings.pace}};
+    QJsonArray times;
+    for (const CameraKey& key : settings.cameras) {
+        times.append(key.time);
+    }
+    if (!times.empty()) {
+        object.insert("camera_keys_s", times);
+    }
+    return textOf(object);
 }
 
 render::View reshaped(const render::View& view, double aspect, int width, int height) {

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "widgets/figures/camera_path.h"
 #include "widgets/figures/marks.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
@@ -348,6 +349,7 @@ void makeMovie(Studio& studio, render::View view, FigureStyle style, const Movie
     for (std::size_t i = 0; i < pictures; ++i) {
         execution.check();
         view.time = movieTime(settings, i);
+        lookAlong(view, settings.cameras, view.time);
         QImage picture = studio.picture(view, style);
         printTime(picture, view.time - view.timeOrigin, settings.pace, view.theme, 9.0 / 72.0 * style.dpi, view.axes);
         target.add(picture);

@@ -5,8 +5,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/execution.h"
+#include "core/scenario/case.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble::figures {
@@ -17,6 +19,7 @@ struct MovieSettings {
     double to = 0.0;    ///< s
     double fps = 25.0;  ///< pictures per second of the movie
     double pace = 1.0;  ///< seconds of the collapse in a second of the movie: 1 is real time, 0.25 four times slower
+    std::vector<CameraKey> cameras = {};  ///< along which it looks; empty: the cameras of the view
 };
 
 /// How many pictures it has: the first at `from`, the last at `to` or less than a picture before it.

@@ -36,10 +36,9 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
 }
 
 Timeline::Rows Timeline::rows() const {
-    const double label = fontMetrics().horizontalAdvance(eventless()             ? tr("computed")
-                                                         : m_photographs.empty() ? tr("bookmarks")
-                                                                                 : tr("events")) +
-                         24.0;
+    const auto wide = [this](const QString& words) { return static_cast<double>(fontMetrics().horizontalAdvance(words)); };
+    const double row = eventless() ? 0.0 : wide(mixed() ? tr("events") : tr("bookmarks"));
+    const double label = std::max(wide(tr("computed")), row) + 24.0;
     const double axis = height() - fontMetrics().height() - 10.0;
     const double signs = m_marks.empty() ? 0.0 : 18.0;
     const double flags = eventless() ? 0.0 : bookmarkRow;
@@ -423,6 +422,16 @@ void Timeline::setBookmarks(std::vector<TimeMark> bookmarks) {
     update();
 }
 
+void Timeline::setCameraKeys(std::vector<double> times) {
+    const bool before = eventless();
+    m_cameraKeys = std::move(times);
+    if (before != eventless()) {
+        updateGeometry();
+        groupSigns();
+    }
+    update();
+}
+
 void Timeline::setPhotographs(std::vector<PhotographTime> photographs) {
     const bool before = eventless();
     m_photographs = std::move(photographs);
@@ -466,6 +475,18 @@ void Timeline::paintPhotographs(QPainter& painter, const Rows& r) const {
     }
 }
 
+void Timeline::paintCameraKeys(QPainter& painter, const Rows& r) const {
+    painter.setPen(QPen(tints().text, 1.2));
+    painter.setBrush(palette().color(QPalette::Window));
+    for (const double time : m_cameraKeys) {
+        if (time >= m_first && time <= m_last) {
+            const QPointF at(toX(time), r.bookmarks);
+            painter.drawPolygon(QPolygonF({at + QPointF(0, -5), at + QPointF(5, 0), at + QPointF(0, 5), at + QPointF(-5, 0)}));
+        }
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
 void Timeline::setLoop(const std::optional<std::pair<double, double>>& range) {
     m_loop = range;
     update();
@@ -501,8 +522,9 @@ void Timeline::paintBookmarks(QPainter& painter, const Rows& r) const {
     }
     painter.setPen(tints().muted);
     painter.drawText(QPointF(12, r.bookmarks + painter.fontMetrics().ascent() / 2.0 - 1.0),
-                     m_photographs.empty() ? tr("bookmarks") : tr("events"));
+                     mixed() ? tr("events") : tr("bookmarks"));
     paintPhotographs(painter, r);
+    paintCameraKeys(painter, r);
     for (std::size_t i = 0; i < m_bookmarks.size(); ++i) {
         const QPointF at = flagOf(i);
         painter.setPen(QPen(tints().accent, 1.2));

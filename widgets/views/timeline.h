@@ -70,6 +70,9 @@ public:
     void setTimeOrigin(double origin);
 
     double time() const { return m_time; }
+    /// Times of the camera keys of movies, as diamonds in the row of the bookmarks.
+    void setCameraKeys(std::vector<double> times);
+    const std::vector<double>& cameraKeys() const { return m_cameraKeys; }
     /// Centre of the flag of a bookmark.
     QPointF flagOf(std::size_t bookmark) const;
     std::optional<std::size_t> bookmarkAt(const QPointF& point) const;
@@ -106,7 +109,9 @@ protected:
 
 private:
     static constexpr int bookmarkRow = 16;  // px
-    bool eventless() const { return m_bookmarks.empty() && m_photographs.empty(); }
+    bool eventless() const { return m_bookmarks.empty() && m_photographs.empty() && m_cameraKeys.empty(); }
+    /// There is more than bookmarks in their row.
+    bool mixed() const { return !m_photographs.empty() || !m_cameraKeys.empty(); }
     struct Rows;
     Rows rows() const;
     void paintDeaths(QPainter& painter, const Rows& rows) const;
@@ -121,6 +126,7 @@ private:
     void paintMarks(QPainter& painter, const Rows& rows) const;
     void paintHealth(QPainter& painter, const Rows& rows) const;
     void paintBookmarks(QPainter& painter, const Rows& rows) const;
+    void paintCameraKeys(QPainter& painter, const Rows& rows) const;
     void paintPhotographs(QPainter& painter, const Rows& rows) const;
     void paintLoop(QPainter& painter, const Rows& rows) const;
     /// A time as the axis counts it: "4.88 s".
@@ -146,6 +152,7 @@ private:
     };
     std::vector<Sign> m_signs;
     std::vector<TimeMark> m_bookmarks;
+    std::vector<double> m_cameraKeys;  ///< s
     std::vector<PhotographTime> m_photographs;
     std::optional<std::pair<double, double>> m_loop;
     double m_origin = 0.0;

@@ -10,6 +10,7 @@
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/virtual_display.h"
 #include "io/base/files.h"
+#include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/movie.h"
@@ -45,6 +46,18 @@ figures::MovieSettings settingsOf(const Arguments& arguments, const io::RunReade
                          {"cli.time_outside.remedy", "Give a time within the run.", {}});
     }
     figures::movieLength(settings);
+    if (arguments.has("--along-keys")) {
+        const std::optional<std::string> path = arguments.value("--case");
+        if (path) {
+            settings.cameras = io::loadCase(*path).cameraKeys;
+        }
+        if (settings.cameras.empty()) {
+            throw UsageError({"cli.no_camera_keys", "--along-keys: there are no camera keys.", {}},
+                             {"cli.no_camera_keys.remedy",
+                              "Name a case that has some: --case CASE. They are set in the window, by Camera key here.",
+                              {}});
+        }
+    }
     return settings;
 }
 
@@ -123,6 +136,7 @@ Command movieCommand() {
         {"--fps", "N", false, "pictures per second, from 1 to 120 (default: 25)"},
         {"--pace", "X", false,
          "seconds of the collapse in a second of the movie: 1 is real time (default), 0.25 four times slower"}};
+    options.push_back({"--along-keys", "", false, "the camera moves along the camera keys of --case, from key to key"});
     for (const Option& option : FigureRequest::viewOptions()) {
         options.push_back(option);
     }

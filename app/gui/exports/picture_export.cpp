@@ -194,6 +194,7 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
     widgets::MovieChoice choice;
     choice.settings.from = data.fe->times().front();
     choice.settings.to = lastInstant(data);
+    choice.settings.cameras = m_document.theCase().cameraKeys;
     widgets::MovieDialog dialog(choice, figures::ffmpegInstalled(), &m_window);
     if (dialog.exec() != QDialog::Accepted) {
         return;

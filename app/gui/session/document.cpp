@@ -267,6 +267,20 @@ void Document::setBookmarks(std::vector<Bookmark> bookmarks, const widgets::Word
     m_undo.push(new StepCommand(what, way(std::move(bookmarks)), way(m_case.bookmarks)));
 }
 
+void Document::setCameraKeys(std::vector<CameraKey> keys, const widgets::Wording& what) {
+    std::stable_sort(keys.begin(), keys.end(), [](const CameraKey& a, const CameraKey& b) { return a.time < b.time; });
+    if (empty() || keys == m_case.cameraKeys) {
+        return;
+    }
+    const auto way = [this](std::vector<CameraKey> to) {
+        return [this, to = std::move(to)] {
+            m_case.cameraKeys = to;
+            emit cameraKeysChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(std::move(keys)), way(m_case.cameraKeys)));
+}
+
 void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const widgets::Wording& what) {
     if (empty() || (photographs == m_case.photographs && inputs == m_case.inputs)) {
         return;

@@ -65,6 +65,8 @@ public:
     void activateScenario(const std::string& id);
     /// Bookmarks, put into the order of their times, as one undoable command.
     void setBookmarks(std::vector<Bookmark> bookmarks, const widgets::Wording& what);
+    /// Camera keys of movies, put into the order of their times, as one undoable command.
+    void setCameraKeys(std::vector<CameraKey> keys, const widgets::Wording& what);
     /// Other photographs, and the files that they are, as one undoable command; no result depends on them.
     void setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const widgets::Wording& what);
     /// What an ensemble of the case varies, as one undoable command; no result depends on it.
@@ -85,6 +87,7 @@ signals:
     /// Their names, their notes, how many there are or which one is worked on.
     void scenariosChanged();
     void bookmarksChanged();
+    void cameraKeysChanged();
     void photographsChanged();
     void surveysChanged();
     void ensembleChanged();

@@ -73,6 +73,9 @@ enum class ActionId {
     TurnRight,
     TurnUp,
     TurnDown,
+    CameraKey,
+    RemoveCameraKey,
+    AlongCameraKeys,
     // Look
     Presentation,
     Shading,

@@ -63,6 +63,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       project(std::make_unique<ProjectDisplay>(session, *deck, parts.area, parts.actions, parts.notices, inspection->docks(),
                                                parts.window)),
       timeline(std::make_unique<TimelineDisplay>(session.document(), *playback, parts.timeline, parts.transport, parts.actions)),
+      cameraKeys(std::make_unique<CameraKeys>(session, *playback, parts.area, parts.timeline, parts.actions)),
       states(std::make_unique<ActionStates>(session, *this, parts.actions, parts.colours)) {
     connectViews(parts);
     connectFiles(parts);
@@ -82,6 +83,7 @@ WindowRooms::~WindowRooms() = default;
 void WindowRooms::connectViews(const WindowParts& parts) {
     QObject::connect(scene.get(), &SceneDisplay::changed, inspection.get(), &Inspection::refresh);
     QObject::connect(scene.get(), &SceneDisplay::changed, evidence.get(), &EvidenceDisplay::refresh);
+    QObject::connect(scene.get(), &SceneDisplay::changed, cameraKeys.get(), &CameraKeys::refresh);
     QObject::connect(scene.get(), &SceneDisplay::viewSet, inspection.get(), [this](const render::View& view) {
         errors->setShown(view.colourBy == render::ColourBy::Error);
         scenarioPane->setShown(view.layout == render::Layout::Scenarios);

@@ -22,6 +22,7 @@
 #include "app/gui/stage/scene_display.h"
 #include "app/gui/stage/status_feed.h"
 #include "app/gui/stage/timeline_display.h"
+#include "app/gui/views/camera_keys.h"
 #include "app/gui/views/inspection.h"
 #include "app/gui/views/selection_display.h"
 #include "app/gui/window/action_states.h"
@@ -94,6 +95,7 @@ struct WindowRooms {
     std::unique_ptr<RunControl> runs;
     std::unique_ptr<ProjectDisplay> project;
     std::unique_ptr<TimelineDisplay> timeline;
+    std::unique_ptr<CameraKeys> cameraKeys;
     std::unique_ptr<ActionStates> states;
 
 private:

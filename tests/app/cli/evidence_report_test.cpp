@@ -116,6 +116,31 @@ TEST_F(ShownEvidence, PicturesOfARunShowTheOrthophotoOfItsCase) {
     EXPECT_THAT(lost.err, HasSubstr("ground.tif"));
 }
 
+TEST_F(ShownEvidence, AMovieMovesAlongTheCameraKeysOfItsCase) {
+    const std::string path = save();
+    const std::vector<std::string> words{"movie", m_out,   "--pane", "fe",     "--from",  "0.4",    "--to",
+                                         "0.6",   "--fps", "10",     "--size", "160x100", "--case", path};
+    const auto with = [&](const char* folder, bool along) {
+        auto all = words;
+        all.insert(all.end(), {"--out", m_folder / folder});
+        if (along) {
+            all.emplace_back("--along-keys");
+        }
+        return without(all);
+    };
+    const Outcome none = with("none", true);
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_THAT(none.err, HasSubstr("there are no camera keys"));
+    ASSERT_EQ(with("still", false).exitCode, 0);
+    m_case.cameraKeys = {{0.4, {0.0, -30.0, 5.0}, {0.0, 0.0, 1.0}, Vec3::UnitZ(), 30.0, false, 1.0},
+                         {0.6, {30.0, 0.0, 5.0}, {0.0, 0.0, 1.0}, Vec3::UnitZ(), 30.0, false, 1.0}};
+    save();
+    const Outcome moving = with("moving", true);
+    ASSERT_EQ(moving.exitCode, 0) << moving.err;
+    EXPECT_THAT(io::readProvenance(m_folder / "moving/frame-00001.png")->text, HasSubstr("\"camera_keys_s\":[0.4,0.6]"));
+    EXPECT_NE(textOf(m_folder / "moving/frame-00003.png"), textOf(m_folder / "still/frame-00003.png"));
+}
+
 TEST_F(ShownEvidence, AFullDiskLeavesNoHalfOfAFigureAMovieOrAReport) {
     const std::string path = save();
     std::ofstream(m_folder / "kept.png") << "earlier";

@@ -42,7 +42,8 @@ const std::set<QString>& sameEverywhere() {
     static const std::set<QString> words = [] {
         std::set<QString> list;
         const QString plain = QStringLiteral(
-            "Rubble rubble cli ffmpeg Slurm sbatch ParaView Bullet bullet Exodus II CSV PVD SVG PNG JSON VTU HDF GTX NVIDIA IoU "
+            "Rubble rubble cli ffmpeg Slurm slurm conf munge sinfo sacctmgr sbatch ParaView Bullet bullet Exodus II CSV PVD SVG "
+            "PNG JSON VTU HDF GTX NVIDIA IoU "
             "RMS FPS "
             "VTKHDF FE MB MiB GiB "
             "kB kg mm ms "

@@ -1077,6 +1077,14 @@
         <source>The views move from camera key to camera key as time goes on, as a movie does</source>
         <translation>视图随时间从一个相机关键帧移动到下一个，与动画相同</translation>
     </message>
+    <message>
+        <source>Validation…</source>
+        <translation>验证…</translation>
+    </message>
+    <message>
+        <source>How far simulated falls are from measured ones: the known rate of error</source>
+        <translation>模拟的下落离实测的下落有多远：已知的误差率</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -2395,10 +2403,6 @@
     <message>
         <source>Most elements are inactive at the first state: {0}</source>
         <translation>多数单元在初始状态未激活：{0}</translation>
-    </message>
-    <message>
-        <source>NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60</source>
-        <translation>NAVFAC DM 7.02 (1986)：混凝土或砌体对砾石和粗砂 0.55-0.60</translation>
     </message>
     <message>
         <source>NAVFAC DM 7.02 (1986): concrete or masonry on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45</source>
@@ -10280,6 +10284,106 @@
         <source>an angle above 0 and up to 179 degrees</source>
         <translation>大于 0、至多 179 度的角度</translation>
     </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60, on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45</source>
+        <translation>NAVFAC DM 7.02 (1986)：混凝土或砌体对砾石和粗砂 0.55-0.60，对粉质砂或砾石 0.45-0.55，对粉细砂 0.35-0.45</translation>
+    </message>
+    <message>
+        <source>a single run: what is not known of friction, restitution and births is not in its figures</source>
+        <translation>单次计算：摩擦、恢复系数和产生时刻中的未知不在其数值之内</translation>
+    </message>
+    <message>
+        <source>{0} to {1}</source>
+        <translation>{0} 至 {1}</translation>
+    </message>
+    <message>
+        <source>{0} to {1}, assumed</source>
+        <translation>{0} 至 {1}，假定</translation>
+    </message>
+    <message>
+        <source>Correct z, or the datum of one of the two, or lift them out with --lift.</source>
+        <translation>请更正 z 或两者之一的高程基准，或用 --lift 将其抬出。</translation>
+    </message>
+    <message>
+        <source>Delete the file named and validate again.</source>
+        <translation>请删除所列文件并重新验证。</translation>
+    </message>
+    <message>
+        <source>Give them places or times of their own, or let them fall without meeting: --apart.</source>
+        <translation>请给出各自的位置或时刻，或让它们互不相遇地下落：--apart。</translation>
+    </message>
+    <message>
+        <source>What was kept of a validation is damaged and left out.</source>
+        <translation>保存的一项验证已损坏，不予采用。</translation>
+    </message>
+    <message>
+        <source>correct z where that is more than half a side</source>
+        <translation>若超过边长的一半，请更正 z</translation>
+    </message>
+    <message>
+        <source>correct z, or lift them out with --lift</source>
+        <translation>更正 z，或用 --lift 将其抬出</translation>
+    </message>
+    <message>
+        <source>give a terrain that covers where they run</source>
+        <translation>给出覆盖其所到之处的地形</translation>
+    </message>
+    <message>
+        <source>lateral place [m]</source>
+        <translation>侧向位置 [m]</translation>
+    </message>
+    <message>
+        <source>look at their size and mass, or raise step_rate</source>
+        <translation>检查其尺寸和质量，或提高 step_rate</translation>
+    </message>
+    <message>
+        <source>moving for [s]</source>
+        <translation>运动时间 [s]</translation>
+    </message>
+    <message>
+        <source>path length [m]</source>
+        <translation>路径长度 [m]</translation>
+    </message>
+    <message>
+        <source>raise settle_time</source>
+        <translation>提高 settle_time</translation>
+    </message>
+    <message>
+        <source>top speed [m/s]</source>
+        <translation>最高速度 [m/s]</translation>
+    </message>
+    <message>
+        <source>x at the end [m]</source>
+        <translation>终点 x [m]</translation>
+    </message>
+    <message>
+        <source>y at the end [m]</source>
+        <translation>终点 y [m]</translation>
+    </message>
+    <message>
+        <source>{0} bodies begin with a corner in the surface, at most {1} deep; it pushes them out</source>
+        <translation>{0} 个物体开始时有一角在地面之下，最深 {1}；地面将其推出</translation>
+    </message>
+    <message>
+        <source>{0} bodies left the terrain; they count in no figure</source>
+        <translation>{0} 个物体离开了地形；不计入任何数值</translation>
+    </message>
+    <message>
+        <source>{0} bodies still moved at the end; where they end is not known</source>
+        <translation>{0} 个物体结束时仍在运动；其终点未知</translation>
+    </message>
+    <message>
+        <source>{0} bodies were lifted out of the surface, at most by {1}</source>
+        <translation>{0} 个物体被抬出地面，最多 {1}</translation>
+    </message>
+    <message>
+        <source>{0} bodies were lost: their place became no number</source>
+        <translation>{0} 个物体丢失：其位置不再是数</translation>
+    </message>
+    <message>
+        <source>{0}: {1} bodies begin within more than {2} others each; one is {3}</source>
+        <translation>{0}：{1} 个物体开始时各与超过 {2} 个其他物体重叠；其中之一是 {3}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -11073,6 +11177,22 @@
     <message>
         <source>The impulse of a bounce rubs by Coulomb&apos;s law as the impact does, soft-step solver only. Off: blocks that fly or roll keep too much speed along the ground, a tenth at restitution 0.1. On by itself for a table of bodies, off for FE results, whose trajectories were made without.</source>
         <translation>弹跳的冲量与撞击一样按库仑定律产生摩擦，仅用于 soft-step 求解器。关闭：飞行或滚动的块体沿地面保留过多的速度，恢复系数为 0.1 时约十分之一。物体表自动打开；有限元结果关闭，其轨迹是在没有它时得到的。</translation>
+    </message>
+    <message>
+        <source>Level of friction</source>
+        <translation>摩擦所处位置</translation>
+    </message>
+    <message>
+        <source>Level of restitution</source>
+        <translation>恢复系数所处位置</translation>
+    </message>
+    <message>
+        <source>Where the friction of each pair of materials lies in the range of its source: 0 the least, 1 the greatest, for all pairs alike. A pair that was set stays. Automatic: the number of the table.</source>
+        <translation>各材料对的摩擦在其来源范围内的位置：0 为最小，1 为最大，所有材料对相同。已设定的材料对不变。自动：表中的数。</translation>
+    </message>
+    <message>
+        <source>Where the restitution of each pair of materials lies in the range of its source: 0 the least, 1 the greatest, for all pairs alike. A pair that was set stays. Automatic: the number of the table.</source>
+        <translation>各材料对的恢复系数在其来源范围内的位置：0 为最小，1 为最大，所有材料对相同。已设定的材料对不变。自动：表中的数。</translation>
     </message>
 </context>
 <context>
@@ -12260,10 +12380,6 @@
         <translation>精度</translation>
     </message>
     <message>
-        <source>What accuracy costs in time, and which differences mean something.</source>
-        <translation>精度耗费多少时间，哪些差异有意义。</translation>
-    </message>
-    <message>
         <source>regrouping dropped</source>
         <translation>撤除重新分组</translation>
     </message>
@@ -12318,6 +12434,10 @@
     <message>
         <source>Which of several supposed causes explains what was found.</source>
         <translation>若干假定原因中哪一个能解释现场所见。</translation>
+    </message>
+    <message>
+        <source>Agreement with the reference (verification, no validation), what it costs in time, and which differences mean something.</source>
+        <translation>与基准的一致性（核实，不是验证）、它以多少时间为代价，以及哪些差别有意义。</translation>
     </message>
 </context>
 <context>
@@ -12511,6 +12631,10 @@
     <message>
         <source>Cancelled at %1 s after %2; what is computed is kept</source>
         <translation>在 %1 s 处取消，耗时 %2；已计算的内容保留</translation>
+    </message>
+    <message>
+        <source>Measured falls are being simulated.</source>
+        <translation>正在模拟实测的下落。</translation>
     </message>
 </context>
 <context>
@@ -12767,6 +12891,25 @@
     <message>
         <source>bookmark “%1” removed</source>
         <translation>书签“%1”已删除</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ValidationDisplay</name>
+    <message>
+        <source>Validation</source>
+        <translation>验证</translation>
+    </message>
+    <message>
+        <source>Simulating the falls of %1</source>
+        <translation>正在模拟 %1 的下落</translation>
+    </message>
+    <message>
+        <source>Reading the sets</source>
+        <translation>正在读取数据组</translation>
+    </message>
+    <message>
+        <source>Validation has ended; sets that are done are kept</source>
+        <translation>验证已结束；已完成的数据组保留</translation>
     </message>
 </context>
 <context>
@@ -13366,10 +13509,6 @@
         <translation>堆的松散系数</translation>
     </message>
     <message>
-        <source>Uncertainty, and accuracy against time</source>
-        <translation>不确定性，以及精度与时间</translation>
-    </message>
-    <message>
         <source>The run was repeated %1 times with every birth shifted by a micrometre. The largest difference between any two of these runs is the repeat floor: no smaller difference says anything.</source>
         <translation>该计算以每次产生移动一微米重复了 %1 次。其中任意两次计算之间的最大差异为重复性下限：更小的差异不说明任何问题。</translation>
     </message>
@@ -13456,10 +13595,6 @@
     <message>
         <source>repeat floor of this run</source>
         <translation>本次计算的重复性下限</translation>
-    </message>
-    <message>
-        <source>What accuracy costs in time; beside each point its number of bodies</source>
-        <translation>精度所费的时间；每点旁为其刚体数</translation>
     </message>
     <message>
         <source>Question and answer</source>
@@ -14221,6 +14356,118 @@
         <source>what, and why this grade</source>
         <translation>内容及该等级的原因</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>over the ensemble, 5 to 95 %</source>
+        <translation>系综，5 至 95 %</translation>
+    </message>
+    <message>
+        <source>With what is not known drawn anew %1 times, nine of ten members have a run-out of %2 m, cover %3 m² and reach %4 m at the highest cell (see section What is not known).</source>
+        <translation>未知之处重新抽取 %1 次，十个成员中有九个的散落距离为 %2 m，覆盖 %3 m²，最高单元格达 %4 m（见“未知的量”一节）。</translation>
+    </message>
+    <message>
+        <source>What is not known of friction, restitution and births was not varied: what it does to these figures is not known.</source>
+        <translation>摩擦、恢复系数和产生时刻中的未知没有变化过：它对这些数值的影响不得而知。</translation>
+    </message>
+    <message>
+        <source>Friction and restitution of the materials that can meet, and what is known of them</source>
+        <translation>能够相遇的材料之间的摩擦和恢复系数，以及对其所知</translation>
+    </message>
+    <message>
+        <source>pair</source>
+        <translation>材料对</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 对 %2</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>恢复系数</translation>
+    </message>
+    <message>
+        <source>An ensemble draws from these ranges. &lt;i&gt;Assumed&lt;/i&gt; are those that no source gives for the pair itself.</source>
+        <translation>系综从这些范围中抽取。&lt;i&gt;假定&lt;/i&gt;的是没有来源就该材料对本身给出的范围。</translation>
+    </message>
+    <message>
+        <source>Spread of repeats, and agreement with the reference</source>
+        <translation>重复的离散，以及与基准的一致性</translation>
+    </message>
+    <message>
+        <source>What agreement with the reference costs in time; beside each point its number of bodies</source>
+        <translation>与基准的一致性以多少时间为代价；各点旁为其刚体数</translation>
+    </message>
+    <message>
+        <source>Validation: held against measured falls</source>
+        <translation>验证：与实测的下落比较</translation>
+    </message>
+    <message>
+        <source>Agreement with the reference, in the section before, compares a simulation with a finer one: a verification, which says nothing of the world. Validation holds the same program against bodies that really fell, and gives the known rate of error as far as such measurements go. None of them is of this collapse.</source>
+        <translation>前一节中与基准的一致性把一次模拟与更精细的模拟比较：属于核实，并不说明真实世界。验证把同一程序与真实下落的物体比较，在这些测量所及的范围内给出已知的误差率。其中没有一项属于本次倒塌。</translation>
+    </message>
+    <message>
+        <source>The program that made this report was not held against measured falls on this machine: its rate of error is not part of this report. &lt;code&gt;rubble-cli validate&lt;/code&gt;, or &lt;i&gt;Validation&lt;/i&gt; in the menu &lt;i&gt;Help&lt;/i&gt;, does so.</source>
+        <translation>生成本报告的程序尚未在本机上与实测的下落比较：其误差率不在本报告之内。&lt;code&gt;rubble-cli validate&lt;/code&gt; 或菜单&lt;i&gt;帮助&lt;/i&gt;中的&lt;i&gt;验证&lt;/i&gt;进行这一比较。</translation>
+    </message>
+    <message>
+        <source>Measured and simulated falls</source>
+        <translation>实测与模拟的下落</translation>
+    </message>
+    <message>
+        <source>set, variant</source>
+        <translation>数据组，方式</translation>
+    </message>
+    <message>
+        <source>measured D</source>
+        <translation>实测 D</translation>
+    </message>
+    <message>
+        <source>simulated S</source>
+        <translation>模拟 S</translation>
+    </message>
+    <message>
+        <source>E = S − D (95 %)</source>
+        <translation>E = S − D（95 %）</translation>
+    </message>
+    <message>
+        <source>area (by chance)</source>
+        <translation>面积（偶然）</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>须满足</translation>
+    </message>
+    <message>
+        <source>What these falls were simulated with, and where the values come from</source>
+        <translation>这些下落以什么模拟，以及各值的来源</translation>
+    </message>
+    <message>
+        <source>From simulations of these sets by the program that made this report, apart from its run.</source>
+        <translation>来自生成本报告的程序对这些数据组的模拟，与其计算无关。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -14334,6 +14581,93 @@
     <message>
         <source>area of interest</source>
         <translation>关注区域</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures::ValidationRows</name>
+    <message>
+        <source>run-out</source>
+        <translation>散落距离</translation>
+    </message>
+    <message>
+        <source>fall</source>
+        <translation>下落高度</translation>
+    </message>
+    <message>
+        <source>net rotation</source>
+        <translation>净转角</translation>
+    </message>
+    <message>
+        <source>right face up</source>
+        <translation>朝上的面正确</translation>
+    </message>
+    <message>
+        <source>centroid of the deposit is off by</source>
+        <translation>堆积物质心偏离</translation>
+    </message>
+    <message>
+        <source>solid fraction</source>
+        <translation>固体分数</translation>
+    </message>
+    <message>
+        <source>bulking</source>
+        <translation>松散系数</translation>
+    </message>
+    <message>
+        <source>angle at which it gives way</source>
+        <translation>失稳的角度</translation>
+    </message>
+    <message>
+        <source>the same by limit analysis</source>
+        <translation>按极限分析的同一值</translation>
+    </message>
+    <message>
+        <source>least thickness over radius</source>
+        <translation>最小厚度与半径之比</translation>
+    </message>
+    <message>
+        <source>over limit analysis</source>
+        <translation>与极限分析之比</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>%1: holds</source>
+        <translation>%1：满足</translation>
+    </message>
+    <message>
+        <source>%1: &lt;b&gt;does not hold&lt;/b&gt;</source>
+        <translation>%1：&lt;b&gt;不满足&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1: %2 falls simulated, of which %3 still moved at the end, %4 left the terrain and %5 were lost</source>
+        <translation>%1：模拟 %2 次下落，其中 %3 次结束时仍在运动，%4 次离开地形，%5 次丢失</translation>
+    </message>
+    <message>
+        <source>In the terms of ASME V&amp;amp;V 20 D is what was measured, S what was simulated and E = S − D the comparison error of the means. Its interval holds it in 95 of 100 resamplings of bodies and repeats. The area between the cumulative curves says how far one would have to be moved to become the other, in brackets what chance alone makes of it. Falls that were not at rest, left the terrain or were lost are in no mean. Nothing is fitted unless the source of a value says so.</source>
+        <translation>按 ASME V&amp;amp;V 20 的术语，D 为实测，S 为模拟，E = S − D 为平均值的比较误差。其区间在物体和重复的 100 次重抽样中有 95 次包含它。累积曲线之间的面积说明一条需移动多远才成为另一条，括号内为仅由偶然所致。未静止、离开地形或丢失的下落不计入任何平均值。除非某值的来源这样说明，否则没有拟合。</translation>
+    </message>
+    <message>
+        <source>error of rotation</source>
+        <translation>转角误差</translation>
+    </message>
+    <message>
+        <source>error of place</source>
+        <translation>位置误差</translation>
+    </message>
+    <message>
+        <source>%1, median</source>
+        <translation>%1，中位数</translation>
+    </message>
+    <message>
+        <source>%1, 90 %</source>
+        <translation>%1，90 %</translation>
     </message>
 </context>
 <context>
@@ -14657,10 +14991,6 @@
         <translation>保存图表…</translation>
     </message>
     <message>
-        <source>What accuracy costs</source>
-        <translation>精度的代价</translation>
-    </message>
-    <message>
         <source>Accuracy</source>
         <translation>精度</translation>
     </message>
@@ -14764,16 +15094,16 @@
         <source>No time was measured on this machine: bodies stand for the cost.</source>
         <translation>本机没有计时数据：以刚体数表示代价。</translation>
     </message>
+    <message>
+        <source>What agreement with the reference costs</source>
+        <translation>与基准的一致性需付出的代价</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::AccuracyPanel</name>
     <message>
         <source>Accuracy</source>
         <translation>精度</translation>
-    </message>
-    <message>
-        <source>What accuracy costs in time, and which differences mean something.</source>
-        <translation>精度耗费多少时间，哪些差异有意义。</translation>
     </message>
     <message>
         <source>Measure live FPS</source>
@@ -14886,6 +15216,10 @@
     <message>
         <source>How often every setting is repeated with births shifted by a micrometre: the chart shows as a line through its point how far its own accuracy scatters, so that two settings are not told apart by chance. Each takes as long as the setting</source>
         <translation>每项设置以移动一微米的产生位置重复多少次：图中以穿过其点的竖线表示其自身精度的离散，以免把出于偶然的差别当作两项设置的差别。每次重复耗时与该设置相同</translation>
+    </message>
+    <message>
+        <source>Agreement with the reference (verification, no validation), what it costs in time, and which differences mean something.</source>
+        <translation>与基准的一致性（核实，不是验证）、它以多少时间为代价，以及哪些差别有意义。</translation>
     </message>
 </context>
 <context>
@@ -16738,10 +17072,6 @@ What the file fits: %2.</source>
         <translation>%1 已删除</translation>
     </message>
     <message>
-        <source>Agreement</source>
-        <translation>符合程度</translation>
-    </message>
-    <message>
         <source>Hold the silhouette of the simulated debris against the outline drawn, with 64 cameras that the match allows</source>
         <translation>以匹配所允许的 64 个相机，将模拟堆积物的剪影与所画轮廓对照</translation>
     </message>
@@ -16872,6 +17202,10 @@ What the file fits: %2.</source>
     <message>
         <source>Focal length that the camera noted in the photograph; it is not taken for the true one</source>
         <translation>相机在照片文件中记录的焦距；不视为真实值</translation>
+    </message>
+    <message>
+        <source>Agreement with the photograph</source>
+        <translation>与照片的吻合程度</translation>
     </message>
 </context>
 <context>
@@ -20971,6 +21305,101 @@ Program: %3</source>
     <message>
         <source>Play backwards (Shift+Space)</source>
         <translation>倒放（Shift+空格）</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ValidationView</name>
+    <message>
+        <source>set, variant</source>
+        <translation>数据组，方式</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>measured D</source>
+        <translation>实测 D</translation>
+    </message>
+    <message>
+        <source>simulated S</source>
+        <translation>模拟 S</translation>
+    </message>
+    <message>
+        <source>E = S − D (95 %)</source>
+        <translation>E = S − D（95 %）</translation>
+    </message>
+    <message>
+        <source>area (by chance)</source>
+        <translation>面积（偶然）</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>须满足</translation>
+    </message>
+    <message>
+        <source>Measured and simulated falls</source>
+        <translation>实测与模拟的下落</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>What was simulated with, and its source</source>
+        <translation>以什么模拟，及其来源</translation>
+    </message>
+    <message>
+        <source>Hold against measured falls</source>
+        <translation>与实测的下落比较</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Validation: this program held against what really fell</source>
+        <translation>验证：本程序与真实下落之物的比较</translation>
+    </message>
+    <message>
+        <source>Agreement with the reference, in the panel Accuracy, is a verification and says nothing of the world; the self-test is one too.</source>
+        <translation>“精度”面板中与基准的一致性属于核实，并不说明真实世界；自检也属于核实。</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Settings and sources</source>
+        <translation>设置与来源</translation>
+    </message>
+    <message>
+        <source>Progress of the validation</source>
+        <translation>验证的进度</translation>
+    </message>
+    <message>
+        <source>Simulates all sets that come with the program, as rubble-cli validate does; takes some minutes</source>
+        <translation>模拟随程序提供的所有数据组，与 rubble-cli validate 相同；需要几分钟</translation>
+    </message>
+    <message>
+        <source>Stop; sets that are done are kept</source>
+        <translation>停止；已完成的数据组保留</translation>
+    </message>
+    <message>
+        <source>This program was not held against measured falls on this machine yet.</source>
+        <translation>本程序尚未在本机上与实测的下落比较。</translation>
+    </message>
+    <message>
+        <source>Until then its rate of error is not in reports.</source>
+        <translation>在此之前报告中没有其误差率。</translation>
     </message>
 </context>
 <context>

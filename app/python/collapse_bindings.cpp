@@ -35,15 +35,6 @@ std::string settingText(const std::string& key, const py::handle& value) {
                      {"python.setting.remedy", "Give a number, a text, True, False, or None for automatic.", {}});
 }
 
-std::vector<std::pair<std::string, std::string>> settingsOf(const py::dict& settings) {
-    std::vector<std::pair<std::string, std::string>> texts;
-    for (const auto& [key, value] : settings) {
-        const std::string name = py::str(key);
-        texts.emplace_back(name, settingText(name, value));
-    }
-    return texts;
-}
-
 py::object valueOf(const ParameterValue& value) {
     return std::visit(
         [](const auto& held) -> py::object {
@@ -100,20 +91,6 @@ std::shared_ptr<RecordedRun> record(Collapse& collapse, const std::string& path,
     return std::make_shared<RecordedRun>(io::openRun(path), collapse.inputs());
 }
 
-py::list findingsOf(const Findings& findings) {
-    py::list list;
-    for (const Finding& finding : findings.list()) {
-        py::dict row;
-        row["id"] = finding.what.id;
-        row["count"] = finding.count;
-        row["what"] = englishText(finding.what);
-        row["example"] = finding.example;
-        row["remedy"] = englishText(finding.remedy);
-        list.append(row);
-    }
-    return list;
-}
-
 py::list parameters() {
     py::list rows;
     const Scenario defaults;
@@ -150,6 +127,29 @@ Collapses fromArrays(py::object times, py::object positions, py::object elements
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> settingsOf(const py::dict& settings) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const auto& [key, value] : settings) {
+        const std::string name = py::str(key);
+        texts.emplace_back(name, settingText(name, value));
+    }
+    return texts;
+}
+
+py::list findingsOf(const Findings& findings) {
+    py::list list;
+    for (const Finding& finding : findings.list()) {
+        py::dict row;
+        row["id"] = finding.what.id;
+        row["count"] = finding.count;
+        row["what"] = englishText(finding.what);
+        row["example"] = finding.example;
+        row["remedy"] = englishText(finding.remedy);
+        list.append(row);
+    }
+    return list;
+}
 
 void addCollapse(py::module_& module) {
     py::class_<Collapse, Collapses>(module, "Collapse", "One scenario of a case, or an FE result by itself, ready to be run.")

@@ -17,6 +17,7 @@ void fill(pybind11::module_& module) {
     addResults(module);
     addCollapse(module);
     addRun(module);
+    addDrop(module);
 }
 
 }  // namespace

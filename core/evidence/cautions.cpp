@@ -28,6 +28,13 @@ void addLimits(std::vector<Caution>& list, const RunStanding& run) {
 
 }  // namespace
 
+Caution singleRunCaution() {
+    return {
+        "single_run",
+        HealthGrade::Notice,
+        {"caution.single_run", "a single run: what is not known of friction, restitution and births is not in its figures", {}}};
+}
+
 RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bool acknowledged) {
     RunStanding standing;
     standing.reached = result.endTime;
@@ -56,6 +63,7 @@ std::vector<Caution> runCautions(const RunStanding& run) {
                          "not all at rest: at {0}, the last instant, {1} of {2} bodies still moved",
                          {{run.reached, "s"}, run.moving, run.bodies}}});
     }
+    list.push_back(singleRunCaution());
     if (run.bodies > 0) {
         list.push_back({"bodies",
                         HealthGrade::Notice,
@@ -85,7 +93,7 @@ std::vector<Caution> photographCautions(const Photograph& photograph, const Came
 std::string pictureCautions(const std::vector<Caution>& cautions) {
     std::string line;
     for (const Caution& caution : cautions) {
-        if (caution.grade != HealthGrade::Notice) {
+        if (caution.inPictures()) {
             line += (line.empty() ? "" : " · ") + englishText(caution.what);
         }
     }

@@ -15,10 +15,17 @@ namespace rubble {
 
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
-    std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "bodies", "poor_camera", "not_at_rest"
-    HealthGrade grade{};   ///< pictures show what is graver than a notice
+    std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "single_run", "bodies", "poor_camera",
+                           ///< "not_at_rest"
+    HealthGrade grade{};
     Message what;
+
+    /// Pictures show what is graver than a notice, and that they are of a single run.
+    bool inPictures() const { return grade != HealthGrade::Notice || key == "single_run"; }
 };
+
+/// Beside figures of one run, of one set of values.
+Caution singleRunCaution();
 
 /// How far a run has come and what it is worth.
 struct RunStanding {

@@ -17,6 +17,7 @@
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/journal.h"
 #include "core/simulation/run/acknowledgement.h"
+#include "core/validation/validation_record.h"
 
 namespace rubble {
 
@@ -99,6 +100,7 @@ struct ReportFacts {
     std::vector<ReportSurvey> surveys;
     std::shared_ptr<const EnsembleReport> ensemble;  ///< of the case, as far as its members were simulated; null: none was
     std::shared_ptr<const DebrisMap> probability;    ///< of its members; null: there are none
+    std::vector<ValidationRecord> validation;        ///< measured falls that this build was held against; empty: none
     std::vector<ReportCheck> selfTest;               ///< empty: not run
     std::string selfTestScope;                       ///< "all", "closed-form"
 };

@@ -126,8 +126,8 @@ void checkNumbers(const VariedSetting& varied, std::string_view text) {
 }  // namespace
 
 std::vector<VariedSetting> usualVariations() {
-    return {{"friction", Distribution::Uniform, 0.4, 0.8, {}},
-            {"restitution", Distribution::Uniform, 0.0, 0.2, {}},
+    return {{"friction_level", Distribution::Uniform, 0.0, 1.0, {}},
+            {"restitution_level", Distribution::Uniform, 0.0, 1.0, {}},
             {"birth_shift", Distribution::Uniform, 0.0, 0.02, {}}};
 }
 

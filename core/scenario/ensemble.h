@@ -35,7 +35,7 @@ struct EnsembleSettings {
 };
 inline constexpr std::int64_t ensembleMembersMax = 10000;
 
-/// What is varied unless somebody says otherwise: friction and restitution of every contact, and births.
+/// What is varied unless somebody says otherwise: friction and restitution over the ranges of the table of materials, and births.
 std::vector<VariedSetting> usualVariations();
 
 /// A variation from text as on the command line: "uniform:0.4:0.8", "normal:0.6:0.1" or "choice:a:b".

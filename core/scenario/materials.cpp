@@ -12,7 +12,9 @@ namespace {
 // Friction.
 constexpr std::string_view quarried = "NAVFAC DM 7.02 (1986): dressed rock on dressed rock 0.55-0.70";
 constexpr std::string_view hardened = "ACI 318 (2019): concrete on hardened concrete that was not roughened 0.6";
-constexpr std::string_view onSoil = "NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60";
+constexpr std::string_view onSoil =
+    "NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60, on silty sand or gravel 0.45-0.55, on fine "
+    "silty sand 0.35-0.45";
 constexpr std::string_view onBed =
     "NAVFAC DM 7.02 (1986): concrete or masonry on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45";
 constexpr std::string_view steelOn =
@@ -29,22 +31,60 @@ constexpr std::string_view steel = "lower end of the laboratory values for hard 
 constexpr std::string_view soft = "lower half of the range for soil and rubble, 0.05-0.3, Wyllie (2014)";
 constexpr std::string_view bed = "lower end of the range for soil, 0.05-0.3, Wyllie (2014)";
 
+// Ranges of these sources. Assumed: the source has one number, or those of another pair.
+constexpr CoefficientRange quarriedRange{0.55, 0.70};
+constexpr CoefficientRange quarriedForOthers{0.55, 0.70, true};
+constexpr CoefficientRange hardenedRange{0.5, 0.7, true};
+constexpr CoefficientRange onSoilRange{0.35, 0.60};
+constexpr CoefficientRange onBedRange{0.35, 0.55};
+constexpr CoefficientRange steelOnRange{0.4, 0.57, true};
+constexpr CoefficientRange steelOnSteelRange{0.30, 0.57};
+constexpr CoefficientRange steelOnSoilRange{0.30, 0.40};
+constexpr CoefficientRange steelOnBedRange{0.20, 0.25};
+constexpr CoefficientRange hardRange{0.2, 0.5};
+constexpr CoefficientRange hardForOthers{0.2, 0.5, true};
+constexpr CoefficientRange steelRange{0.3, 0.5, true};
+constexpr CoefficientRange softRange{0.05, 0.3};
+constexpr CoefficientRange softForOthers{0.05, 0.3, true};
+
 }  // namespace
 
 const std::vector<PairSource>& pairSources() {
     using enum Material;
     static const std::vector<PairSource> rows{
-        {{Stone, Stone}, {0.65, 0.2}, quarried, hard},      {{Stone, Concrete}, {0.65, 0.2}, quarried, hard},
-        {{Stone, Steel}, {0.45, 0.2}, steelOn, hard},       {{Stone, Masonry}, {0.65, 0.2}, quarried, hard},
-        {{Stone, Soil}, {0.55, 0.1}, onSoil, soft},         {{Stone, WaterBed}, {0.45, 0.05}, onBed, bed},
-        {{Concrete, Concrete}, {0.6, 0.2}, hardened, hard}, {{Concrete, Steel}, {0.45, 0.2}, steelOn, hard},
-        {{Concrete, Masonry}, {0.6, 0.2}, hardened, hard},  {{Concrete, Soil}, {0.55, 0.1}, onSoil, soft},
-        {{Concrete, WaterBed}, {0.45, 0.05}, onBed, bed},   {{Steel, Steel}, {0.4, 0.3}, steelOnSteel, steel},
-        {{Steel, Masonry}, {0.45, 0.2}, steelOn, hard},     {{Steel, Soil}, {0.4, 0.1}, steelOnSoil, soft},
-        {{Steel, WaterBed}, {0.25, 0.05}, steelOnBed, bed}, {{Masonry, Masonry}, {0.65, 0.2}, quarried, hard},
-        {{Masonry, Soil}, {0.55, 0.1}, onSoil, soft},       {{Masonry, WaterBed}, {0.45, 0.05}, onBed, bed},
+        {{Stone, Stone}, {0.65, 0.2}, quarried, hard, quarriedRange, hardRange},
+        {{Stone, Concrete}, {0.65, 0.2}, quarried, hard, quarriedForOthers, hardRange},
+        {{Stone, Steel}, {0.45, 0.2}, steelOn, hard, steelOnRange, hardForOthers},
+        {{Stone, Masonry}, {0.65, 0.2}, quarried, hard, quarriedForOthers, hardForOthers},
+        {{Stone, Soil}, {0.55, 0.1}, onSoil, soft, onSoilRange, softRange},
+        {{Stone, WaterBed}, {0.45, 0.05}, onBed, bed, onBedRange, softForOthers},
+        {{Concrete, Concrete}, {0.6, 0.2}, hardened, hard, hardenedRange, hardRange},
+        {{Concrete, Steel}, {0.45, 0.2}, steelOn, hard, steelOnRange, hardForOthers},
+        {{Concrete, Masonry}, {0.6, 0.2}, hardened, hard, hardenedRange, hardForOthers},
+        {{Concrete, Soil}, {0.55, 0.1}, onSoil, soft, onSoilRange, softForOthers},
+        {{Concrete, WaterBed}, {0.45, 0.05}, onBed, bed, onBedRange, softForOthers},
+        {{Steel, Steel}, {0.4, 0.3}, steelOnSteel, steel, steelOnSteelRange, steelRange},
+        {{Steel, Masonry}, {0.45, 0.2}, steelOn, hard, steelOnRange, hardForOthers},
+        {{Steel, Soil}, {0.4, 0.1}, steelOnSoil, soft, steelOnSoilRange, softForOthers},
+        {{Steel, WaterBed}, {0.25, 0.05}, steelOnBed, bed, steelOnBedRange, softForOthers},
+        {{Masonry, Masonry}, {0.65, 0.2}, quarried, hard, quarriedForOthers, hardForOthers},
+        {{Masonry, Soil}, {0.55, 0.1}, onSoil, soft, onSoilRange, softForOthers},
+        {{Masonry, WaterBed}, {0.45, 0.05}, onBed, bed, onBedRange, softForOthers},
     };
     return rows;
+}
+
+Message rangeText(const CoefficientRange& range) {
+    // As texts: digits beyond those of the source say nothing.
+    const std::string low = englishNumber(range.low), high = englishNumber(range.high);
+    return range.assumed ? Message{"material.range_assumed", "{0} to {1}, assumed", {low, high}}
+                         : Message{"material.range", "{0} to {1}", {low, high}};
+}
+
+const PairSource* pairSource(MaterialPair pair) {
+    const auto& rows = pairSources();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const PairSource& row) { return row.pair == pair; });
+    return found != rows.end() ? &*found : nullptr;
 }
 
 const std::vector<MaterialPair>& materialPairs() {
@@ -118,6 +158,21 @@ PairTable::PairTable() {
 
 PairTable PairTable::uniform(double friction, double restitution) {
     return PairTable().overriddenBy(friction, restitution);
+}
+
+PairTable PairTable::atLevels(std::optional<double> friction, std::optional<double> restitution) const {
+    const auto move = [](double& value, double byDefault, const CoefficientRange& range, std::optional<double> level) {
+        if (level && value == byDefault) {
+            value = range.low + *level * (range.high - range.low);
+        }
+    };
+    PairTable table = *this;
+    for (const PairSource& row : pairSources()) {
+        PairProperties& pair = table.of(row.pair.first, row.pair.second);
+        move(pair.friction, row.value.friction, row.frictionRange, friction);
+        move(pair.restitution, row.value.restitution, row.restitutionRange, restitution);
+    }
+    return table;
 }
 
 PairTable PairTable::overriddenBy(std::optional<double> friction, std::optional<double> restitution) const {

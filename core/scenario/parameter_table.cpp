@@ -161,6 +161,13 @@ std::vector<Parameter> simulationRows() {
                 "Coulomb coefficient of every contact. Automatic: by pair of materials.")
         .number("restitution", "", 0, 1, RUBBLE_AT(simulation.restitution), "Restitution",
                 "Normal restitution of every hit. Automatic: by pair of materials.")
+        .number(
+            "friction_level", "", 0, 1, RUBBLE_AT(simulation.frictionLevel), "Level of friction",
+            "Where the friction of each pair of materials lies in the range of its source: 0 the least, 1 the greatest, for all "
+            "pairs alike. A pair that was set stays. Automatic: the number of the table.")
+        .number("restitution_level", "", 0, 1, RUBBLE_AT(simulation.restitutionLevel), "Level of restitution",
+                "Where the restitution of each pair of materials lies in the range of its source: 0 the least, 1 the greatest, for "
+                "all pairs alike. A pair that was set stays. Automatic: the number of the table.")
         .toggle("freeze", RUBBLE_AT(simulation.freeze), "Freeze bodies at rest",
                 "Bodies that have come to rest are held until something disturbs them. Off: a pile creeps and costs time for ever.")
         .number("freeze_speed", "m/s", 0, 10, RUBBLE_AT(simulation.freezeSpeed), "Freeze below",

@@ -79,11 +79,13 @@ struct SimulationSettings {
     ClusterShape shape = ClusterShape::Auto;
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;
-    double pieceSize = 4.0;             ///< m, cells of the grid boxes
-    double gravity = standardGravity;   ///< m/s2, downwards
-    double groundHeight = 0.0;          ///< m
-    std::optional<double> friction;     ///< of every pair of materials; unset: by pair
-    std::optional<double> restitution;  ///< the same
+    double pieceSize = 4.0;                  ///< m, cells of the grid boxes
+    double gravity = standardGravity;        ///< m/s2, downwards
+    double groundHeight = 0.0;               ///< m
+    std::optional<double> friction;          ///< of every pair of materials; unset: by pair
+    std::optional<double> restitution;       ///< the same
+    std::optional<double> frictionLevel;     ///< in the range of the source of each pair, 0 to 1; unset: the number of the table
+    std::optional<double> restitutionLevel;  ///< the same
     bool freeze = true;
     double freezeSpeed = 0.02;    ///< m/s of the fastest corner
     double freezeDelay = 0.5;     ///< s below it
@@ -145,6 +147,12 @@ struct Scenario {
 /// are a hundred times as heavy trembles and sinks in longer ones (docs/solver.md).
 inline int substepsOf(const Scenario& scenario) {
     return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 16);
+}
+
+/// Friction and restitution of every pair of materials as a run takes them: at its levels, less what was set for pairs or for all.
+inline PairTable actingPairs(const Scenario& scenario) {
+    const SimulationSettings& s = scenario.simulation;
+    return scenario.effects.pairs.atLevels(s.frictionLevel, s.restitutionLevel).overriddenBy(s.friction, s.restitution);
 }
 
 /// The collision shape that clusters take, settled where it is left to the program.

@@ -25,6 +25,7 @@
 #include "io/site/photograph_file.h"
 #include "io/site/site_place.h"
 #include "io/site/survey_file.h"
+#include "io/validation/kept_validation.h"
 
 namespace rubble::io {
 
@@ -356,6 +357,9 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     addSurveys(facts, request, execution);
     addAccuracy(facts, request, execution);
     addEnsemble(facts, request, execution);
+    if (!request.studyFolder.empty()) {
+        facts.validation = keptValidations(request.studyFolder, facts.findings);
+    }
     if (request.repeats > 0) {
         execution.report({"report.repeating", "Simulating the run again, and its repeats", {}}, 0.2);
         StudySettings settings;

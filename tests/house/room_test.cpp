@@ -21,7 +21,7 @@ const std::vector<Storeys>& storeys() {
     static const std::vector<Storeys> table{
         {"core",
          {"base", "fe", "scenario", "fragments", "clusters", "trajectory", "engine", "simulation", "pipeline", "analysis",
-          "evidence", "validation", "selftest"}},
+          "validation", "evidence", "selftest"}},
         {"core/engine", {"world", "soft", "bullet"}},
         {"core/simulation", {"bodies", "effects", "health", "run"}},
         {"core/analysis", {"debris", "accuracy"}},

@@ -220,6 +220,19 @@ TEST(ContactTable, ATypedValueIsAnEditAndAnEmptyCellGivesTheDefaultBack) {
     EXPECT_EQ(scenario, Scenario()) << "the default is back";
 }
 
+TEST(ContactTable, TellsTheRangeOfEachPairAndMovesAlongIt) {
+    ContactTable table;
+    table.setMaterials({Material::Stone, Material::Soil});
+    EXPECT_TRUE(table.table()->item(1, ContactTable::Friction)->toolTip().contains(QStringLiteral("0.35 to 0.6")))
+        << table.table()->item(1, ContactTable::Friction)->toolTip().toStdString();
+    EXPECT_EQ(table.table()->item(1, ContactTable::Friction)->text(), QStringLiteral("0.55"));
+    Scenario scenario;
+    setParameter(scenario, "friction_level", 0.0);
+    table.setScenario(scenario);
+    EXPECT_EQ(table.table()->item(1, ContactTable::Friction)->text(), QStringLiteral("0.35"));
+    EXPECT_EQ(table.table()->item(1, ContactTable::Restitution)->text(), QStringLiteral("0.1"));
+}
+
 TEST(ContactTable, DeleteGivesTheDefaultBack) {
     ContactTable table;
     Scenario scenario;

@@ -47,7 +47,7 @@ AccuracyPage::AccuracyPage(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 12, 16, 12);
     column->setSpacing(8);
-    auto* title = new QLabel(tr("What accuracy costs"));
+    auto* title = new QLabel(tr("What agreement with the reference costs"));
     title->setFont(titleFont());
     column->addWidget(title);
     m_sentence->setObjectName(QStringLiteral("muted"));

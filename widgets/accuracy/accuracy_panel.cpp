@@ -42,7 +42,10 @@ QString tolerancesText(const std::vector<double>& tolerances) {
 }  // namespace
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
-    : Panel(tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), parent),
+    : Panel(tr("Accuracy"),
+            tr("Agreement with the reference (verification, no validation), what it costs in time, and which differences mean "
+               "something."),
+            parent),
       m_multiples(new QLineEdit(QStringLiteral("auto, 1.5, 2, 3, 4"))),
       m_varied(new QLineEdit),
       m_toleranceField(new QLineEdit(QStringLiteral("0.1, 0.2, 0.3"))),

@@ -132,6 +132,7 @@ ContactTable::ContactTable(QWidget* parent)
 
 void ContactTable::setScenario(const Scenario& scenario) {
     m_pairs = scenario.effects.pairs;
+    m_acting = actingPairs(scenario);
     m_friction = scenario.simulation.friction;
     m_restitution = scenario.simulation.restitution;
     m_complaint->hide();
@@ -205,26 +206,28 @@ void ContactTable::fillRow(int row, MaterialPair pair) {
     };
     const QString name = tr("%1 on %2").arg(shownName(materialName(pair.first)), shownName(materialName(pair.second)));
     plain(Pair, name, name);
-    const auto& sources = pairSources();
-    const auto source = std::find_if(sources.begin(), sources.end(), [&](const PairSource& each) { return each.pair == pair; });
+    const PairSource* source = pairSource(pair);
     QStringList cited;
     QString tip;
     for (const int column : {Friction, Restitution}) {
         const std::optional<double> held = column == Friction ? m_friction : m_restitution;
         const QString what = column == Friction ? tr("Friction") : tr("Restitution");
-        auto* item = plain(column, shownCoefficient(held.value_or(valueOf(m_pairs.of(pair.first, pair.second), column))), {});
+        auto* item = plain(column, shownCoefficient(valueOf(m_acting.of(pair.first, pair.second), column)), {});
         const bool own = changed(pair, column) && !held;
         const QString words =
-            source != sources.end() ? said("messages", column == Friction ? source->friction : source->restitution) : QString();
+            source != nullptr ? said("messages", column == Friction ? source->friction : source->restitution) : QString();
+        const QString range = source != nullptr
+                                  ? worded(rangeText(column == Friction ? source->frictionRange : source->restitutionRange))
+                                  : QString();
         if (held) {
             item->setForeground(tints().muted);
             item->setToolTip(tr("One %1 is set for all pairs; give it back to automatic to use the table.").arg(what.toLower()));
         } else {
             item->setFlags(item->flags() | Qt::ItemIsEditable);
             item->setData(changedRole, own);
-            item->setToolTip(own && source != sources.end() ? tr("Set here. Default %1: Delete or the mark gives it back.")
-                                                                  .arg(shownCoefficient(valueOf(source->value, column)))
-                                                            : words);
+            item->setToolTip(own && source != nullptr ? tr("Set here. Default %1: Delete or the mark gives it back.")
+                                                            .arg(shownCoefficient(valueOf(source->value, column)))
+                                                      : inOneLine({words, range}));
         }
         QFont font = m_table->font();
         font.setWeight(own ? QFont::DemiBold : QFont::Normal);
@@ -232,7 +235,7 @@ void ContactTable::fillRow(int row, MaterialPair pair) {
         const QString mark = own || held ? tr("set") : words.isEmpty() ? QString(QChar(0x2013)) : cite(words);
         cited << mark;
         tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) +
-               QStringLiteral("%1: %2").arg(what, own || held ? tr("set by you") : words);
+               QStringLiteral("%1: %2").arg(what, own || held ? tr("set by you") : inOneLine({words, range}));
     }
     plain(Source, cited[0] == cited[1] ? cited[0] : cited.join(QStringLiteral(", ")), tip);
 }
@@ -254,7 +257,7 @@ void ContactTable::typed(int row, int column) {
         value = QLocale::c().toDouble(text, &ok);
     }
     const Parameter& parameter = *findParameter(key.toStdString()).first;
-    const double before = valueOf(m_pairs.of(pair.first, pair.second), column);
+    const double before = valueOf(m_acting.of(pair.first, pair.second), column);
     const bool good = ok && std::isfinite(value) && value >= parameter.low && value <= parameter.high;
     const bool same = text == shownCoefficient(before);
     // The scenario says what is shown: a value that is refused goes back.

@@ -48,7 +48,8 @@ private:
     QCheckBox* m_all;
     QLabel* m_complaint;
     QLabel* m_sources;
-    PairTable m_pairs;
+    PairTable m_pairs;                    // as they were set
+    PairTable m_acting;                   // as a run takes them
     std::optional<double> m_friction;     // holds for every pair where set
     std::optional<double> m_restitution;  // the same
     std::set<Material> m_materials;

@@ -265,7 +265,7 @@ void EvidencePanel::buildMasks() {
 }
 
 void EvidencePanel::buildAgreement() {
-    PanelGroup* group = addGroup(tr("Agreement"));
+    PanelGroup* group = addGroup(tr("Agreement with the photograph"));
     m_details.push_back(group);
     m_withFallen->setChecked(true);
     m_withFallen->setToolTip(

@@ -22,7 +22,7 @@ QString gradeWords(HealthGrade grade) {
 QString cautionWords(const std::vector<Caution>& cautions) {
     QStringList parts;
     for (const Caution& caution : cautions) {
-        if (caution.grade != HealthGrade::Notice) {
+        if (caution.inPictures()) {
             parts << worded(caution.what);
         }
     }

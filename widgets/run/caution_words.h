@@ -10,7 +10,7 @@ namespace rubble::widgets {
 /// A passed limit's grade in the language of the window.
 QString gradeWords(HealthGrade grade);
 
-/// What pictures and panels show of cautions, those graver than a notice, in one line; empty: none.
+/// What pictures and panels show of cautions, in one line; empty: none.
 QString cautionWords(const std::vector<Caution>& cautions);
 
 }  // namespace rubble::widgets

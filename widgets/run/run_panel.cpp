@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "core/evidence/cautions.h"
 #include "widgets/basics/wording.h"
 #include "widgets/run/effects_panel.h"
 
@@ -83,6 +84,8 @@ void RunPanel::buildOutcome() {
     m_solver->setToolTip(
         tr("What the solver cost, and what it made of the pile: volume under its surface over volume of material. Broken "
            "rock has 1.3 to 1.7; below 1.15 the pile has squeezed into itself."));
+    const QString single = worded(singleRunCaution().what);
+    m_outcome->addNote(single.left(1).toUpper() + single.mid(1));
     m_bodies = m_outcome->addValue(tr("Bodies at most"));
     m_awake = m_outcome->addValue(tr("Awake at most"), {},
                                   tr("Bodies that moved at one recorded instant; the others cost next to nothing"));

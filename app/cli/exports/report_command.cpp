@@ -192,7 +192,8 @@ Command reportCommand() {
     return {"report",
             "RUN|CASE",
             "a report of a run as PDF and HTML",
-            "Writes question, evidence, method, inputs, results with their spread, accuracy against time, effects, health, "
+            "Writes question, evidence, method, inputs, results with their spread, agreement with the reference, validation, "
+            "effects, health, "
             "self-test and "
             "limits. A run that does not agree with its case or inputs is refused, and what is stale is named. Of a case the "
             "newest run "

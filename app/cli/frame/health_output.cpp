@@ -133,7 +133,7 @@ Json cautionsOf(const io::RunReader& run) {
 
 void printCautions(std::ostream& out, const std::vector<Caution>& cautions) {
     for (const Caution& caution : cautions) {
-        if (caution.grade != HealthGrade::Notice) {
+        if (caution.inPictures()) {
             out << "caution: " << englishText(caution.what) << '\n';
         }
     }

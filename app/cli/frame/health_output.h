@@ -21,7 +21,7 @@ Json acknowledgedJson(const io::Taint& taint);
 Json cautionsJson(const std::vector<Caution>& cautions);
 /// The same for a recorded run.
 Json cautionsOf(const io::RunReader& run);
-/// What is graver than a notice, one line each.
+/// Those that pictures show, one line each.
 void printCautions(std::ostream& out, const std::vector<Caution>& cautions);
 
 /// The breaches as a table, or a sentence that there is none, with what was watched.

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/evidence/ensembles/ensemble.h"
+#include "core/validation/drop_figures.h"
 
 namespace rubble::cli {
 
@@ -10,32 +11,12 @@ namespace {
 
 constexpr std::array allEndings{Ending::AtRest, Ending::Moving, Ending::Left, Ending::Lost, Ending::Refused};
 
-/// A figure that each body has.
-struct DropFigure {
-    const char* key;
-    const char* title;
-    double (*of)(const DropOutcome&, const Vec3& zero);
-};
-constexpr std::array dropFigures{
-    DropFigure{"run_out_m", "run-out [m]", [](const DropOutcome& b, const Vec3&) { return b.runOut; }},
-    DropFigure{"lateral_m", "lateral place [m]", [](const DropOutcome& b, const Vec3&) { return b.lateral; }},
-    DropFigure{"fall_m", "fall [m]", [](const DropOutcome& b, const Vec3&) { return b.fall; }},
-    DropFigure{"path_m", "path length [m]", [](const DropOutcome& b, const Vec3&) { return b.trace.path; }},
-    DropFigure{"contacts", "contacts", [](const DropOutcome& b, const Vec3&) { return static_cast<double>(b.trace.contacts); }},
-    DropFigure{"top_speed_m_s", "top speed [m/s]", [](const DropOutcome& b, const Vec3&) { return b.trace.topSpeed; }},
-    DropFigure{"moving_s", "moving for [s]", [](const DropOutcome& b, const Vec3&) { return b.trace.movedLast - b.trace.from; }},
-    DropFigure{"x_m", "x at the end [m]",
-               [](const DropOutcome& b, const Vec3& zero) { return b.trace.latest.position.x() + zero.x(); }},
-    DropFigure{"y_m", "y at the end [m]",
-               [](const DropOutcome& b, const Vec3& zero) { return b.trace.latest.position.y() + zero.y(); }},
-};
-
 /// Of all bodies that came to rest or still move; what left the terrain or was lost has no end.
 FigureSpread figureSpread(const std::vector<DropRepeat>& repeats, const DropFigure& figure, const Vec3& zero) {
     std::vector<double> values;
     for (const DropRepeat& repeat : repeats) {
         for (const DropOutcome& body : repeat.result.bodies) {
-            if (body.ending == Ending::AtRest || body.ending == Ending::Moving) {
+            if (hasEnd(body)) {
                 values.push_back(figure.of(body, zero));
             }
         }
@@ -71,8 +52,8 @@ TextTable dropTable(const std::vector<DropRepeat>& repeats, const Vec3& zero) {
                                   textCell(std::string(endingName(outcome.ending)))};
             addPose(row, body.pose, zero);
             addPose(row, placed(body, outcome, outcome.trace.latest), zero);
-            for (std::size_t f = 0; f < 7; ++f) {
-                row.push_back(numberCell(dropFigures[f].of(outcome, zero)));
+            for (const DropFigure& figure : dropFigures().first(dropFiguresOfWay)) {
+                row.push_back(numberCell(figure.of(outcome, zero)));
             }
             table.add(std::move(row));
         }
@@ -113,7 +94,7 @@ TextTable dropSummary(const std::vector<DropRepeat>& repeats, const Vec3& zero) 
                      {"5 %", "low"},
                      {"median", "median"},
                      {"95 %", "high"}});
-    for (const DropFigure& figure : dropFigures) {
+    for (const DropFigure& figure : dropFigures()) {
         const FigureSpread spread = figureSpread(repeats, figure, zero);
         table.add({textCell(figure.title), integerCell(static_cast<std::int64_t>(spread.count)), numberCell(spread.mean),
                    numberCell(spread.deviation), numberCell(spread.low), numberCell(spread.middle), numberCell(spread.high)});
@@ -135,7 +116,7 @@ Json dropJson(const std::vector<DropRepeat>& repeats, const Vec3& zero) {
     }
     object["endings"] = std::move(ends);
     Json all;
-    for (const DropFigure& figure : dropFigures) {
+    for (const DropFigure& figure : dropFigures()) {
         const FigureSpread spread = figureSpread(repeats, figure, zero);
         all[figure.key] = Json{{"mean", spread.mean},
                                {"deviation", spread.deviation},

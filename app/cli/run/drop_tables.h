@@ -12,10 +12,10 @@ namespace rubble::cli {
 TextTable dropTable(const std::vector<DropRepeat>& repeats, const Vec3& zero);
 /// One row for each body, repeat and sample.
 TextTable pathTable(const std::vector<DropRepeat>& repeats, const Vec3& zero);
-/// Mean and spread of what the bodies did, one row for each figure.
 /// How many steps a second a run took at least, and why.
 std::string stepsText(const SimulationResult& simulation);
 
+/// Mean and spread of what the bodies did, one row for each figure.
 TextTable dropSummary(const std::vector<DropRepeat>& repeats, const Vec3& zero);
 /// The same: {bodies, repeats, endings, figures}.
 Json dropJson(const std::vector<DropRepeat>& repeats, const Vec3& zero);

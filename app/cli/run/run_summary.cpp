@@ -9,6 +9,7 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "core/base/message.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/maps/run_map.h"
 #include "core/simulation/health/passed_limits.h"
 
@@ -130,7 +131,7 @@ void printSummary(std::ostream& out, const RunReport& report, const std::optiona
     if (!report.results.fragments->list.empty()) {
         facts.add("lies", placeText(figures));
     }
-    facts.add("simulated", courseText(report.results));
+    facts.add("simulated", courseText(report.results) + "; " + englishText(singleRunCaution().what));
     facts.add("at rest", percentOrDash(run.asleepAtEnd) + " of the bodies; " + englishInteger(run.stillMoving) + " still move");
     facts.add("health", healthText(run.health, report.taint));
     const auto findings = static_cast<std::int64_t>(report.findings.list().size());

@@ -12,7 +12,10 @@
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
 #include "core/validation/scene_sets.h"
+#include "io/base/machine.h"
+#include "io/validation/kept_validation.h"
 #include "io/validation/set_folder.h"
+#include "io/validation/validation_json.h"
 
 namespace rubble::cli {
 
@@ -59,6 +62,17 @@ ChosenSets chosenSets(const Arguments& arguments) {
     return chosen;
 }
 
+/// For reports and the window. Where there is no room for it, that is said.
+void keepAll(const std::vector<ValidationRecord>& records, Session& session) {
+    try {
+        for (const ValidationRecord& record : records) {
+            io::keepValidation(record, io::cacheFolder());
+        }
+    } catch (const WorldError& error) {
+        session.err() << "rubble-cli: not kept for reports: " << error.what() << '\n';
+    }
+}
+
 ExitCode validateSets(const Arguments& arguments, Session& session) {
     checkCsvPath(arguments, {});
     const auto start = std::chrono::steady_clock::now();
@@ -81,7 +95,15 @@ ExitCode validateSets(const Arguments& arguments, Session& session) {
         session.err() << scene->about.id << '\n';
         results.push_back(validateScene(*scene, options, session.execution()));
     }
-    writeCsv(arguments, validationTable(results));
+    std::vector<ValidationRecord> records;
+    for (const SetResult& result : results) {
+        records.push_back(recordOf(result));
+    }
+    // Figures of the report and the window are those of sets as they stand.
+    if (!arguments.has("--repeats") && !arguments.has("--seed")) {
+        keepAll(records, session);
+    }
+    writeCsv(arguments, validationTable(records));
     std::vector<std::string> pictures;
     if (const auto folder = arguments.value("--pictures")) {
         pictures = drawValidation(results, *folder);
@@ -89,16 +111,18 @@ ExitCode validateSets(const Arguments& arguments, Session& session) {
     if (arguments.json()) {
         Json object;
         object["sets"] = Json::array();
-        for (const SetResult& result : results) {
-            object["sets"].push_back(validationJson(result));
+        for (std::size_t i = 0; i < records.size(); ++i) {
+            Json set = io::validationJson(records[i]);
+            set["warnings"] = findingsJson(results[i].findings);
+            object["sets"].push_back(std::move(set));
         }
         object["pictures"] = pictures;
         object["wall_s"] = secondsSince(start);
         printJson(session, object);
         return ExitCode::Ok;
     }
-    for (const SetResult& result : results) {
-        printValidation(session.out(), result);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        printValidation(session.out(), records[i], results[i].findings);
         session.out() << '\n';
     }
     for (const std::string& path : pictures) {

@@ -5,15 +5,13 @@
 
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/text_table.h"
-#include "core/validation/validate.h"
+#include "core/validation/validation_record.h"
 
 namespace rubble::cli {
 
 /// What was measured beside what was simulated, variant by variant, with parameters and criteria.
-void printValidation(std::ostream& out, const SetResult& result);
+void printValidation(std::ostream& out, const ValidationRecord& record, const Findings& findings);
 /// One row for each figure.
-TextTable validationTable(const std::vector<SetResult>& results);
-/// {id, title, source, licence, folder, bodies, variants [...], warnings}; the manual lists the keys.
-Json validationJson(const SetResult& result);
+TextTable validationTable(const std::vector<ValidationRecord>& records);
 
 }  // namespace rubble::cli

@@ -152,6 +152,7 @@ enum class ActionId {
     Tour,
     Manual,
     ManualSearch,
+    Validation,
     About
 };
 

@@ -105,7 +105,10 @@ std::vector<widgets::RailEntry> PanelDeck::entries() {
             {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
             {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
             {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run},
-            {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy},
+            {tr("Accuracy"),
+             tr("Agreement with the reference (verification, no validation), what it costs in time, and which differences mean "
+                "something."),
+             widgets::Glyph::Accuracy},
             {tr("Evidence"), tr("What photographs show, and how far the simulated debris agrees."), widgets::Glyph::Evidence},
             {tr("Report"), tr("What was asked, what was found, and how sure that is."), widgets::Glyph::Report}};
 }

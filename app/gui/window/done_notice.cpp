@@ -37,7 +37,8 @@ DoneNotice::DoneNotice(MainWindow& window, int longMs, Show show)
 bool DoneNotice::working() const {
     const WindowRooms& rooms = m_window.rooms();
     return m_window.session().computation().busy() || rooms.accuracy->work().running() || rooms.calibration->work().running() ||
-           rooms.errors->work().running() || rooms.studies->work().running() || rooms.survey->busy() || rooms.report->writing();
+           rooms.validation->work().running() || rooms.errors->work().running() || rooms.studies->work().running() ||
+           rooms.survey->busy() || rooms.report->writing();
 }
 
 void DoneNotice::look() {

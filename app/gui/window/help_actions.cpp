@@ -21,6 +21,13 @@ const std::array helpTable = {
               QT_TRANSLATE_NOOP("actions", "The page of the manual about what has the focus"), "F1", Glyph::Help},
     ActionRow{ActionId::ManualSearch, "manual_search", "Help", QT_TRANSLATE_NOOP("actions", "Search the manual…"),
               QT_TRANSLATE_NOOP("actions", "Find words in the manual"), "Shift+F1", Glyph::Search},
+    ActionRow{ActionId::Validation,
+              "validation",
+              "Help",
+              QT_TRANSLATE_NOOP("actions", "Validation…"),
+              QT_TRANSLATE_NOOP("actions", "How far simulated falls are from measured ones: the known rate of error"),
+              "",
+              {}},
     ActionRow{ActionId::About, "about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"),
               QT_TRANSLATE_NOOP("actions", "Version and method"), "", Glyph::About},
 };

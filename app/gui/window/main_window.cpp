@@ -264,6 +264,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_session.computation().cancel();
     m_rooms->accuracy->work().cancel();
     m_rooms->calibration->work().cancel();
+    m_rooms->validation->work().cancel();
     m_rooms->errors->work().cancel();
     m_rooms->evidence->work().cancel();
     m_rooms->survey->cancel();

@@ -9,6 +9,7 @@
 #include "app/gui/accuracy/forecast_display.h"
 #include "app/gui/case/project_files.h"
 #include "app/gui/evidence/evidence_studies.h"
+#include "app/gui/evidence/validation_display.h"
 #include "app/gui/run/health_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -49,6 +50,7 @@ RunControl::RunControl(Session& session, const Shown& shown, Actions& actions, Q
     connect(&m_computation, &Computation::runReopened, this, &RunControl::runReopened);
     connect(&m_shown.accuracy, &AccuracyDisplay::changed, this, &RunControl::changed);
     connect(&m_shown.calibration, &CalibrationDisplay::changed, this, &RunControl::changed);
+    connect(&m_shown.validation, &ValidationDisplay::changed, this, &RunControl::changed);
     connect(&m_shown.errors, &ErrorDisplay::changed, this, &RunControl::changed);
     connect(&m_shown.studies, &EvidenceStudies::changed, this, &RunControl::changed);
     connect(&m_shown.accuracy.work(), &AccuracyWork::ended, &m_shown.forecast, &ForecastDisplay::pointsAdded);
@@ -61,6 +63,7 @@ void RunControl::cancel() {
     } else {
         m_shown.accuracy.work().cancel();
         m_shown.calibration.work().cancel();
+        m_shown.validation.work().cancel();
         m_shown.errors.work().cancel();
         m_shown.studies.work().cancel();
     }
@@ -134,6 +137,9 @@ QString RunControl::costlyWork() const {
     if (m_shown.calibration.work().running()) {
         return tr("This machine is being calibrated: work beside it would spoil the times.");
     }
+    if (m_shown.validation.work().running()) {
+        return tr("Measured falls are being simulated.");
+    }
     if (m_shown.errors.work().running()) {
         return tr("A reference is being computed.");
     }
@@ -146,6 +152,7 @@ void RunControl::showBusy() {
     const QString all = simulating ? tr("A run is being simulated.") : others;
     m_shown.accuracy.setBusy(m_shown.accuracy.work().running() ? QString() : others);
     m_shown.calibration.setBusy(m_shown.calibration.work().running() ? QString() : all);
+    m_shown.validation.setBusy(m_shown.validation.work().running() ? QString() : all);
     m_shown.errors.setBusy(m_shown.errors.work().running() ? QString() : all);
     m_shown.studies.setBusy(m_shown.studies.work().running() ? QString() : others);
 }

@@ -17,6 +17,7 @@ class PanelDeck;
 class SceneDisplay;
 class Session;
 class StatusFeed;
+class ValidationDisplay;
 
 /// Starts and ends runs, shows what came of them, and keeps work apart that would spoil each other's times.
 class RunControl : public QObject {
@@ -32,6 +33,7 @@ public:
         StatusFeed& feed;
         AccuracyDisplay& accuracy;
         CalibrationDisplay& calibration;
+        ValidationDisplay& validation;
         ErrorDisplay& errors;
         EvidenceStudies& studies;
     };

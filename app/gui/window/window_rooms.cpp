@@ -51,6 +51,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       map(std::make_unique<MapDisplay>(session, *playback, inspection->docks(), parts.actions)),
       grid(std::make_unique<GridDisplay>(session, *deck)),
       calibration(std::make_unique<CalibrationDisplay>(session, *deck, parts.window)),
+      validation(std::make_unique<ValidationDisplay>(session, parts.actions, parts.window)),
       forecast(std::make_unique<ForecastDisplay>(session, *grid, calibration->work(), *deck)),
       accuracy(std::make_unique<AccuracyDisplay>(session, *deck, parts.accuracyPage)),
       health(std::make_unique<HealthDisplay>(session, *deck, *playback, parts.area, parts.timeline)),
@@ -58,7 +59,8 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       opening(std::make_unique<Opening>(session, Opening::Shown{*deck, parts.area, *playback, *scene, *health, *inspection, *files},
                                         parts.actions, parts.window)),
       runs(std::make_unique<RunControl>(
-          session, RunControl::Shown{*deck, *scene, *health, *forecast, *feed, *accuracy, *calibration, *errors, *studies},
+          session,
+          RunControl::Shown{*deck, *scene, *health, *forecast, *feed, *accuracy, *calibration, *validation, *errors, *studies},
           parts.actions)),
       project(std::make_unique<ProjectDisplay>(session, *deck, parts.area, parts.actions, parts.notices, inspection->docks(),
                                                parts.window)),

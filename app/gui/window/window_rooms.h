@@ -14,6 +14,7 @@
 #include "app/gui/evidence/evidence_studies.h"
 #include "app/gui/evidence/map_display.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/validation_display.h"
 #include "app/gui/exports/picture_export.h"
 #include "app/gui/exports/report_work.h"
 #include "app/gui/run/health_display.h"
@@ -87,6 +88,7 @@ struct WindowRooms {
     std::unique_ptr<MapDisplay> map;
     std::unique_ptr<GridDisplay> grid;
     std::unique_ptr<CalibrationDisplay> calibration;
+    std::unique_ptr<ValidationDisplay> validation;
     std::unique_ptr<ForecastDisplay> forecast;
     std::unique_ptr<AccuracyDisplay> accuracy;
     std::unique_ptr<HealthDisplay> health;

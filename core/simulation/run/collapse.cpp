@@ -39,7 +39,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
             world.reach.extend(component.bounds);
         }
     }
-    world.pairs = description.scenario.effects.pairs.overriddenBy(s.friction, s.restitution);
+    world.pairs = actingPairs(description.scenario);
     world.iterations = s.iterations;
     world.substeps = substepsOf(description.scenario);
     world.threads = execution.threads();

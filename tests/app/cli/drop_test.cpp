@@ -44,6 +44,7 @@ TEST_F(DropRun, TellsWhereEachWent) {
     EXPECT_EQ(made["bodies"], 2);
     EXPECT_EQ(made["endings"]["rest"], 2);
     EXPECT_EQ(made["health_breaches"], 0);
+    EXPECT_EQ(made["cautions"][0]["key"], "single_run");
     EXPECT_NEAR(made["figures"]["fall_m"]["mean"].get<double>(), 2.5, 0.01);
     const std::string ends = textOf(m_folder / "ends.csv");
     EXPECT_THAT(ends, HasSubstr("id,repeat,ending,from_x_m"));
@@ -76,6 +77,7 @@ TEST_F(DropRun, RepeatsAreTurnedAndDrawnAnew) {
     ASSERT_EQ(first.exitCode, 0) << first.err;
     const nlohmann::json made = first.json();
     EXPECT_EQ(made["repeats"], 3);
+    EXPECT_TRUE(made["cautions"].empty()) << "restitution is drawn anew";
     EXPECT_GT(made["figures"]["run_out_m"]["deviation"].get<double>(), 0.0);
     EXPECT_EQ(cli(words).json()["figures"], made["figures"]);
     for (const nlohmann::json& warning : made["warnings"]) {

@@ -8,6 +8,8 @@
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_file.h"
+#include "io/validation/kept_validation.h"
+#include "tests/scenes/validation_records.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
@@ -78,6 +80,10 @@ TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
     const std::vector<std::string> words{m_folder / "small.rubble", "--run", m_out, "--self-test", "none", "--repeats", "0"};
     ASSERT_EQ(report(words).exitCode, 0);
     EXPECT_THAT(html(), HasSubstr("No ensemble was simulated of this case"));
+    EXPECT_THAT(html(), HasSubstr("A single run: what is not known of friction"));
+    EXPECT_THAT(html(), HasSubstr("was not varied: what it does to these figures is not known"));
+    EXPECT_THAT(html(), HasSubstr("0.35 to 0.6")) << "the range of friction on soil, with its source";
+    EXPECT_THAT(html(), testing::Not(HasSubstr("over the ensemble, 5 to 95 %")));
     const Outcome simulated =
         cli({"ensemble", m_folder / "small.rubble", "--members", "3", "--cache", m_folder / "cache", "--json"});
     ASSERT_EQ(simulated.exitCode, 0) << simulated.err;
@@ -88,6 +94,8 @@ TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
     EXPECT_THAT(page, HasSubstr("The case asks for 4 members; 3 of them have been simulated"));
     EXPECT_THAT(page, HasSubstr("uniform from 0.300 to 0.700"));
     EXPECT_THAT(page, HasSubstr("Spread over 3 members"));
+    EXPECT_THAT(page, HasSubstr("over the ensemble, 5 to 95 %"));
+    EXPECT_THAT(page, HasSubstr("With what is not known drawn anew 3 times, nine of ten members have a run-out of"));
     EXPECT_THAT(page, HasSubstr("Probability that debris reaches into a cell, over 3 members"));
     for (const nlohmann::json& member : simulated.json()["list"]) {
         EXPECT_THAT(page, HasSubstr(member["trajectory_hash"].get<std::string>().substr(0, 8))) << "every number traces to its run";
@@ -97,6 +105,22 @@ TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
     io::saveCase(m_folder / "small.rubble", theCase);
     ASSERT_EQ(report(words).exitCode, 0);
     EXPECT_THAT(html(), HasSubstr("No ensemble was simulated of this case"));
+}
+
+TEST_F(ReportCommand, HasWhatCameOfHoldingThisBuildAgainstMeasuredFalls) {
+    const std::vector<std::string> words{m_out, "--self-test", "none", "--repeats", "0"};
+    ASSERT_EQ(report(words).exitCode, 0);
+    EXPECT_THAT(html(), HasSubstr("was not held against measured falls on this machine"));
+    io::keepValidation(scenes::tossRecord(), m_folder / "cache");
+    ASSERT_EQ(report(words).exitCode, 0);
+    const std::string page = html();
+    EXPECT_THAT(page, HasSubstr("Agreement with the reference, in the section before"));
+    EXPECT_THAT(page, HasSubstr("In the terms of ASME V&amp;V 20"));
+    EXPECT_THAT(page, HasSubstr("run-out, Plate [m]"));
+    EXPECT_THAT(page, HasSubstr("−0.250 (−0.375 to −0.125)")) << "E = S - D with its interval";
+    EXPECT_THAT(page, HasSubstr("0.26 (0.030)")) << "the area between the cumulative curves";
+    EXPECT_THAT(page, HasSubstr("assumed: concrete")) << "where the parameters come from";
+    EXPECT_THAT(page, HasSubstr("does not hold"));
 }
 
 TEST_F(ReportCommand, ShowsTheReferenceThatASweepKeptWithItsFloor) {

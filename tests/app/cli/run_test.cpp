@@ -196,9 +196,10 @@ TEST_F(Run, SummaryIsTenLinesThatAPersonReads) {
     const Outcome kept = cli({"run", m_path, "--set", "settle_time=1", "--out", m_out});
     ASSERT_EQ(kept.exitCode, 0) << kept.err;
     EXPECT_LE(linesOf(kept.out).size(), 10u) << kept.out;
-    for (const std::string& said : {std::string("5 fragments, 10 t, in "), std::string("run-out of "),
-                                    std::string(" s of wall time"), std::string("of the bodies"), std::string("health"),
-                                    std::string("findings"), m_out, std::string("--tables prints every table")}) {
+    for (const std::string& said :
+         {std::string("5 fragments, 10 t, in "), std::string("run-out of "), std::string(" s of wall time"),
+          std::string("a single run: "), std::string("of the bodies"), std::string("health"), std::string("findings"), m_out,
+          std::string("--tables prints every table")}) {
         EXPECT_THAT(kept.out, HasSubstr(said));
     }
     EXPECT_THAT(kept.out, testing::Not(HasSubstr("Basic Grid")));

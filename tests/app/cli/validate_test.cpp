@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/validation/kept_validation.h"
 #include "tests/support/command_run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -57,6 +58,21 @@ TEST_F(ValidateRun, HoldsAFewTossesAgainstTheirMeasurements) {
     EXPECT_THAT(textOf(m_folder / "svg/tosses-blind-run_out_m.svg"),
                 testing::AllOf(HasSubstr("<svg"), HasSubstr("run-out [m]"), HasSubstr("</svg>")));
     EXPECT_THAT(textOf(m_folder / "v.csv"), HasSubstr("tosses,fitted,position_error_m.median,m,"));
+}
+
+TEST_F(ValidateRun, KeepsWhatCameOfWholeSetsForReports) {
+    const auto run = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"validate", "--data", m_folder.path()});
+        return CommandRun().with("RUBBLE_CACHE", m_folder / "cache").cli(std::move(more));
+    };
+    Findings findings;
+    ASSERT_EQ(run({"--repeats", "1"}).exitCode, 0);
+    EXPECT_TRUE(io::keptValidations(m_folder / "cache", findings).empty()) << "not as the set stands";
+    ASSERT_EQ(run({}).exitCode, 0);
+    const std::vector<ValidationRecord> kept = io::keptValidations(m_folder / "cache", findings);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].id, "tosses");
+    EXPECT_EQ(kept[0].bodies, 16u);
 }
 
 TEST_F(ValidateRun, RefusesASetWithoutLicence) {

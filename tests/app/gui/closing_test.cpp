@@ -15,6 +15,7 @@
 
 #include "app/gui/accuracy/accuracy_display.h"
 #include "app/gui/accuracy/calibration_display.h"
+#include "app/gui/evidence/validation_display.h"
 #include "app/gui/accuracy/error_display.h"
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/new_case.h"
@@ -31,6 +32,7 @@
 #include "tests/support/small_collapse.h"
 #include "widgets/accuracy/accuracy_panel.h"
 #include "widgets/accuracy/calibration_view.h"
+#include "widgets/evidence/validation_view.h"
 #include "widgets/accuracy/error_bar.h"
 
 namespace rubble {
@@ -64,6 +66,11 @@ public:
         shown().rooms().calibration->work().setBodies({8});
         shown().rooms().calibration->view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
         return shown().rooms().calibration->work().running();
+    }
+    bool validation() {
+        shown().rooms().validation->open();
+        shown().rooms().validation->view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        return shown().rooms().validation->work().running();
     }
     bool reference() {
         shown().area().errorBar().findChild<QPushButton*>(QStringLiteral("computeReference"))->click();
@@ -162,6 +169,7 @@ const WorkKind kinds[] = {
          return at.shown().rooms().report->writing();
      }},
     {"Calibrating", [](Closing& at) { return at.calibration(); }},
+    {"HoldingAgainstMeasuredFalls", [](Closing& at) { return at.validation(); }},
     {"ComputingAReference", [](Closing& at) { return at.reference(); }},
     {"ComparingSettings", [](Closing& at) { return at.comparison(); }},
     {"SimulatingMembers", [](Closing& at) { return at.members(); }},

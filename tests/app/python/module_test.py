@@ -206,6 +206,49 @@ class Runs(unittest.TestCase):
         self.assertEqual(caught.exception.id, "python.not_complete")
 
 
+class Drops(unittest.TestCase):
+    def table(self, folder, rows):
+        path = os.path.join(folder, "bodies.csv")
+        with open(path, "w") as file:
+            file.write("id,mass_kg,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m,material\n" + rows)
+        return path
+
+    def test_bodies_come_to_rest_as_by_the_command_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = self.table(folder, "a,480,1,1,0.2,0,0,2.1,stone\nb,480,1,1,0.2,0,9,5.1,stone\n")
+            made = rubble.drop(path, settings={"friction": 0.5})
+            self.assertEqual(made.ids, ["a", "b"])
+            self.assertEqual(made.endings, [["rest", "rest"]])
+            self.assertEqual(made.final_positions.shape, (1, 2, 3))
+            np.testing.assert_allclose(made.start_positions[0, :, 2], [2.1, 5.1])
+            np.testing.assert_allclose(made.figure("fall_m")[0], [2.0, 5.0], atol=0.01)
+            np.testing.assert_allclose(np.linalg.norm(made.final_orientations, axis=-1), 1.0, rtol=1e-9)
+            self.assertEqual(len(made.cautions), 1, "it is a single run")
+            out = subprocess.run([os.environ["RUBBLE_CLI"], "drop", path, "--set", "friction=0.5", "--json"], capture_output=True)
+            told = json.loads(out.stdout)
+            self.assertAlmostEqual(told["figures"]["fall_m"]["mean"], float(np.mean(made.figure("fall_m"))), places=12)
+
+    def test_repeats_draw_anew(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = self.table(folder, "a,480,1,0.5,0.2,0,0,3,stone\n")
+            made = rubble.drop(path, turn=True, repeats=3, vary={"restitution_level": "uniform:0:1"})
+            self.assertEqual(made.figure("run_out_m").shape, (3, 1))
+            self.assertEqual(len({drawn["restitution_level"] for drawn in made.drawn}), 3)
+            self.assertEqual(made.cautions, [])
+            again = rubble.drop(path, turn=True, repeats=3, vary={"restitution_level": "uniform:0:1"})
+            np.testing.assert_array_equal(made.final_positions, again.final_positions)
+
+    def test_what_cannot_be_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = self.table(folder, "a,480,1,1,0.2,0,0,-1,stone\n")
+            with self.assertRaisesRegex(rubble.ParseError, "below the surface"):
+                rubble.drop(path)
+            with self.assertRaises(rubble.UsageError):
+                rubble.drop(self.table(folder, "a,480,1,1,0.2,0,0,1,stone\n"), repeats=0)
+            with self.assertRaisesRegex(rubble.UsageError, "no figure"):
+                rubble.drop(self.table(folder, "a,480,1,1,0.2,0,0,1,stone\n")).figure("height")
+
+
 class Refusals(unittest.TestCase):
     def refused(self, identity, *words, call):
         with self.assertRaises(rubble.UsageError) as caught:

@@ -114,6 +114,23 @@ TEST(Ensemble, ChoicesAreEquallyLikely) {
     }
 }
 
+TEST(Ensemble, MembersDrawByDefaultFromTheRangesOfTheMaterials) {
+    const EnsembleSettings settings{usualVariations(), 40, 1};
+    const PairSource& row = *pairSource({Material::Stone, Material::Soil});
+    double least = 1.0, most = 0.0;
+    for (std::int64_t member = 0; member < settings.members; ++member) {
+        const PairProperties pair = actingPairs(memberScenario({}, settings, member)).of(Material::Soil, Material::Stone);
+        EXPECT_GE(pair.friction, row.frictionRange.low);
+        EXPECT_LE(pair.friction, row.frictionRange.high);
+        EXPECT_GE(pair.restitution, row.restitutionRange.low);
+        EXPECT_LE(pair.restitution, row.restitutionRange.high);
+        least = std::min(least, pair.friction);
+        most = std::max(most, pair.friction);
+    }
+    EXPECT_GT(most - least, 0.8 * (row.frictionRange.high - row.frictionRange.low));
+    EXPECT_EQ(actingPairs(Scenario()), PairTable()) << "a single run takes the numbers of the table";
+}
+
 TEST(Ensemble, MembersHaveWhatWasDrawnAndASeedOfTheirOwn) {
     const EnsembleSettings settings{usualVariations(), 8, 1};
     Scenario scenario;

@@ -74,6 +74,46 @@ TEST(PairTable, IsSymmetricAndEveryDefaultHasItsSource) {
     EXPECT_EQ(names.size(), 18u);
 }
 
+std::string decimals(double value) {
+    std::string text = std::to_string(value).substr(0, 4);
+    return text.back() == '0' ? text.substr(0, 3) : text;
+}
+
+TEST(PairTable, EveryCoefficientHasARangeThatItsSourceNamesOrThatIsAssumed) {
+    int published = 0;
+    for (const PairSource& row : pairSources()) {
+        const auto check = [&](double value, const CoefficientRange& range, std::string_view source) {
+            EXPECT_LT(range.low, range.high) << pairName(row.pair);
+            EXPECT_GE(value, range.low) << pairName(row.pair);
+            EXPECT_LE(value, range.high) << pairName(row.pair);
+            if (!range.assumed) {
+                ++published;
+                EXPECT_NE(source.find(decimals(range.low)), std::string_view::npos) << pairName(row.pair) << ' ' << source;
+                EXPECT_NE(source.find(decimals(range.high)), std::string_view::npos) << pairName(row.pair) << ' ' << source;
+            }
+        };
+        check(row.value.friction, row.frictionRange, row.friction);
+        check(row.value.restitution, row.restitutionRange, row.restitution);
+        EXPECT_EQ(pairSource(row.pair), &row);
+    }
+    EXPECT_GT(published, 10);
+    EXPECT_EQ(pairSource({Material::Soil, Material::Soil}), nullptr);
+    EXPECT_EQ(englishText(rangeText({0.5, 0.7, true})), "0.5 to 0.7, assumed");
+    EXPECT_EQ(englishText(rangeText({0.35, 0.6})), "0.35 to 0.6");
+}
+
+TEST(PairTable, MovesAlongItsRangesButForWhatWasSet) {
+    PairTable table;
+    table.of(Material::Stone, Material::Stone).friction = 0.31;
+    EXPECT_EQ(table.atLevels({}, {}), table);
+    const PairTable least = table.atLevels(0.0, {}), most = table.atLevels({}, 1.0), middle = table.atLevels(0.5, {});
+    EXPECT_DOUBLE_EQ(least.of(Material::Soil, Material::Stone).friction, 0.35);
+    EXPECT_DOUBLE_EQ(middle.of(Material::Stone, Material::Soil).friction, 0.475);
+    EXPECT_EQ(least.of(Material::Stone, Material::Soil).restitution, 0.1) << "the other coefficient stays";
+    EXPECT_DOUBLE_EQ(most.of(Material::Stone, Material::Soil).restitution, 0.3);
+    EXPECT_EQ(least.of(Material::Stone, Material::Stone).friction, 0.31) << "set by somebody";
+}
+
 TEST(PairTable, OneNumberTakesThePlaceOfAll) {
     const PairTable table = PairTable().overriddenBy(0.7, std::nullopt);
     EXPECT_EQ(table.of(Material::Steel, Material::Soil).friction, 0.7);
@@ -87,8 +127,9 @@ TEST(PairTable, IsPrintedInTheManualWithItsSources) {
     const std::string manual{std::istreambuf_iterator<char>(file), {}};
     for (const PairSource& row : pairSources()) {
         const std::string line = "| `" + pairName(row.pair) + "` | " + englishNumber(row.value.friction) + " | " +
-                                 std::string(row.friction) + " | " + englishNumber(row.value.restitution) + " | " +
-                                 std::string(row.restitution) + " |";
+                                 englishText(rangeText(row.frictionRange)) + " | " + std::string(row.friction) + " | " +
+                                 englishNumber(row.value.restitution) + " | " + englishText(rangeText(row.restitutionRange)) +
+                                 " | " + std::string(row.restitution) + " |";
         EXPECT_NE(manual.find(line), std::string::npos) << "not in the manual: " << line;
     }
 }

@@ -61,6 +61,14 @@ void ReportSections::addEnsemble() {
     addEnsembleSpread();
 }
 
+QString ReportSections::memberSpread(MemberMeasure measure) const {
+    if (m_facts.ensemble == nullptr || m_facts.ensemble->done().size() < 2) {
+        return QStringLiteral("–");
+    }
+    const FigureSpread spread = spreadOf(*m_facts.ensemble, measure);
+    return tr("%1 to %2").arg(reportNumber(spread.low), reportNumber(spread.high));
+}
+
 void ReportSections::addEnsembleSpread() {
     const EnsembleReport& ensemble = *m_facts.ensemble;
     ReportTable table;

@@ -46,26 +46,43 @@ void ReportSections::addMeasures() {
         QLatin1Char(' ') +
         (moving == 0 ? tr("(all at rest at the end of the run)")
                      : tr("(%1 bodies still move at the end of the run)").arg(countText(static_cast<std::size_t>(moving))));
+    const bool varied = m_facts.ensemble != nullptr && m_facts.ensemble->done().size() > 1;
     table.columns = QStringList{tr("measure"), tr("unit"), tr("at the end (range)"), tr("at the FE end")};
     table.words = {true, true, false, false};
     table.shares = {0.4, 0.1, 0.32, 0.18};
-    const auto row = [&](const QString& name, const QString& unit, double DebrisFigures::* figure) {
+    if (varied) {
+        table.columns << tr("over the ensemble, 5 to 95 %");
+        table.words.push_back(false);
+        table.shares = {0.34, 0.08, 0.26, 0.12, 0.2};
+    }
+    // The ensemble lays its members on cells of its own: what depends on them stands in its chapter.
+    const auto members = [&](std::optional<MemberMeasure> measure) {
+        if (varied) {
+            table.rows.back().push_back(measure ? memberSpread(*measure) : QStringLiteral("–"));
+        }
+    };
+    const auto row = [&](const QString& name, const QString& unit, double DebrisFigures::* figure,
+                         std::optional<MemberMeasure> measure = std::nullopt) {
         table.rows.push_back(
             {name, unit, rangedNumber(m_facts.atRest.*figure, rangeOver(m_facts, figure)), reportNumber(m_facts.atFeEnd.*figure)});
+        members(measure);
     };
     table.rows.push_back({tr("mass of the fragments"), QStringLiteral("t"), reportNumber(1e-3 * m_facts.atRest.mass, ledgerDigits),
                           reportNumber(1e-3 * m_facts.atFeEnd.mass, ledgerDigits)});
+    members(std::nullopt);
     row(tr("footprint, 1 m cells"), QStringLiteral("m²"), &DebrisFigures::footprintArea);
     row(tr("core, 95 % of the mass in 2 m cells"), QStringLiteral("m²"), &DebrisFigures::coreArea);
-    row(tr("run-out of 95 % of the mass"), QStringLiteral("m"), &DebrisFigures::runOut);
-    row(tr("mean height of the mass"), QStringLiteral("m"), &DebrisFigures::meanHeight);
+    row(tr("run-out of 95 % of the mass"), QStringLiteral("m"), &DebrisFigures::runOut, MemberMeasure::RunOut);
+    row(tr("mean height of the mass"), QStringLiteral("m"), &DebrisFigures::meanHeight, MemberMeasure::MeanHeight);
     row(tr("highest cell of 1 m, mean height"), QStringLiteral("m"), &DebrisFigures::pileHeight);
     const MapLedger& ledger = m_facts.map.map.ledger;
     table.rows.push_back(
         {tr("volume of material"), QStringLiteral("m³"), reportNumber(ledger.volume, ledgerDigits), QStringLiteral("–")});
+    members(std::nullopt);
     if (m_facts.map.map.live) {
         table.rows.push_back({tr("fallen live structure, apart from the fragments"), QStringLiteral("t"),
                               reportNumber(ledger.liveMass / 1000.0, ledgerDigits), QStringLiteral("–")});
+        members(std::nullopt);
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
@@ -196,7 +213,7 @@ void ReportSections::addCarried() {
 }
 
 void ReportSections::addAccuracy() {
-    heading(tr("Uncertainty, and accuracy against time"));
+    heading(tr("Spread of repeats, and agreement with the reference"));
     if (m_facts.floor) {
         text(tr("The run was repeated %1 times with every birth shifted by a micrometre. The largest difference between any two of "
                 "these "
@@ -305,7 +322,7 @@ void ReportSections::addSweep() {
     }
     chart.series = {series};
     ReportFigure figure;
-    figure.caption = figure.words = tr("What accuracy costs in time; beside each point its number of bodies");
+    figure.caption = figure.words = tr("What agreement with the reference costs in time; beside each point its number of bodies");
     figure.paint = [chart](QPainter& painter, const QRectF& area, double text) { chart.paint(painter, area, text); };
     figure.aspect = 2.0;
     m_blocks.push_back(std::move(figure));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/scenario/differences.h"
 #include "core/scenario/parameters.h"
@@ -83,6 +84,15 @@ void ReportSections::addSummary() {
         text(tr("Scenario <i>%1</i>: %2").arg(escaped(m_facts.scenarioName), escaped(m_facts.scenarioNote)));
     }
     const SimulationResult& run = *m_facts.result;
+    const bool varied = m_facts.ensemble != nullptr && m_facts.ensemble->done().size() > 1;
+    const QString unknowns =
+        varied ? tr("With what is not known drawn anew %1 times, nine of ten members have a run-out of %2 m, cover %3 m² and reach "
+                    "%4 m at the highest cell (see section What is not known).")
+                     .arg(m_facts.ensemble->done().size())
+                     .arg(memberSpread(MemberMeasure::RunOut), memberSpread(MemberMeasure::Footprint),
+                          memberSpread(MemberMeasure::PileHeight))
+               : tr("What is not known of friction, restitution and births was not varied: what it does to these figures is not "
+                    "known.");
     const QString spread = m_facts.floor
                                ? tr("Ranges are those over the run and its %1 repeats.").arg(m_facts.floor->repeats.size())
                                : tr("No repeats were made: the spread of these figures is not known.");
@@ -98,7 +108,7 @@ void ReportSections::addSummary() {
                     tr("The highest of these cells lies %1 m above the ground in the mean; %2 % of the bodies are at rest.")
                         .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
                              reportNumber(100.0 * run.asleepAtEnd)),
-                    spread}});
+                    spread, unknowns}});
     text(source());
     addCautions();
 }
@@ -131,6 +141,7 @@ void ReportSections::addCautions() {
 void ReportSections::addInputs() {
     heading(tr("Inputs, settings and assumptions"));
     addComponents();
+    addContacts();
     const std::vector<SettingDifference> differences = differencesBetween(Scenario{}, m_facts.scenario);
     if (differences.empty()) {
         text(tr("All settings are those that the program is delivered with; the appendix lists them."));
@@ -173,6 +184,34 @@ void ReportSections::addComponents() {
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addContacts() {
+    std::set<Material> materials{m_facts.scenario.effects.groundMaterial};
+    for (const Component& component : m_facts.components->list) {
+        materials.insert(component.material);
+    }
+    const PairTable acting = actingPairs(m_facts.scenario);
+    ReportTable table;
+    table.caption = tr("Friction and restitution of the materials that can meet, and what is known of them");
+    table.columns = QStringList{tr("pair"), tr("coefficient"), tr("in this run"), tr("range"), tr("source")};
+    table.words = {true, true, false, true, true};
+    table.shares = {0.18, 0.14, 0.1, 0.2, 0.38};
+    const auto name = [&](Material material) { return said({"", std::string(materialName(material)), {}}); };
+    for (const PairSource& row : pairSources()) {
+        const auto [a, b] = row.pair;
+        if (!materials.contains(a) || !materials.contains(b)) {
+            continue;
+        }
+        const QString pair = tr("%1 on %2").arg(name(a), name(b));
+        table.rows.push_back({pair, tr("friction"), reportNumber(acting.of(a, b).friction), said(rangeText(row.frictionRange)),
+                              said({"", std::string(row.friction), {}})});
+        table.rows.push_back({pair, tr("restitution"), reportNumber(acting.of(a, b).restitution),
+                              said(rangeText(row.restitutionRange)), said({"", std::string(row.restitution), {}})});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+    text(tr("An ensemble draws from these ranges. <i>Assumed</i> are those that no source gives for the pair itself."));
 }
 
 void ReportSections::addAssumptions() {

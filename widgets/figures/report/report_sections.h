@@ -20,6 +20,7 @@ public:
     void addResults();
     void addEnsemble();
     void addAccuracy();
+    void addValidation();
     void addEffects();
     void addHealth();
     void addSelfTest();
@@ -47,8 +48,11 @@ private:
     void addMotionMethod();
     void addMeasureMethod();
     void addComponents();
+    void addContacts();
     void addAssumptions();
     void addEnsembleSpread();
+    /// "12 to 19", between which nine of ten members of the ensemble lie; a dash where there are fewer than two.
+    QString memberSpread(MemberMeasure measure) const;
     void addMeasures();
     void addComponentDebris();
     void addCourse();

@@ -107,6 +107,7 @@ ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pic
     sections.addResults();
     sections.addEnsemble();
     sections.addAccuracy();
+    sections.addValidation();
     sections.addEffects();
     sections.addHealth();
     sections.addSelfTest();

@@ -20,8 +20,8 @@ struct ReportPictures {
     std::function<QString(const Message&)> say;
 };
 
-/// The whole report: question, evidence, method, inputs, assumptions, results with their spread, accuracy against time, effects,
-/// health, self-test, limits, appendix; in the language that is spoken.
+/// The whole report: question, evidence, method, inputs, assumptions, results with their spread, accuracy against time, validation,
+/// effects, health, self-test, limits, appendix; in the language that is spoken.
 ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pictures);
 
 }  // namespace rubble::figures

@@ -13849,10 +13849,6 @@
         <translation>局限性</translation>
     </message>
     <message>
-        <source>The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it.</source>
-        <translation>碎块的大小就是单元的大小：网格越细碎块越小，小于它的不会再破碎。</translation>
-    </message>
-    <message>
         <source>Fragments do not load the structure back: what still stands moves as the FE result says, whatever falls on it.</source>
         <translation>碎块不反过来给结构加载：仍然站立的部分按有限元结果运动，无论有什么落在上面。</translation>
     </message>
@@ -14467,6 +14463,10 @@
     <message>
         <source>From simulations of these sets by the program that made this report, apart from its run.</source>
         <translation>来自生成本报告的程序对这些数据组的模拟，与其计算无关。</translation>
+    </message>
+    <message>
+        <source>The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it. On a stone arch, elements of 6.1 t instead of 1.3 t moved 25 % of the mass map, where a repeat moves 10 %; run-out fell from 10.4 m to 6.3 m, and the mean height rose from 3.0 m to 3.5 m. Part of that is the FE analysis of the other mesh.</source>
+        <translation>碎块的大小就是单元的大小：网格越细碎块越小，小于它的不会再破碎。在一座石拱上，单元为 6.1 t 而非 1.3 t 时，质量图移动 25 %，而重复移动 10 %；散落距离由 10.4 m 降至 6.3 m，平均高度由 3.0 m 升至 3.5 m。其中一部分来自另一网格的有限元分析。</translation>
     </message>
 </context>
 <context>

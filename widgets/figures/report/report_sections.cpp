@@ -332,7 +332,11 @@ void ReportSections::addSelfTest() {
 void ReportSections::addLimits() {
     heading(tr("Limits"));
     m_blocks.push_back(ReportList{
-        {tr("The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it."),
+        {tr("The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it. On "
+            "a "
+            "stone arch, elements of 6.1 t instead of 1.3 t moved 25 % of the mass map, where a repeat moves 10 %; run-out fell "
+            "from "
+            "10.4 m to 6.3 m, and the mean height rose from 3.0 m to 3.5 m. Part of that is the FE analysis of the other mesh."),
          tr("Fragments do not load the structure back: what still stands moves as the FE result says, whatever falls on it."),
          tr("Energy that the FE solver lost when it deleted elements is not returned."),
          tr("Live elements that fell are debris as well. They are no fragments: maps and comparisons carry them as a layer of "

@@ -42,5 +42,5 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
  and Rubble::io (readers of FE results, case and run files, exports).")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libbullet-dev, libxxhash-dev, cmake (>= 3.25), pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-    "libvtk9-dev, libhdf5-dev, libexodusii-dev, libgdal-dev, libdeflate-dev, libheif-dev, liblz4-dev, liblzma-dev, libmedc-dev, libproj-dev, libpugixml-dev, libssl-dev, zlib1g-dev, qt6-base-dev")
+    "libvtk9-dev, libhdf5-dev, libexodusii-dev, libgdal-dev, libdeflate-dev, libheif-dev, liblz4-dev, liblzma-dev, libmedc-dev, libminizip-dev, libproj-dev, libpugixml-dev, libssl-dev, zlib1g-dev, qt6-base-dev")
 include(CPack)

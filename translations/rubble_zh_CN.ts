@@ -1085,6 +1085,22 @@
         <source>How far simulated falls are from measured ones: the known rate of error</source>
         <translation>模拟的下落离实测的下落有多远：已知的误差率</translation>
     </message>
+    <message>
+        <source>Seal…</source>
+        <translation>封存…</translation>
+    </message>
+    <message>
+        <source>Sign the case with all it stands on as one bundle that can be handed over and checked</source>
+        <translation>将案例及其所依据的一切签名为一个可以移交和核验的封存包</translation>
+    </message>
+    <message>
+        <source>Open sealed…</source>
+        <translation>打开封存包…</translation>
+    </message>
+    <message>
+        <source>Check a sealed bundle, simulate its runs again, and open a copy of its case</source>
+        <translation>核验封存包，重新模拟其计算，并打开其案例的副本</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -10384,6 +10400,550 @@
         <source>{0}: {1} bodies begin within more than {2} others each; one is {3}</source>
         <translation>{0}：{1} 个物体开始时各与超过 {2} 个其他物体重叠；其中之一是 {3}</translation>
     </message>
+    <message>
+        <source>An addendum must be signed by whoever makes it</source>
+        <translation>附录必须由其作者签名</translation>
+    </message>
+    <message>
+        <source>Change what you assume otherwise, save the case, and add it then.</source>
+        <translation>请更改您有不同假设之处，保存案例，然后再加入。</translation>
+    </message>
+    <message>
+        <source>Checking the bundle</source>
+        <translation>正在核验封存包</translation>
+    </message>
+    <message>
+        <source>ECDSA with SHA-256</source>
+        <translation>ECDSA（SHA-256）</translation>
+    </message>
+    <message>
+        <source>Find the file and save the case anew, or seal without it: --leave-out {0}; its digest stays.</source>
+        <translation>请找到文件并重新保存案例，或不带它封存：--leave-out {0}；其摘要保留。</translation>
+    </message>
+    <message>
+        <source>Get the bundle anew from whoever sealed it, or from another copy.</source>
+        <translation>请向封存者重新索取封存包，或使用另一份副本。</translation>
+    </message>
+    <message>
+        <source>Get the file, and say where it is: --input ID=FILE.</source>
+        <translation>请取得该文件，并说明在何处：--input ID=FILE。</translation>
+    </message>
+    <message>
+        <source>Give the passphrase of the key.</source>
+        <translation>请给出密钥的口令。</translation>
+    </message>
+    <message>
+        <source>Make one with: openssl genpkey -algorithm ed25519 -out KEY.pem; keep it where only you can read it.</source>
+        <translation>可这样生成：openssl genpkey -algorithm ed25519 -out KEY.pem；请存放在只有您能读取之处。</translation>
+    </message>
+    <message>
+        <source>Name a file that rubble-cli seal has written (*.rubblecase).</source>
+        <translation>请给出由 rubble-cli seal 写出的文件（*.rubblecase）。</translation>
+    </message>
+    <message>
+        <source>Name a file with the certificates that you trust.</source>
+        <translation>请给出含有您所信任证书的文件。</translation>
+    </message>
+    <message>
+        <source>Name a folder that is empty or not there yet.</source>
+        <translation>请给出空的或尚不存在的文件夹。</translation>
+    </message>
+    <message>
+        <source>Name an input of the case by its id.</source>
+        <translation>请用标识给出案例的一个输入。</translation>
+    </message>
+    <message>
+        <source>Name the file with that SHA-256.</source>
+        <translation>请给出具有该 SHA-256 的文件。</translation>
+    </message>
+    <message>
+        <source>Name the key and the certificate of one signer.</source>
+        <translation>请给出同一签名者的密钥和证书。</translation>
+    </message>
+    <message>
+        <source>Name the signer&apos;s certificate, or leave it out.</source>
+        <translation>请给出签名者的证书，或不给出。</translation>
+    </message>
+    <message>
+        <source>Name the signer&apos;s public key, certificate, or the 64 figures of its fingerprint.</source>
+        <translation>请给出签名者的公钥、证书，或其指纹的 64 位字符。</translation>
+    </message>
+    <message>
+        <source>Name your key.</source>
+        <translation>请给出您的密钥。</translation>
+    </message>
+    <message>
+        <source>No folder for temporary files can be made in {0}</source>
+        <translation>无法在 {0} 中建立临时文件夹</translation>
+    </message>
+    <message>
+        <source>Open it with the program that sealed it, or a newer one.</source>
+        <translation>请用封存它的程序或更新的程序打开。</translation>
+    </message>
+    <message>
+        <source>Open it with the program that wrote it, or a newer one.</source>
+        <translation>请用写出它的程序或更新的程序打开。</translation>
+    </message>
+    <message>
+        <source>OpenSSL does not sign with this key: {0}</source>
+        <translation>OpenSSL 不能用此密钥签名：{0}</translation>
+    </message>
+    <message>
+        <source>OpenSSL makes no request for a time stamp: {0}</source>
+        <translation>OpenSSL 无法生成时间戳请求：{0}</translation>
+    </message>
+    <message>
+        <source>Packing the bundle</source>
+        <translation>正在打包</translation>
+    </message>
+    <message>
+        <source>RSA with SHA-256</source>
+        <translation>RSA（SHA-256）</translation>
+    </message>
+    <message>
+        <source>Rename the files of this input, and save the case anew.</source>
+        <translation>请重命名该输入的文件，并重新保存案例。</translation>
+    </message>
+    <message>
+        <source>Run the case to its end, or leave the run out.</source>
+        <translation>请将案例计算到结束，或不带该计算。</translation>
+    </message>
+    <message>
+        <source>Seal it with the case that it was made from.</source>
+        <translation>请与它所出自的案例一起封存。</translation>
+    </message>
+    <message>
+        <source>Seal without a time stamp.</source>
+        <translation>请不带时间戳封存。</translation>
+    </message>
+    <message>
+        <source>A bundle holds at most {0} files</source>
+        <translation>封存包最多容纳 {0} 个文件</translation>
+    </message>
+    <message>
+        <source>Join an input of many files first (rubble-cli convert), or seal without it: --leave-out ID.</source>
+        <translation>请先合并由许多文件组成的输入（rubble-cli convert），或不带它封存：--leave-out ID。</translation>
+    </message>
+    <message>
+        <source>Sealed bundles (*.rubblecase)</source>
+        <translation>封存包 (*.rubblecase)</translation>
+    </message>
+    <message>
+        <source>Send the request that was written for this bundle, and give the answer to that.</source>
+        <translation>请发送为本封存包写出的请求，并给出对它的应答。</translation>
+    </message>
+    <message>
+        <source>Set TMPDIR to a folder with room.</source>
+        <translation>请将 TMPDIR 设为有空间的文件夹。</translation>
+    </message>
+    <message>
+        <source>Set the clock of this machine right, and add the entry then.</source>
+        <translation>请校正本机时钟，然后再加入条目。</translation>
+    </message>
+    <message>
+        <source>Set the clock of this machine right, and seal then.</source>
+        <translation>请校正本机时钟，然后再封存。</translation>
+    </message>
+    <message>
+        <source>Take an Ed25519 key, RSA of 2048 bits or more, or an elliptic curve of 256 bits or more.</source>
+        <translation>请使用 Ed25519 密钥、2048 位以上的 RSA，或 256 位以上的椭圆曲线。</translation>
+    </message>
+    <message>
+        <source>Taking the digests of the inputs</source>
+        <translation>正在计算输入的摘要</translation>
+    </message>
+    <message>
+        <source>Taking the digests of what is sealed</source>
+        <translation>正在计算封存内容的摘要</translation>
+    </message>
+    <message>
+        <source>The bundle has no input &quot;{0}&quot;</source>
+        <translation>封存包没有输入“{0}”</translation>
+    </message>
+    <message>
+        <source>The clock of this machine says {0}, but the journal of {1} goes on until {2}</source>
+        <translation>本机时钟为 {0}，但 {1} 的日志延续到 {2}</translation>
+    </message>
+    <message>
+        <source>The clock of this machine says {0}, but the last entry of {1} is of {2}</source>
+        <translation>本机时钟为 {0}，但 {1} 的最后一个条目是 {2} 的</translation>
+    </message>
+    <message>
+        <source>The file of the input {0} is not the one that the case was saved with: {1}</source>
+        <translation>输入 {0} 的文件不是保存案例时的那一个：{1}</translation>
+    </message>
+    <message>
+        <source>The file of the input {0} is not there: {1}</source>
+        <translation>输入 {0} 的文件不存在：{1}</translation>
+    </message>
+    <message>
+        <source>The first certificate of {0} is not of the key {1}</source>
+        <translation>{0} 的第一个证书不属于密钥 {1}</translation>
+    </message>
+    <message>
+        <source>The first difference is at t = {0} s: body {1} is {2} m away.</source>
+        <translation>首个差别在 t = {0} s：刚体 {1} 相距 {2} m。</translation>
+    </message>
+    <message>
+        <source>The first difference is at t = {0} s: the frames have other times or another number of bodies.</source>
+        <translation>首个差别在 t = {0} s：各帧的时间或刚体数量不同。</translation>
+    </message>
+    <message>
+        <source>The key or certificate {0} cannot be read</source>
+        <translation>无法读取密钥或证书 {0}</translation>
+    </message>
+    <message>
+        <source>The key {0} is of a kind or size that is not taken</source>
+        <translation>密钥 {0} 的类型或长度不被接受</translation>
+    </message>
+    <message>
+        <source>The name {0} holds characters that do not travel: %, \ or line ends</source>
+        <translation>名称 {0} 含有不能移交的字符：%、\ 或换行</translation>
+    </message>
+    <message>
+        <source>The run {0} stands on a file that is no input of the case: SHA-256 {1}</source>
+        <translation>计算 {0} 所依据的文件不是案例的输入：SHA-256 {1}</translation>
+    </message>
+    <message>
+        <source>The run {0} stands on {1}, which did not travel: SHA-256 {2}</source>
+        <translation>计算 {0} 依据 {1}，而它没有移交：SHA-256 {2}</translation>
+    </message>
+    <message>
+        <source>The run {0} was stopped before its end</source>
+        <translation>计算 {0} 在结束之前被停止</translation>
+    </message>
+    <message>
+        <source>Unpacking the bundle</source>
+        <translation>正在解包</translation>
+    </message>
+    <message>
+        <source>Use a certificate that is valid now, or set the clock of this machine.</source>
+        <translation>请使用现在有效的证书，或校正本机时钟。</translation>
+    </message>
+    <message>
+        <source>Use another key.</source>
+        <translation>请使用另一个密钥。</translation>
+    </message>
+    <message>
+        <source>Wait until whatever writes it has ended, and seal again.</source>
+        <translation>请等写入它的程序结束后再封存。</translation>
+    </message>
+    <message>
+        <source>a place in the bag</source>
+        <translation>封存内容中的位置</translation>
+    </message>
+    <message>
+        <source>a record was left out or moved: this is the {0}. by its place, and says {1}</source>
+        <translation>有记录被去掉或移动：按位置这是第 {0} 条，而它自称 {1}</translation>
+    </message>
+    <message>
+        <source>a time stamp was asked for when it was sealed, and none is here</source>
+        <translation>封存时曾请求时间戳，而此处没有</translation>
+    </message>
+    <message>
+        <source>altered or left out: record {0} names the SHA-256 {1}</source>
+        <translation>被改动或遗漏：记录 {0} 所写的 SHA-256 为 {1}</translation>
+    </message>
+    <message>
+        <source>altered: its SHA-256 is {0}, the list of files says {1}</source>
+        <translation>被改动：其 SHA-256 为 {0}，文件清单为 {1}</translation>
+    </message>
+    <message>
+        <source>damaged: it cannot be unpacked</source>
+        <translation>已损坏：无法解包</translation>
+    </message>
+    <message>
+        <source>entries of the journal are of a time before that of an earlier one</source>
+        <translation>日志中有条目的时间早于之前的条目</translation>
+    </message>
+    <message>
+        <source>entry {0} of the journal is of a time before that of an earlier one</source>
+        <translation>日志第 {0} 个条目的时间早于之前的条目</translation>
+    </message>
+    <message>
+        <source>entry {0} of the journal was altered, or misses the one before</source>
+        <translation>日志的第 {0} 个条目被改动，或缺少前一个条目</translation>
+    </message>
+    <message>
+        <source>health breaches</source>
+        <translation>健康超限</translation>
+    </message>
+    <message>
+        <source>inputs do not travel: the bundle holds only their digests</source>
+        <translation>输入不随封存包移交：封存包只含其摘要</translation>
+    </message>
+    <message>
+        <source>it does not follow the record before it: one was altered or left out</source>
+        <translation>与前一条记录不相连：有记录被改动或去掉</translation>
+    </message>
+    <message>
+        <source>it is missing, or no list of files as it was written</source>
+        <translation>缺失，或不是当初写出的文件清单</translation>
+    </message>
+    <message>
+        <source>it is not what BagIt asks for</source>
+        <translation>不是 BagIt 所要求的内容</translation>
+    </message>
+    <message>
+        <source>it is of another version of the format</source>
+        <translation>它是另一版本的格式</translation>
+    </message>
+    <message>
+        <source>it is of {0}, before what it follows, {1}</source>
+        <translation>其时间为 {0}，早于其前一条 {1}</translation>
+    </message>
+    <message>
+        <source>its time of sealing is none: {0}</source>
+        <translation>封存时间无效：{0}</translation>
+    </message>
+    <message>
+        <source>left out: the list of files names it</source>
+        <translation>被遗漏：文件清单中有它</translation>
+    </message>
+    <message>
+        <source>look at it with rubble-cli verify before it is sealed</source>
+        <translation>封存之前用 rubble-cli verify 查看</translation>
+    </message>
+    <message>
+        <source>made by another build than this program, so its bits need not repeat here: {0}</source>
+        <translation>由不同于本程序的构建生成，因此在此未必逐位重复：{0}</translation>
+    </message>
+    <message>
+        <source>match their cameras and draw outlines of the debris, or take them out</source>
+        <translation>匹配其相机并绘出堆积物的轮廓，或将其取出</translation>
+    </message>
+    <message>
+        <source>neither the statement nor a record has the digest {0} that is known of it</source>
+        <translation>声明和各记录都没有已知的摘要 {0}</translation>
+    </message>
+    <message>
+        <source>nobody vouches that the key {0} is the signer&apos;s: compare its fingerprint with one got another way</source>
+        <translation>没有人担保密钥 {0} 属于签名者：请将其指纹与经其他途径得到的比较</translation>
+    </message>
+    <message>
+        <source>not what was signed: the statement names the SHA-256 {0}</source>
+        <translation>不是签名时的内容：声明所写的 SHA-256 为 {0}</translation>
+    </message>
+    <message>
+        <source>only that build repeats them bit for bit; run them again, or keep it</source>
+        <translation>只有该构建能逐位重复；请重新计算，或保留该构建</translation>
+    </message>
+    <message>
+        <source>public-key.pem</source>
+        <translation>public-key.pem</translation>
+    </message>
+    <message>
+        <source>put in: it lies in the container twice</source>
+        <translation>被加入：在容器中出现两次</translation>
+    </message>
+    <message>
+        <source>put in: it lies outside of the bag</source>
+        <translation>被加入：位于封存内容之外</translation>
+    </message>
+    <message>
+        <source>put in: no record names it</source>
+        <translation>被加入：没有记录写到它</translation>
+    </message>
+    <message>
+        <source>put in: the list of files does not name it</source>
+        <translation>被加入：文件清单中没有它</translation>
+    </message>
+    <message>
+        <source>runs were made by another build than this program</source>
+        <translation>计算由不同于本程序的构建生成</translation>
+    </message>
+    <message>
+        <source>say in the note how the clock was set</source>
+        <translation>在备注中说明时钟是如何设置的</translation>
+    </message>
+    <message>
+        <source>sealed build</source>
+        <translation>封存的构建</translation>
+    </message>
+    <message>
+        <source>sealed on {0} by its own word, but the time stamp saw it before, on {1}</source>
+        <translation>自称封存于 {0}，但时间戳更早，在 {1} 就已看到它</translation>
+    </message>
+    <message>
+        <source>sealed on {0} by its own word; the time stamp proves it only for {1}, {2} later</source>
+        <translation>自称封存于 {0}；时间戳只能证明 {1}，晚 {2}</translation>
+    </message>
+    <message>
+        <source>sealed on {0}, which the clock of this machine has not reached</source>
+        <translation>封存于 {0}，本机时钟尚未到达</translation>
+    </message>
+    <message>
+        <source>sealed trajectory hash</source>
+        <translation>封存的轨迹哈希</translation>
+    </message>
+    <message>
+        <source>signed by the key {0}, not by the one expected, {1}</source>
+        <translation>由密钥 {0} 签名，而不是预期的 {1}</translation>
+    </message>
+    <message>
+        <source>the case is not what its journal says</source>
+        <translation>案例与其日志所述不同</translation>
+    </message>
+    <message>
+        <source>the certificate beside the signature is of another key</source>
+        <translation>签名旁的证书属于另一个密钥</translation>
+    </message>
+    <message>
+        <source>the certificate of {0} ended on {1}, and the time is {2}</source>
+        <translation>{0} 的证书已于 {1} 到期，而时间为 {2}</translation>
+    </message>
+    <message>
+        <source>the certificate of {0} is valid from {1} only, and the time is {2}</source>
+        <translation>{0} 的证书从 {1} 起才有效，而时间为 {2}</translation>
+    </message>
+    <message>
+        <source>the certificate of {0} was not held against any that are trusted: none were given</source>
+        <translation>{0} 的证书没有与任何受信任的证书对照：没有给出</translation>
+    </message>
+    <message>
+        <source>the container was packed anew or altered, first at byte {0}; what lies in it is told of by the rest</source>
+        <translation>容器被重新打包或改动，首先在第 {0} 字节；其中的内容由其余各项说明</translation>
+    </message>
+    <message>
+        <source>the directory</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>the journal goes on until {0}, after the time of sealing, {1}</source>
+        <translation>日志延续到 {0}，晚于封存时间 {1}</translation>
+    </message>
+    <message>
+        <source>the journal is not the one that was sealed: {0} entries with the head {1}, sealed were {2} with the head {3}</source>
+        <translation>日志不是封存时的那一份：{0} 个条目，末端为 {1}；封存时为 {2} 个，末端为 {3}</translation>
+    </message>
+    <message>
+        <source>the key or certificate is not the one that the statement names</source>
+        <translation>密钥或证书不是声明所写的那一个</translation>
+    </message>
+    <message>
+        <source>the public key or the certificate beside the signature is damaged</source>
+        <translation>签名旁的公钥或证书已损坏</translation>
+    </message>
+    <message>
+        <source>the record of {0} is not signed</source>
+        <translation>{0} 的记录没有签名</translation>
+    </message>
+    <message>
+        <source>the request for the time stamp is damaged</source>
+        <translation>时间戳请求已损坏</translation>
+    </message>
+    <message>
+        <source>the service granted no time stamp</source>
+        <translation>服务机构没有给出时间戳</translation>
+    </message>
+    <message>
+        <source>the signature does not hold: the text is not what the key {0} signed</source>
+        <translation>签名不成立：该内容不是密钥 {0} 所签</translation>
+    </message>
+    <message>
+        <source>the signature of the time stamp does not hold</source>
+        <translation>时间戳的签名不成立</translation>
+    </message>
+    <message>
+        <source>the statement of the signer is missing</source>
+        <translation>缺少签名者的声明</translation>
+    </message>
+    <message>
+        <source>the time stamp answers another request than the one that lies beside it</source>
+        <translation>时间戳应答的是另一个请求，而不是其旁的那一个</translation>
+    </message>
+    <message>
+        <source>the time stamp is damaged, or no answer of a time-stamping service (RFC 3161)</source>
+        <translation>时间戳已损坏，或不是时间戳服务机构（RFC 3161）的应答</translation>
+    </message>
+    <message>
+        <source>the time stamp is of another file</source>
+        <translation>时间戳属于另一个文件</translation>
+    </message>
+    <message>
+        <source>the time-stamping service {0} was not held against any that are trusted: none were given</source>
+        <translation>时间戳服务机构 {0} 没有与任何受信任者对照：没有给出</translation>
+    </message>
+    <message>
+        <source>those who are trusted do not vouch for the certificate of {0}: {1}</source>
+        <translation>受信任者不为 {0} 的证书担保：{1}</translation>
+    </message>
+    <message>
+        <source>those who are trusted do not vouch for the time-stamping service {0}: {1}</source>
+        <translation>受信任者不为时间戳服务机构 {0} 担保：{1}</translation>
+    </message>
+    <message>
+        <source>trajectory hash</source>
+        <translation>轨迹哈希</translation>
+    </message>
+    <message>
+        <source>whoever opens the bundle needs these files to simulate again</source>
+        <translation>打开封存包的人需要这些文件才能重新计算</translation>
+    </message>
+    <message>
+        <source>{0} changed while it was sealed</source>
+        <translation>{0} 在封存过程中发生了变化</translation>
+    </message>
+    <message>
+        <source>{0} files lie in it, and {1} were sealed</source>
+        <translation>其中有 {0} 个文件，封存时为 {1} 个</translation>
+    </message>
+    <message>
+        <source>{0} has no input &quot;{1}&quot;</source>
+        <translation>{0} 没有输入“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} holds neither a public key nor a certificate in PEM</source>
+        <translation>{0} 既不含 PEM 格式的公钥，也不含证书</translation>
+    </message>
+    <message>
+        <source>{0} holds no certificate in PEM</source>
+        <translation>{0} 不含 PEM 格式的证书</translation>
+    </message>
+    <message>
+        <source>{0} holds no private key in PEM</source>
+        <translation>{0} 不含 PEM 格式的私钥</translation>
+    </message>
+    <message>
+        <source>{0} is no sealed bundle: it does not begin as a zip container does</source>
+        <translation>{0} 不是封存包：开头不是 zip 容器</translation>
+    </message>
+    <message>
+        <source>{0} is no sealed bundle: it holds no bag (bagit.txt in one folder)</source>
+        <translation>{0} 不是封存包：其中没有按 BagIt 组织的内容（一个文件夹中的 bagit.txt）</translation>
+    </message>
+    <message>
+        <source>{0} is not as it was sealed, first {1}: {2}</source>
+        <translation>{0} 与封存时不同，首先是 {1}：{2}</translation>
+    </message>
+    <message>
+        <source>{0} is not empty, so nothing is unpacked there</source>
+        <translation>{0} 不是空的，因此不在其中解包</translation>
+    </message>
+    <message>
+        <source>{0} is not the input {1} that was sealed: its SHA-256 is another than {2}</source>
+        <translation>{0} 不是封存的输入 {1}：其 SHA-256 不是 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is not what the journal says</source>
+        <translation>{0} 与日志所述不同</translation>
+    </message>
+    <message>
+        <source>{0} is protected by another passphrase than the one given</source>
+        <translation>{0} 的口令与给出的不同</translation>
+    </message>
+    <message>
+        <source>{0} says the same as the sealed case</source>
+        <translation>{0} 与封存的案例所述相同</translation>
+    </message>
+    <message>
+        <source>{0} was cut short or damaged: the directory at its end is missing</source>
+        <translation>{0} 被截断或损坏：缺少末尾的目录</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is damaged: it cannot be unpacked</source>
+        <translation>{0}：{1} 已损坏，无法解包</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -11413,6 +11973,85 @@
     <message>
         <source>simulation, %1 s</source>
         <translation>模拟，%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CaseSealing</name>
+    <message>
+        <source>container</source>
+        <translation>容器</translation>
+    </message>
+    <message>
+        <source>not equal</source>
+        <translation>不相同</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>%1 assumes otherwise: %2</source>
+        <translation>%1 有不同的假设：%2</translation>
+    </message>
+    <message>
+        <source>and %1 more; rubble-cli open-sealed tells all</source>
+        <translation>以及另外 %1 项；rubble-cli open-sealed 会全部列出</translation>
+    </message>
+    <message>
+        <source>The bundle is as it was sealed, and every run is equal.</source>
+        <translation>封存包与封存时相同，各计算均相同。</translation>
+    </message>
+    <message>
+        <source>The bundle is not as it was sealed. It was not opened.</source>
+        <translation>封存包与封存时不同，没有打开。</translation>
+    </message>
+    <message>
+        <source>The bundle is as it was sealed, but a run does not repeat.</source>
+        <translation>封存包与封存时相同，但有计算不能重复。</translation>
+    </message>
+    <message>
+        <source>The bundle is as it was sealed, but a run could not be simulated.</source>
+        <translation>封存包与封存时相同，但有计算无法模拟。</translation>
+    </message>
+    <message>
+        <source>The bundle is as it was sealed. It holds no run.</source>
+        <translation>封存包与封存时相同，其中没有计算。</translation>
+    </message>
+    <message>
+        <source>Sealed bundle</source>
+        <translation>封存包</translation>
+    </message>
+    <message>
+        <source>Sealed %1 by %2, key %3.</source>
+        <translation>由 %2 封存于 %1，密钥 %3。</translation>
+    </message>
+    <message>
+        <source>Seal the case</source>
+        <translation>封存案例</translation>
+    </message>
+    <message>
+        <source>Sealed bundles (*.rubblecase)</source>
+        <translation>封存包 (*.rubblecase)</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing half-made is left</source>
+        <translation>已取消；没有留下半成品</translation>
+    </message>
+    <message>
+        <source>Sealed %1; runs in it: %2</source>
+        <translation>已封存 %1；其中的计算：%2</translation>
+    </message>
+    <message>
+        <source>Open a sealed bundle</source>
+        <translation>打开封存包</translation>
+    </message>
+    <message>
+        <source>Sealed bundles (*.rubblecase);;All files (*)</source>
+        <translation>封存包 (*.rubblecase);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Empty folder to unpack into</source>
+        <translation>用于解包的空文件夹</translation>
     </message>
 </context>
 <context>
@@ -20368,6 +21007,73 @@ Program: %3</source>
     <message>
         <source>Show side by side in which settings and results two scenarios differ</source>
         <translation>并列显示两个方案在哪些设置和结果上不同</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SealDialog</name>
+    <message>
+        <source>Seal the case</source>
+        <translation>封存案例</translation>
+    </message>
+    <message>
+        <source>Sealed by</source>
+        <translation>封存者</translation>
+    </message>
+    <message>
+        <source>Who seals the case</source>
+        <translation>由谁封存案例</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Why, or what is to be known of it</source>
+        <translation>为何，或须知之事</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>密钥</translation>
+    </message>
+    <message>
+        <source>Private key of whoever signs, PEM: Ed25519, RSA or elliptic curve</source>
+        <translation>签名者的私钥，PEM：Ed25519、RSA 或椭圆曲线</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>证书</translation>
+    </message>
+    <message>
+        <source>X.509 certificate of that key, if there is one</source>
+        <translation>该密钥的 X.509 证书（若有）</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>口令</translation>
+    </message>
+    <message>
+        <source>Passphrase of the key, if it has one; it is kept nowhere</source>
+        <translation>密钥的口令（若有）；不会保存</translation>
+    </message>
+    <message>
+        <source>The case is packed with its journal, its inputs and the run that is shown. Whoever opens the bundle sees whether anything was altered since.</source>
+        <translation>案例连同其日志、输入和所显示的计算一起打包。打开封存包的人能看出此后是否有任何改动。</translation>
+    </message>
+    <message>
+        <source>Seal…</source>
+        <translation>封存…</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>选择文件：%1</translation>
+    </message>
+    <message>
+        <source>PEM files (*)</source>
+        <translation>PEM 文件 (*)</translation>
     </message>
 </context>
 <context>

@@ -5,12 +5,13 @@ namespace rubble::cli {
 
 const std::vector<Command>& commandTable() {
     static const std::vector<Command> table = [] {
-        std::vector<Command> rows{inspectCommand(),   sizeCommand(),     effectsCommand(),   runCommand(),     dropCommand(),
-                                  influenceCommand(), accuracyCommand(), calibrateCommand(), convertCommand(), cacheCommand(),
-                                  jobsCommand(),      exportCommand(),   figureCommand(),    movieCommand(),   mapCommand(),
-                                  cameraCommand(),    photoCommand(),    surveyCommand(),    cloudCommand(),   scanCommand(),
-                                  reportCommand(),    ensembleCommand(), compareCommand(),   verifyCommand(),  acknowledgeCommand(),
-                                  selfTestCommand(),  validateCommand(), parametersCommand()};
+        std::vector<Command> rows{
+            inspectCommand(),     sizeCommand(),      effectsCommand(),    runCommand(),      dropCommand(),     influenceCommand(),
+            accuracyCommand(),    calibrateCommand(), convertCommand(),    cacheCommand(),    jobsCommand(),     exportCommand(),
+            figureCommand(),      movieCommand(),     mapCommand(),        cameraCommand(),   photoCommand(),    surveyCommand(),
+            cloudCommand(),       scanCommand(),      reportCommand(),     ensembleCommand(), compareCommand(),  verifyCommand(),
+            acknowledgeCommand(), sealCommand(),      openSealedCommand(), custodyCommand(),  addendumCommand(), timeStampCommand(),
+            selfTestCommand(),    validateCommand(),  parametersCommand()};
         for (Command& row : rows) {
             row.options.push_back(jsonOption());
             row.options.push_back(helpOption());

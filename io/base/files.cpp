@@ -1,12 +1,10 @@
 #include "io/base/files.h"
 
 #include <fcntl.h>
-#include <openssl/evp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cctype>
 #include <cerrno>
@@ -15,12 +13,12 @@
 #include <filesystem>
 #include <fstream>
 #include <locale>
-#include <memory>
 #include <streambuf>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/sha256.h"
 
 namespace rubble::io {
 
@@ -134,30 +132,6 @@ void flushFolder(const std::string& file) {
         ::fsync(handle.get());
     }
 }
-
-// SHA-256 of what it is fed with.
-class Sha256 {
-public:
-    Sha256() : m_context(EVP_MD_CTX_new(), &EVP_MD_CTX_free) { EVP_DigestInit_ex(m_context.get(), EVP_sha256(), nullptr); }
-
-    void add(const void* bytes, std::size_t size) { EVP_DigestUpdate(m_context.get(), bytes, size); }
-
-    std::string hex() {
-        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-        unsigned size = 0;
-        EVP_DigestFinal_ex(m_context.get(), digest.data(), &size);
-        static constexpr char digits[] = "0123456789abcdef";
-        std::string hex;
-        for (unsigned i = 0; i < size; ++i) {
-            hex += digits[digest[i] >> 4];
-            hex += digits[digest[i] & 15];
-        }
-        return hex;
-    }
-
-private:
-    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> m_context;
-};
 
 }  // namespace
 

@@ -186,34 +186,44 @@ Journal journalFromJson(const JsonCursor& list) {
     return journal;
 }
 
-JournalCheck checkJournal(const std::string& casePath) {
+JournalCheck checkJournalText(const std::string& text, const std::string& name) {
     // Everything that can be wrong with the file is told as when it is opened.
-    loadCase(casePath);
-    std::ifstream in(casePath, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    const json document = parseJson(text.str(), casePath);
+    caseFromText(text, name);
+    const json document = parseJson(text, name);
     JournalCheck check;
     if (!document.contains("journal")) {
         return check;
     }
-    const JsonCursor top(document, casePath);
+    const JsonCursor top(document, name);
     const Journal journal = journalFromJson(top["journal"]);
     check.entries = journal.entries.size();
-    std::string before;
     for (std::size_t i = 0; i < journal.entries.size(); ++i) {
-        if (digestOf(journal.entries[i], before) != journal.entries[i].digest) {
+        const JournalEntry& entry = journal.entries[i];
+        if (digestOf(entry, check.head) != entry.digest) {
             check.broken.push_back(i + 1);
         }
-        before = journal.entries[i].digest;
-        if (journal.entries[i].outside) {
-            check.outside.push_back(journal.entries[i]);
+        check.head = entry.digest;
+        if (entry.outside) {
+            check.outside.push_back(entry);
         }
+        // Times of one form sort as texts do.
+        if (!entry.when.empty() && entry.when < check.last) {
+            check.backward.push_back(i + 1);
+        }
+        check.last = std::max(check.last, entry.when);
     }
     if (!journal.entries.empty()) {
         check.altered = placeChanges(journalPlaces(journal), casePlaces(document));
     }
     return check;
+}
+
+JournalCheck checkJournal(const std::string& casePath) {
+    loadCase(casePath);
+    std::ifstream in(casePath, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return checkJournalText(text.str(), casePath);
 }
 
 }  // namespace rubble::io

@@ -26,7 +26,7 @@ const std::vector<Storeys>& storeys() {
         {"core/simulation", {"bodies", "effects", "health", "run"}},
         {"core/analysis", {"debris", "accuracy"}},
         {"core/evidence", {"clouds", "maps", "surveys", "photographs", "ensembles", "."}},
-        {"io", {"base", "json", "fe", "site", "run", "case", "validation", "exports", "jobs"}},
+        {"io", {"base", "json", "fe", "site", "run", "case", "validation", "exports", "jobs", "seal"}},
         {"widgets", {"render", "figures", "basics", "views", "case", "run", "accuracy", "evidence"}},
         {"widgets/render", {"basics", "shapes", "site", "."}},
         {"app/cli", {"frame", "fe", "exports", "run", "accuracy", "evidence", "."}},

@@ -48,6 +48,16 @@ TEST_F(JournalOfACase, SaysWhatChangedAndIsChained) {
     EXPECT_EQ(check.entries, 2u);
 }
 
+TEST_F(JournalOfACase, NamesEntriesOfAnEarlierTimeThanTheOneBefore) {
+    json document = this->document();
+    document["journal"][0]["when"] = "2198-01-01T00:00:00Z";
+    write(document);
+    const JournalCheck check = checkJournal(m_path);
+    EXPECT_THAT(check.backward, ElementsAre(2u));
+    EXPECT_EQ(check.last, "2198-01-01T00:00:00Z");
+    EXPECT_EQ(check.head, m_case.journal.entries[1].digest);
+}
+
 TEST_F(JournalOfACase, GrowsOnlyWhenSomethingHasChanged) {
     const json before = document();
     saveCase(m_path, loadCase(m_path));

@@ -7,9 +7,8 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/case/site_reader.h"
 #include "io/fe/fe_reader.h"
-#include "io/site/place_check.h"
+#include "io/seal/run_repeat.h"
 
 namespace rubble::cli {
 
@@ -106,32 +105,22 @@ Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, 
 
 Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session,
                        Findings* site) {
-    Inputs inputs;
-    inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
-                           session.execution());
-    inputs.frame = inputs.fe->contents().frame;
-    const Findings place = io::checkPlace(inputs.frame, origin.site);
-    if (site != nullptr) {
-        site->append(place);
-    } else {
-        printNotes(session, place);
-    }
+    io::RunOrigin located = origin;
+    located.fePath = findFeOfRun(runPath, origin, arguments.value("--fe"));
     if (!origin.terrainPath.empty()) {
-        const std::string terrain =
+        located.terrainPath =
             find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
-        const io::TerrainInput read =
-            io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution(), origin.site);
-        inputs.terrain = read.grid;
-        if (site != nullptr) {
-            site->append(read.findings);
-        }
-        std::vector<io::RecordedInput> meshes = origin.surroundings;
-        for (io::RecordedInput& mesh : meshes) {
+        for (io::RecordedInput& mesh : located.surroundings) {
             mesh.path = find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt});
         }
-        if (!meshes.empty()) {
-            inputs.terrain = io::raisedTerrain(*inputs.terrain, meshes, inputs.frame, origin.site, session.execution());
-        }
+    }
+    Findings place, terrain;
+    Inputs inputs = io::openRunInputs(located, place, terrain, session.execution());
+    if (site != nullptr) {
+        site->append(place);
+        site->append(terrain);
+    } else {
+        printNotes(session, place);
     }
     return inputs;
 }

@@ -1,8 +1,5 @@
 #include "app/cli/run/run_sinks.h"
 
-#include <algorithm>
-#include <cstring>
-
 #include "core/trajectory/record_archive.h"
 
 namespace rubble::cli {
@@ -33,37 +30,6 @@ void LedgerRecorder::addIslandLoss(const IslandLoss& loss) {
 
 void LedgerRecorder::keep(Archive& archive) {
     archive(m_ledger, m_islands.handOvers, m_islands.losses, m_frames, m_lastTime);
-}
-
-namespace {
-
-template <class T>
-bool sameBits(const T& a, const T& b) {
-    return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-
-}  // namespace
-
-void FrameComparison::commit(const TrajectoryFrame& frame) {
-    const std::size_t i = m_frames++;
-    if (m_difference || i >= m_recorded.frameCount()) {
-        return;
-    }
-    const auto recorded = m_recorded.frame(i);
-    if (!sameBits(recorded->time, frame.time) || recorded->bodies() != frame.bodies()) {
-        m_difference = Difference{frame.time, -1, 0.0};
-        return;
-    }
-    for (std::size_t b = 0; b < frame.bodies(); ++b) {
-        const bool same = std::equal(frame.positions[b].data(), frame.positions[b].data() + 3, recorded->positions[b].data()) &&
-                          std::equal(frame.orientations[b].coeffs().data(), frame.orientations[b].coeffs().data() + 4,
-                                     recorded->orientations[b].coeffs().data());
-        if (!same) {
-            m_difference = Difference{frame.time, static_cast<std::int64_t>(b),
-                                      static_cast<double>((frame.positions[b] - recorded->positions[b]).norm())};
-            return;
-        }
-    }
 }
 
 }  // namespace rubble::cli

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,33 +37,6 @@ private:
     IslandRows m_islands;
     std::int64_t m_frames = 0;
     double m_lastTime = 0.0;
-};
-
-/// Compares the frames of a run as it is made with those that were recorded, bit by bit. Keeps nothing but the first difference.
-class FrameComparison : public TrajectorySink {
-public:
-    /// The first place where two runs differ.
-    struct Difference {
-        double time = 0.0;       ///< s, of the new run
-        std::int64_t body = -1;  ///< -1: the frames differ in their time or their number of bodies
-        double distance = 0.0;   ///< m, between the two places of the body
-    };
-
-    explicit FrameComparison(const TrajectoryReader& recorded) : m_recorded(recorded) {}
-
-    void begin(const RunDescription&) override {}
-    void addBodies(std::span<const BodyRecord>, std::span<const Carrier>) override {}
-    void commit(const TrajectoryFrame& frame) override;
-    void addLedger(const LedgerRow&) override {}
-    void finish(const SimulationResult&) override {}
-
-    const std::optional<Difference>& firstDifference() const { return m_difference; }
-    std::size_t frames() const { return m_frames; }
-
-private:
-    const TrajectoryReader& m_recorded;
-    std::size_t m_frames = 0;
-    std::optional<Difference> m_difference;
 };
 
 }  // namespace rubble::cli

@@ -3,7 +3,6 @@
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/text_output.h"
-#include "app/cli/run/run_sinks.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
@@ -11,6 +10,7 @@
 #include "io/case/case_file.h"
 #include "io/case/journal_check.h"
 #include "io/fe/fe_reader.h"
+#include "io/seal/run_repeat.h"
 
 namespace rubble::cli {
 
@@ -83,7 +83,7 @@ void addJournal(std::vector<Comparison>& checks, const io::JournalCheck& journal
     }
 }
 
-/// Alterations of before that came into the journal when the case was saved again.
+/// Alterations of before that came into the journal when the case was saved again, and clocks that were set back.
 std::string journalNote(const io::JournalCheck& journal) {
     std::string places;
     for (const JournalEntry& entry : journal.outside) {
@@ -91,7 +91,12 @@ std::string journalNote(const io::JournalCheck& journal) {
             places += (places.empty() ? "" : ", ") + change.place;
         }
     }
-    return places.empty() ? "" : "Altered outside Rubble before it was last saved: " + places + ".";
+    std::string note = places.empty() ? "" : "Altered outside Rubble before it was last saved: " + places + ".";
+    for (const std::size_t number : journal.backward) {
+        note += (note.empty() ? "Entry " : " Entry ") + englishInteger(static_cast<std::int64_t>(number)) +
+                " of the journal is of a time before that of an earlier one.";
+    }
+    return note;
 }
 
 ExitCode verifyCase(const Arguments& arguments, Session& session) {
@@ -120,18 +125,6 @@ ExitCode verifyCase(const Arguments& arguments, Session& session) {
     return report(arguments, session, checks, verdict, journalNote(journal), good && journal.sound());
 }
 
-std::string differenceText(const FrameComparison& comparison) {
-    if (!comparison.firstDifference()) {
-        return "";
-    }
-    const FrameComparison::Difference& difference = *comparison.firstDifference();
-    const std::string when = "The first difference is at t = " + englishNumber(difference.time) + " s: ";
-    if (difference.body < 0) {
-        return when + "the frames have other times or another number of bodies.";
-    }
-    return when + "body " + englishInteger(difference.body) + " is " + englishNumber(difference.distance) + " m away.";
-}
-
 ExitCode verifyRun(const Arguments& arguments, Session& session) {
     const std::string& path = arguments.operand();
     const std::shared_ptr<io::RunReader> recorded = io::openRun(path);
@@ -142,29 +135,14 @@ ExitCode verifyRun(const Arguments& arguments, Session& session) {
                          {"cli.run_incomplete.remedy", "What it holds can be shown and exported; simulate again to verify.", {}});
     }
     io::checkRunDigest(path, session.execution());
-    const io::RunOrigin& origin = recorded->origin();
-    const Inputs inputs = openInputsOfRun(origin, arguments, session);
-    FrameComparison comparison(*recorded);
-    const Results again = run(inputs, origin.scenario, Stage::Simulation, {}, &comparison, session.execution());
-    const SimulationResult& before = *recorded->result();
-    const SimulationResult& now = *again.simulation;
+    const Inputs inputs = openInputsOfRun(recorded->origin(), arguments, session);
+    const io::RunRepeat repeat = io::repeatRun(*recorded, inputs, session.execution());
     std::vector<Comparison> checks;
-    checks.push_back(compare("build", origin.build, std::string(buildText())));
-    const Digest fingerprint = stageKey(inputs, origin.scenario, Stage::Simulation);
-    checks.push_back(compare("fingerprint", origin.fingerprint.hex(), fingerprint.hex()));
-    checks.push_back(compare("clusters", englishInteger(static_cast<std::int64_t>(recorded->clustering()->list.size())),
-                             englishInteger(static_cast<std::int64_t>(again.clustering->list.size()))));
-    checks.push_back(compare("frames", englishInteger(static_cast<std::int64_t>(recorded->frameCount())),
-                             englishInteger(static_cast<std::int64_t>(comparison.frames()))));
-    checks.push_back(compare("steps", englishInteger(before.steps), englishInteger(now.steps)));
-    // Runs of before the monitor know of no effects either.
-    if (!before.effects.empty()) {
-        checks.push_back(compare("health breaches", englishInteger(static_cast<std::int64_t>(before.health.breaches.size())),
-                                 englishInteger(static_cast<std::int64_t>(now.health.breaches.size()))));
+    for (const io::RepeatedFigure& figure : repeat.figures) {
+        checks.push_back(compare(figure.name, figure.recorded, figure.found));
     }
-    checks.push_back(compare("trajectory hash", before.trajectoryHash.hex(), now.trajectoryHash.hex()));
-    const bool good = checks.back().same;
-    return report(arguments, session, checks, good ? "bit-equal" : "not equal", differenceText(comparison), good);
+    return report(arguments, session, checks, repeat.equal ? "bit-equal" : "not equal", englishText(repeat.firstDifference),
+                  repeat.equal);
 }
 
 ExitCode verify(const Arguments& arguments, Session& session) {

@@ -29,6 +29,8 @@ enum class ActionId {
     Save,
     SaveAs,
     SaveRun,
+    SealCase,
+    OpenSealed,
     Close,
     Quit,
     // Edit

@@ -20,9 +20,9 @@ constexpr ActionId ofTheViews[] = {
     ActionId::FragmentsOnly, ActionId::OtherScenario,    ActionId::Link,         ActionId::ExportFigure, ActionId::ExportMovie,
     ActionId::ExportView,    ActionId::ImportView,       ActionId::DebrisMap};
 /// Need a case.
-constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,   ActionId::Close,      ActionId::PresetDefault,
-                                  ActionId::PresetPaper, ActionId::Terrain,  ActionId::Orthophoto, ActionId::Surroundings,
-                                  ActionId::Site,        ActionId::AddSurvey};
+constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,    ActionId::Close,      ActionId::PresetDefault,
+                                  ActionId::PresetPaper, ActionId::Terrain,   ActionId::Orthophoto, ActionId::Surroundings,
+                                  ActionId::Site,        ActionId::AddSurvey, ActionId::SealCase};
 /// Need a run that is complete.
 constexpr ActionId ofTheRun[] = {ActionId::SharePage, ActionId::ExportFragments, ActionId::ExportSeries, ActionId::ExportVtkhdf,
                                  ActionId::ExportGltf};

@@ -97,6 +97,10 @@ void Opening::open(const QString& path, bool simulate) {
         m_return.begin(path);
         return;
     }
+    if (path.endsWith(QLatin1String(".rubblecase"), Qt::CaseInsensitive)) {
+        emit sealedChosen(path);
+        return;
+    }
     m_return.forget();
     load(path, simulate);
 }

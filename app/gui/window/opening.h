@@ -43,7 +43,7 @@ public:
     Opening(Session& session, const Shown& shown, Actions& actions, QWidget& window);
     ~Opening() override;
 
-    /// Opens a case, an FE result or a figure; with `simulate`, simulates it as soon as it is prepared.
+    /// Opens a case, an FE result, a figure or a sealed bundle; with `simulate`, simulates it as soon as it is prepared.
     void open(const QString& path, bool simulate = false);
     void openSample();
     /// Makes a new case by the wizard, from a file that is asked for if none is named. What is open stays until the case is made.
@@ -60,6 +60,8 @@ public:
 signals:
     /// What was opened to be simulated is prepared.
     void simulateRequested();
+    /// A sealed bundle was chosen: it is checked before anything of it opens.
+    void sealedChosen(const QString& bundle);
     /// What is open, or how it stands, has changed.
     void changed();
 

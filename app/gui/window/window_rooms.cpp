@@ -42,6 +42,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       files(std::make_unique<FileCommands>(session, parts.actions, parts.window)),
       errors(std::make_unique<ErrorDisplay>(session, parts.area)),
       pictures(std::make_unique<PictureExport>(session, parts.window)),
+      sealing(std::make_unique<CaseSealing>(session, *files, parts.actions, parts.window)),
       report(std::make_unique<ReportWork>(session, *deck, *scene, parts.actions, parts.window)),
       scenarioPane(std::make_unique<ScenarioPane>(session, parts.area)),
       studies(std::make_unique<EvidenceStudies>(session, *deck, parts.actions)),
@@ -71,6 +72,8 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     connectFiles(parts);
     connectGrid(parts);
     QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
+    QObject::connect(opening.get(), &Opening::sealedChosen, sealing.get(), &CaseSealing::openBundle);
+    QObject::connect(sealing.get(), &CaseSealing::opened, opening.get(), [this](const QString& path) { opening->open(path); });
     QObject::connect(project.get(), &ProjectDisplay::openRequested, opening.get(),
                      [this](const QString& path) { opening->open(path); });
     QObject::connect(project.get(), &ProjectDisplay::sampleRequested, opening.get(),

@@ -15,6 +15,7 @@
 #include "app/gui/evidence/map_display.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/evidence/validation_display.h"
+#include "app/gui/exports/case_sealing.h"
 #include "app/gui/exports/picture_export.h"
 #include "app/gui/exports/report_work.h"
 #include "app/gui/run/health_display.h"
@@ -79,6 +80,7 @@ struct WindowRooms {
     std::unique_ptr<FileCommands> files;
     std::unique_ptr<ErrorDisplay> errors;
     std::unique_ptr<PictureExport> pictures;
+    std::unique_ptr<CaseSealing> sealing;
     std::unique_ptr<ReportWork> report;
     std::unique_ptr<ScenarioPane> scenarioPane;
     std::unique_ptr<EvidenceStudies> studies;

@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "io/case/case_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
@@ -95,6 +96,9 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
     const std::string fe = writeSmallCollapse(folder / "small.exo");
     const std::string run = folder / "small.run.h5";
     std::set<std::string> keys;
+    const std::string caseFile = folder / "small.rubble", bundle = folder / "small.rubblecase", pem = folder / "key.pem";
+    io::saveCase(caseFile, io::caseForFe(fe, caseFile));
+    CommandRun().run({"openssl", "genpkey", "-algorithm", "ed25519", "-out", pem});
     const std::vector<std::vector<std::string>> commandLines{
         {"inspect", fe},
         {"size", fe},
@@ -121,6 +125,11 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"compare", fe, fe, "--members", "3", "--set", "settle_time=0.5", "--cache", folder / "cache"},
         {"convert", fe, folder / "converted.h5"},
         {"cache", "list", "--cache", folder / "cache"},
+        {"seal", caseFile, "--key", pem, "--runs", run, "--out", bundle},
+        {"time-stamp", bundle, "--request", folder / "request.tsq"},
+        {"custody", bundle, "--received-by", "B", "--received-from", "A"},
+        {"addendum", bundle, caseFile, "--key", pem, "--runs", run},
+        {"open-sealed", bundle},
         {"inspect", folder / "missing.exo"}};
     for (std::vector<std::string> words : commandLines) {
         words.push_back("--json");

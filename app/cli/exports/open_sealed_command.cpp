@@ -1,0 +1,190 @@
+#include <filesystem>
+#include <optional>
+
+#include "app/cli/exports/seal_options.h"
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/json_output.h"
+#include "app/cli/frame/text_output.h"
+#include "core/base/error.h"
+#include "io/seal/seal_check.h"
+#include "io/seal/unpacked_bundle.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// A run of the bundle, simulated again.
+struct RepeatedRun {
+    io::SealedRun run;
+    io::RunRepeat repeat;
+    std::string notSimulated;  ///< why; empty: it was
+};
+
+std::vector<RepeatedRun> repeatRuns(const io::UnpackedBundle& unpacked, Session& session) {
+    std::vector<RepeatedRun> list;
+    for (const io::SealedRun& run : unpacked.runs()) {
+        try {
+            list.push_back({run, unpacked.repeat(run, session.execution()), {}});
+        } catch (const WorldError& error) {
+            // What was checked is told all the same.
+            list.push_back({run, {}, englishText(error.message()) + ". " + englishText(error.remedy())});
+        }
+    }
+    return list;
+}
+
+/// The first figure or instant of a run that is not what it was.
+std::string firstDifference(const RepeatedRun& run) {
+    const io::RunRepeat& repeat = run.repeat;
+    if (!run.notSimulated.empty()) {
+        return "Not simulated: " + run.notSimulated;
+    }
+    if (!repeat.firstDifference.empty()) {
+        return englishText(repeat.firstDifference);
+    }
+    for (const io::RepeatedFigure& figure : repeat.figures) {
+        if (!figure.same()) {
+            return "The first difference is the " + figure.name + ": recorded " + figure.recorded + ", now " + figure.found + ".";
+        }
+    }
+    return {};
+}
+
+std::string verdictOf(const io::SealCheck& check, const std::vector<RepeatedRun>& repeats, bool simulated) {
+    if (!check.sound()) {
+        return "not as it was sealed";
+    }
+    for (const RepeatedRun& each : repeats) {
+        if (!each.notSimulated.empty()) {
+            return "as it was sealed, but a run could not be simulated";
+        }
+        if (!each.repeat.equal) {
+            return "as it was sealed, but a run does not repeat";
+        }
+    }
+    if (repeats.empty()) {
+        return simulated ? "as it was sealed; it holds no run" : "as it was sealed; nothing was simulated";
+    }
+    return "as it was sealed; every run is equal";
+}
+
+void printFaults(std::ostream& out, const char* heading, const std::vector<io::SealFault>& faults) {
+    if (!faults.empty()) {
+        printHeading(out, heading);
+    }
+    for (const io::SealFault& fault : faults) {
+        out << "  " << (fault.place.empty() ? "container" : fault.place) << ": " << englishText(fault.what) << '\n';
+    }
+}
+
+void print(const std::string& path, const io::SealCheck& check, const std::vector<RepeatedRun>& repeats, const std::string& verdict,
+           std::ostream& out) {
+    const io::SealStatement& statement = check.statement;
+    out << path << ": " << verdict << '\n';
+    FactList facts;
+    facts.add("title", statement.title);
+    facts.add("sealed", statement.sealedAt + (statement.sealedBy.empty() ? "" : " by " + statement.sealedBy));
+    if (!statement.note.empty()) {
+        facts.add("note", statement.note);
+    }
+    facts.add("SHA-256 of the key", check.signature.signer.fingerprint);
+    if (!check.signature.signer.subject.empty()) {
+        facts.add("certificate", check.signature.signer.subject);
+    }
+    facts.add("time stamp",
+              check.stamp && check.stamp->matches ? io::utcOfSeconds(check.stamp->time) + " by " + check.stamp->service : "none");
+    facts.add("SHA-256 of the statement", check.sealSha256);
+    facts.add("head of the journal", statement.journalHead.empty() ? "none" : statement.journalHead);
+    facts.print(out);
+    printFaults(out, "Not as it was sealed", check.faults);
+    printFaults(out, "Not proven", check.doubts);
+    if (!check.records.empty()) {
+        printHeading(out, "Since it was sealed");
+        printRecords(out, check);
+    }
+    for (const RepeatedRun& each : repeats) {
+        out << each.run.place << ": " << (each.repeat.equal ? "equal" : "not equal. " + firstDifference(each)) << '\n';
+    }
+}
+
+Json asJson(const std::string& path, const io::SealCheck& check, const std::vector<RepeatedRun>& repeats,
+            const std::string& verdict, bool good) {
+    Json object;
+    object["bundle"] = path;
+    object["verdict"] = verdict;
+    object["ok"] = good;
+    object["sealed_at"] = check.statement.sealedAt;
+    object["sealed_by"] = check.statement.sealedBy;
+    object["seal_sha256"] = check.sealSha256;
+    object["key_sha256"] = check.signature.signer.fingerprint;
+    object["stamped_at"] = check.stamp && check.stamp->matches ? Json(io::utcOfSeconds(check.stamp->time)) : Json();
+    object["faults"] = faultsJson(check.faults);
+    object["doubts"] = faultsJson(check.doubts);
+    object["records"] = recordsJson(check);
+    object["runs"] = Json::array();
+    for (const RepeatedRun& each : repeats) {
+        object["runs"].push_back(
+            {{"file", each.run.place}, {"equal", each.repeat.equal}, {"first_difference", firstDifference(each)}});
+    }
+    return object;
+}
+
+std::vector<RepeatedRun> openUnpacked(const io::SealCheck& check, const Arguments& arguments, Session& session) {
+    std::optional<io::ScratchFolder> scratch;
+    const auto into = arguments.value("--into");
+    if (!into) {
+        scratch.emplace();
+    }
+    io::UnpackedBundle unpacked(arguments.operand(), check, into ? *into : scratch->path(), session.execution());
+    for (const std::string& text : arguments.values("--input")) {
+        const auto [id, path] = splitAssignment("--input", text);
+        unpacked.locate(id, path, session.execution());
+    }
+    if (into) {
+        unpacked.writeWorkingCase(*into + "/" + std::filesystem::path(check.statement.casePlace).filename().string());
+    }
+    return arguments.has("--no-run") ? std::vector<RepeatedRun>() : repeatRuns(unpacked, session);
+}
+
+ExitCode openSealed(const Arguments& arguments, Session& session) {
+    const io::SealTrust trust{{arguments.value("--trust").value_or(""), arguments.value("--signer").value_or("")},
+                              arguments.value("--stamp-trust").value_or(""),
+                              arguments.value("--digest").value_or("")};
+    const io::SealCheck check = io::checkBundle(arguments.operand(), trust, session.execution());
+    std::vector<RepeatedRun> repeats;
+    const bool opened = check.sound() && (arguments.has("--into") || !arguments.has("--no-run"));
+    if (opened) {
+        repeats = openUnpacked(check, arguments, session);
+    }
+    const std::string verdict = verdictOf(check, repeats, !arguments.has("--no-run"));
+    bool good = check.sound();
+    for (const RepeatedRun& each : repeats) {
+        good = good && each.repeat.equal;
+    }
+    if (arguments.json()) {
+        printJson(session, asJson(arguments.operand(), check, repeats, verdict, good));
+    } else {
+        print(arguments.operand(), check, repeats, verdict, session.out());
+    }
+    return good ? ExitCode::Ok : ExitCode::Failed;
+}
+
+}  // namespace
+
+Command openSealedCommand() {
+    return {"open-sealed",
+            "BUNDLE",
+            "is a sealed bundle what was sealed; do its runs repeat",
+            "Checks every byte, the signature, the time stamp, the journal and each entry since. If all is as it was sealed, it is "
+            "unpacked to be read only, each run is simulated again, and equal or the first difference is told.",
+            {{"--into", "FOLDER", false, "unpack here and keep it, with a copy of the case to work on"},
+             {"--no-run", "", false, "check only; simulate nothing"},
+             {"--input", "ID=FILE", true, "where an input is that did not travel"},
+             {"--signer", "KEY", false, "public key, certificate or fingerprint that must have signed"},
+             {"--trust", "FILE", false, "certificates that vouch for signers, PEM"},
+             {"--stamp-trust", "FILE", false, "certificates that vouch for the time-stamping service, PEM"},
+             {"--digest", "SHA256", false, "digest of the statement or of an entry that the bundle must hold"}},
+            openSealed};
+}
+
+}  // namespace rubble::cli

@@ -1,0 +1,327 @@
+#include "io/seal/seal_payload.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/build.h"
+#include "core/base/error.h"
+#include "core/simulation/run/acknowledgement.h"
+#include "io/base/files.h"
+#include "io/base/sha256.h"
+#include "io/case/case_file.h"
+#include "io/case/input_check.h"
+#include "io/case/journal_check.h"
+#include "io/fe/fe_reader.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_file.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Files beside a raster, a table or a mesh that say where it lies and what belongs to it.
+constexpr std::array<std::string_view, 14> companions{".prj", ".tfw", ".tifw", ".jgw", ".pgw",     ".wld",     ".shx",
+                                                      ".dbf", ".cpg", ".mtl",  ".ovr", ".aux.xml", ".geojson", ".csvt"};
+
+bool isCompanion(const std::string& name, const fs::path& of) {
+    const std::string stem = of.stem().string(), whole = of.filename().string();
+    return std::any_of(companions.begin(), companions.end(), [&](std::string_view ending) {
+        return name != whole && (name == stem + std::string(ending) || name == whole + std::string(ending));
+    });
+}
+
+std::vector<std::string> filesOfInput(const std::string& path, InputRole role) {
+    if (role == InputRole::Fe) {
+        return feFiles(path);
+    }
+    std::vector<std::string> files{path};
+    std::error_code ignored;
+    for (fs::directory_iterator it(fs::path(path).parent_path(), ignored), end; it != end; it.increment(ignored)) {
+        if (it->is_regular_file(ignored) && isCompanion(it->path().filename().string(), path)) {
+            files.push_back(it->path().string());
+        }
+    }
+    std::sort(files.begin() + 1, files.end());
+    return files;
+}
+
+/// The folder that holds all files and those below it.
+fs::path commonFolder(const std::vector<std::string>& files) {
+    fs::path common = fs::absolute(files.front()).lexically_normal().parent_path();
+    for (const std::string& file : files) {
+        const fs::path whole = fs::absolute(file).lexically_normal();
+        while (common != common.root_path()) {
+            const fs::path inside = whole.lexically_relative(common);
+            if (!inside.empty() && *inside.begin() != "..") {
+                break;
+            }
+            common = common.parent_path();
+        }
+    }
+    return common;
+}
+
+[[noreturn]] void refuseInput(const std::string& id, const Message& what) {
+    throw UsageError(what, Message{"io.seal.input.remedy",
+                                   "Find the file and save the case anew, or seal without it: --leave-out {0}; its digest stays.",
+                                   {id}});
+}
+
+}  // namespace
+
+std::vector<PayloadFile> payloadOfInput(const std::string& folder, const std::string& path, InputRole role) {
+    std::vector<std::string> files = filesOfInput(path, role);
+    const std::string whole = fs::absolute(path).lexically_normal().string();
+    // The file that the case names is the one to be opened.
+    std::stable_partition(files.begin(), files.end(),
+                          [&](const std::string& file) { return fs::absolute(file).lexically_normal().string() == whole; });
+    const fs::path common = commonFolder(files);
+    std::vector<PayloadFile> payload;
+    for (const std::string& file : files) {
+        const std::string inside = fs::absolute(file).lexically_normal().lexically_relative(common).generic_string();
+        std::string place = folder + inside;
+        // The names of a series are part of its digest.
+        if (!isBagPlace(place) && files.size() == 1) {
+            place = folder + bagName(inside);
+        }
+        if (!isBagPlace(place)) {
+            throw UsageError(
+                Message{"io.seal.name", "The name {0} holds characters that do not travel: %, \\ or line ends", {file}},
+                Message{"io.seal.name.remedy", "Rename the files of this input, and save the case anew.", {}});
+        }
+        payload.push_back({place, file, {}, 0, {}});
+    }
+    return payload;
+}
+
+void takeDigests(std::vector<PayloadFile>& files, const Execution& execution) {
+    double all = 1.0, done = 0.0;
+    for (const PayloadFile& file : files) {
+        std::error_code failed;
+        const std::uintmax_t size = file.source.empty() ? 0 : fs::file_size(file.source, failed);
+        all += failed ? 0.0 : static_cast<double>(size);
+    }
+    for (PayloadFile& file : files) {
+        if (file.source.empty()) {
+            continue;
+        }
+        file.bytes = 0;
+        file.sha256 = sha256OfFile(file.source, [&](std::size_t block) {
+            file.bytes += block;
+            done += static_cast<double>(block);
+            execution.report({"io.seal.digests", "Taking the digests of what is sealed", {}}, std::min(1.0, done / all));
+        });
+    }
+}
+
+void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, const std::function<void(std::size_t)>& advance) {
+    std::ifstream in(file.source, std::ios::binary);
+    Sha256 digest;
+    std::vector<char> block(std::size_t{1} << 20);
+    zip.open(name, file.bytes);
+    while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
+        const auto got = static_cast<std::size_t>(in.gcount());
+        digest.add(block.data(), got);
+        zip.write(block.data(), got);
+        advance(got);
+    }
+    zip.close();
+    if (digest.hex() != file.sha256) {
+        throw WorldError(Message{"io.seal.changed", "{0} changed while it was sealed", {file.source}},
+                         Message{"io.seal.changed.remedy", "Wait until whatever writes it has ended, and seal again.", {}});
+    }
+}
+
+SealedRun describeRun(const std::string& path, const std::vector<SealedInput>& inputs, const Execution& execution) {
+    const std::shared_ptr<RunReader> run = openRun(path);
+    if (!run->complete()) {
+        throw UsageError(Message{"io.seal.run_incomplete", "The run {0} was stopped before its end", {path}},
+                         Message{"io.seal.run_incomplete.remedy", "Run the case to its end, or leave the run out.", {}});
+    }
+    checkRunDigest(path, execution);
+    const RunOrigin& origin = run->origin();
+    std::vector<std::string> needed{origin.feSha256};
+    if (!origin.terrainPath.empty()) {
+        needed.push_back(origin.terrainSha256);
+    }
+    for (const RecordedInput& mesh : origin.surroundings) {
+        needed.push_back(mesh.sha256);
+    }
+    for (const std::string& digest : needed) {
+        if (std::none_of(inputs.begin(), inputs.end(), [&](const SealedInput& input) { return input.sha256 == digest; })) {
+            throw UsageError(Message{"io.seal.run_of_another",
+                                     "The run {0} stands on a file that is no input of the case: SHA-256 {1}",
+                                     {path, digest}},
+                             Message{"io.seal.run_of_another.remedy", "Seal it with the case that it was made from.", {}});
+        }
+    }
+    return {{}, {}, origin.scenarioName, origin.fingerprint.hex(), run->result()->trajectoryHash.hex(), origin.build};
+}
+
+SealPayload::SealPayload(const SealRequest& request, const Execution& execution) : m_request(request), m_execution(execution) {
+    addCase();
+    addInputs();
+    addRuns();
+    addExtras();
+    takeDigests(m_files, m_execution);
+    for (SealedRun& run : m_statement.runs) {
+        run.sha256 = manifest().at(run.place);
+    }
+}
+
+void SealPayload::addText(const std::string& place, std::string text) {
+    const std::string digest = sha256OfText(text);
+    const std::uint64_t bytes = text.size();
+    m_files.push_back({place, {}, std::move(text), bytes, digest});
+}
+
+Manifest SealPayload::manifest() const {
+    Manifest manifest;
+    for (const PayloadFile& file : m_files) {
+        manifest[file.place] = file.sha256;
+    }
+    return manifest;
+}
+
+std::uint64_t SealPayload::bytes() const {
+    std::uint64_t sum = 0;
+    for (const PayloadFile& file : m_files) {
+        sum += file.bytes;
+    }
+    return sum;
+}
+
+void SealPayload::addCase() {
+    const std::string& path = m_request.casePath;
+    std::optional<std::string> text = contentOf(path);
+    if (!text) {
+        sha256OfFile(path);
+    }
+    const JournalCheck journal = checkJournalText(*text, path);
+    if (const std::string now = utcNow(); now < journal.last) {
+        throw UsageError(Message{"io.seal.clock",
+                                 "The clock of this machine says {0}, but the journal of {1} goes on until {2}",
+                                 {now, path, journal.last}},
+                         Message{"io.seal.clock.remedy", "Set the clock of this machine right, and seal then.", {}});
+    }
+    if (journal.entries == 0) {
+        m_findings.add({"io.seal.no_journal", "the case has no journal, so who changed what in it cannot be told", {}},
+                       {"io.seal.no_journal.remedy", "save the case once with this version", {}}, path);
+    } else if (!journal.sound()) {
+        m_findings.add({"io.seal.journal_unsound", "the case is not what its journal says", {}},
+                       {"io.seal.journal_unsound.remedy", "look at it with rubble-cli verify before it is sealed", {}}, path);
+    }
+    if (!journal.backward.empty()) {
+        m_findings.add({"io.seal.journal_backward", "entries of the journal are of a time before that of an earlier one", {}},
+                       {"io.seal.journal_backward.remedy", "say in the note how the clock was set", {}}, path,
+                       static_cast<std::int64_t>(journal.backward.size()));
+    }
+    m_statement.title = caseFromText(*text, path).title;
+    m_statement.casePlace = "data/case/" + bagName(fs::path(path).filename().string());
+    m_statement.caseSha256 = sha256OfText(*text);
+    m_statement.journalEntries = static_cast<std::int64_t>(journal.entries);
+    m_statement.journalHead = journal.head;
+    addText(m_statement.casePlace, std::move(*text));
+}
+
+void SealPayload::addInputs() {
+    const Case theCase = loadCase(m_request.casePath);
+    for (const std::string& id : m_request.leftHome) {
+        if (std::none_of(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) { return input.id == id; })) {
+            throw UsageError(Message{"io.seal.no_input", "{0} has no input \"{1}\"", {m_request.casePath, id}},
+                             Message{"io.seal.no_input.remedy", "Name an input of the case by its id.", {}});
+        }
+    }
+    for (const CaseInput& input : theCase.inputs) {
+        const bool leftHome = std::find(m_request.leftHome.begin(), m_request.leftHome.end(), input.id) != m_request.leftHome.end();
+        const std::string path = inputPath(m_request.casePath, input);
+        std::error_code ignored;
+        std::string digest = input.sha256;
+        if (!leftHome || digest.empty()) {
+            if (!fs::exists(path, ignored)) {
+                refuseInput(input.id, {"io.seal.input_missing", "The file of the input {0} is not there: {1}", {input.id, path}});
+            }
+            m_execution.report({"io.seal.inputs", "Taking the digests of the inputs", {}}, 0.0);
+            digest = sha256OfInput(path, input.role, m_execution);
+        }
+        if (!input.sha256.empty() && digest != input.sha256) {
+            refuseInput(input.id, {"io.seal.input_differs",
+                                   "The file of the input {0} is not the one that the case was saved with: {1}",
+                                   {input.id, path}});
+        }
+        m_statement.inputs.push_back({input.id, input.path, digest, {}});
+        if (!leftHome) {
+            for (const PayloadFile& file : payloadOfInput("data/inputs/" + bagName(input.id) + "/", path, input.role)) {
+                m_statement.inputs.back().files.push_back(addFile(file.place, file.source));
+            }
+        } else {
+            m_findings.add({"io.seal.input_home", "inputs do not travel: the bundle holds only their digests", {}},
+                           {"io.seal.input_home.remedy", "whoever opens the bundle needs these files to simulate again", {}},
+                           input.id);
+        }
+    }
+}
+
+void SealPayload::addRuns() {
+    for (const std::string& path : m_request.runs) {
+        SealedRun run = describeRun(path, m_statement.inputs, m_execution);
+        if (run.build != buildText()) {
+            m_findings.add({"io.seal.run_build", "runs were made by another build than this program", {}},
+                           {"io.seal.run_build.remedy", "only that build repeats them bit for bit; run them again, or keep it", {}},
+                           path);
+        }
+        run.place = addFile("data/runs/" + bagName(fs::path(path).filename().string()), path);
+        if (std::error_code ignored; fs::exists(acknowledgementPath(path), ignored)) {
+            addFile(acknowledgementPath(run.place), acknowledgementPath(path));
+        }
+        m_statement.runs.push_back(std::move(run));
+    }
+}
+
+void SealPayload::addExtras() {
+    for (const SealedExtra& extra : m_request.extras) {
+        std::error_code ignored;
+        const fs::path whole = fs::absolute(extra.path).lexically_normal();
+        if (!fs::is_directory(whole, ignored)) {
+            addFile("data/" + extra.folder + "/" + bagName(whole.filename().string()), whole.string());
+            if (const std::string origin = whole.string() + ".provenance.json"; fs::exists(origin, ignored)) {
+                addFile("data/" + extra.folder + "/" + bagName(fs::path(origin).filename().string()), origin);
+            }
+            continue;
+        }
+        std::vector<fs::path> inside;
+        for (fs::recursive_directory_iterator it(whole, ignored), end; it != end; it.increment(ignored)) {
+            if (it->is_regular_file(ignored)) {
+                inside.push_back(it->path());
+            }
+        }
+        std::sort(inside.begin(), inside.end());
+        for (const fs::path& file : inside) {
+            std::string place = "data/" + extra.folder;
+            for (const fs::path& part : file.lexically_relative(whole)) {
+                place += "/" + bagName(part.string());
+            }
+            addFile(place, file.string());
+        }
+    }
+}
+
+/// Two files of one name get a number before the second.
+std::string SealPayload::addFile(const std::string& place, const std::string& source) {
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(m_files.begin(), m_files.end(), [&](const PayloadFile& file) { return file.place == name; });
+    };
+    std::string free = place;
+    for (int number = 2; taken(free); ++number) {
+        const std::size_t name = place.rfind('/') + 1;
+        free = place.substr(0, name) + std::to_string(number) + "-" + place.substr(name);
+    }
+    m_files.push_back({free, source, {}, 0, {}});
+    return free;
+}
+
+}  // namespace rubble::io

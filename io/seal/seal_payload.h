@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/base/finding.h"
+#include "core/scenario/case.h"
+#include "io/seal/bag.h"
+#include "io/seal/seal_case.h"
+
+namespace rubble::io {
+
+/// A file of the payload: where it comes from, and where it goes.
+struct PayloadFile {
+    std::string place;   ///< in the bag
+    std::string source;  ///< absolute; empty: the text
+    std::string text;
+    std::uint64_t bytes = 0;
+    std::string sha256;
+};
+
+/// The files of an input with their places below a folder of the bag; the first is the one to open.
+/// Throws UsageError for a name that does not travel.
+std::vector<PayloadFile> payloadOfInput(const std::string& folder, const std::string& path, InputRole role);
+/// Takes digest and size of files that have a source.
+void takeDigests(std::vector<PayloadFile>& files, const Execution& execution);
+/// Packs a file. @param advance  called with the bytes of each block. Throws WorldError if it is not what its digest was taken of.
+void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, const std::function<void(std::size_t)>& advance);
+/// What is said of a complete and sound run. Throws UsageError if it stands on a file that is none of these inputs.
+SealedRun describeRun(const std::string& path, const std::vector<SealedInput>& inputs, const Execution& execution);
+
+/// Everything that goes into the payload of a bundle.
+class SealPayload {
+public:
+    /// Looks for all files and takes their digests. Throws as sealCase().
+    SealPayload(const SealRequest& request, const Execution& execution);
+
+    /// A content that comes from no file.
+    void addText(const std::string& place, std::string text);
+
+    const std::vector<PayloadFile>& files() const { return m_files; }
+    Manifest manifest() const;
+    std::uint64_t bytes() const;
+    /// What the statement says of case, inputs and runs.
+    const SealStatement& statement() const { return m_statement; }
+    const Findings& findings() const { return m_findings; }
+
+private:
+    void addCase();
+    void addInputs();
+    void addRuns();
+    void addExtras();
+    std::string addFile(const std::string& place, const std::string& source);
+    const SealRequest& m_request;
+    const Execution& m_execution;
+    std::vector<PayloadFile> m_files;
+    SealStatement m_statement;
+    Findings m_findings;
+};
+
+}  // namespace rubble::io

@@ -10637,8 +10637,16 @@
         <translation>有记录被去掉或移动：按位置这是第 {0} 条，而它自称 {1}</translation>
     </message>
     <message>
+        <source>a summary of one page in plain language</source>
+        <translation>用通俗语言写的一页摘要</translation>
+    </message>
+    <message>
         <source>a time stamp was asked for when it was sealed, and none is here</source>
         <translation>封存时曾请求时间戳，而此处没有</translation>
+    </message>
+    <message>
+        <source>add what was found on the site to the case</source>
+        <translation>将现场所得加入案例</translation>
     </message>
     <message>
         <source>altered or left out: record {0} names the SHA-256 {1}</source>
@@ -10665,8 +10673,16 @@
         <translation>日志的第 {0} 个条目被改动，或缺少前一个条目</translation>
     </message>
     <message>
+        <source>files of the material have no digest</source>
+        <translation>材料中有文件没有摘要</translation>
+    </message>
+    <message>
         <source>health breaches</source>
         <translation>健康超限</translation>
+    </message>
+    <message>
+        <source>how far these settings are from the reference is not known</source>
+        <translation>这些设置离基准有多远，并不知道</translation>
     </message>
     <message>
         <source>inputs do not travel: the bundle holds only their digests</source>
@@ -10701,6 +10717,14 @@
         <translation>被遗漏：文件清单中有它</translation>
     </message>
     <message>
+        <source>let at least two repeats be simulated: --repeats 2</source>
+        <translation>至少模拟两次重复：--repeats 2</translation>
+    </message>
+    <message>
+        <source>let the self-test run: --self-test closed-form</source>
+        <translation>运行自检：--self-test closed-form</translation>
+    </message>
+    <message>
         <source>look at it with rubble-cli verify before it is sealed</source>
         <translation>封存之前用 rubble-cli verify 查看</translation>
     </message>
@@ -10709,8 +10733,24 @@
         <translation>由不同于本程序的构建生成，因此在此未必逐位重复：{0}</translation>
     </message>
     <message>
+        <source>make a case of the FE result and report the run with it: --case</source>
+        <translation>由有限元结果建立案例，并与它一起报告计算：--case</translation>
+    </message>
+    <message>
         <source>match their cameras and draw outlines of the debris, or take them out</source>
         <translation>匹配其相机并绘出堆积物的轮廓，或将其取出</translation>
+    </message>
+    <message>
+        <source>measure it with rubble-cli accuracy, or in the panel Accuracy</source>
+        <translation>用 rubble-cli accuracy 或在“精度”面板中测定</translation>
+    </message>
+    <message>
+        <source>mend what the Health panel names, or acknowledge it with reasons</source>
+        <translation>处理“健康”面板所指出之处，或说明理由予以确认</translation>
+    </message>
+    <message>
+        <source>name who answers for it: --by, or in the panel</source>
+        <translation>写明由谁负责：--by，或在面板中</translation>
     </message>
     <message>
         <source>neither the statement nor a record has the digest {0} that is known of it</source>
@@ -10727,6 +10767,10 @@
     <message>
         <source>only that build repeats them bit for bit; run them again, or keep it</source>
         <translation>只有该构建能逐位重复；请重新计算，或保留该构建</translation>
+    </message>
+    <message>
+        <source>photographs are in the case, and nothing is compared with them</source>
+        <translation>案例中有照片，但没有与之比较</translation>
     </message>
     <message>
         <source>public-key.pem</source>
@@ -10753,6 +10797,14 @@
         <translation>计算由不同于本程序的构建生成</translation>
     </message>
     <message>
+        <source>save the case once the files are where it says</source>
+        <translation>待文件位于案例所写之处后保存案例</translation>
+    </message>
+    <message>
+        <source>save the case once with this version</source>
+        <translation>用本版本保存一次案例</translation>
+    </message>
+    <message>
         <source>say in the note how the clock was set</source>
         <translation>在备注中说明时钟是如何设置的</translation>
     </message>
@@ -10777,8 +10829,28 @@
         <translation>封存的轨迹哈希</translation>
     </message>
     <message>
+        <source>see what the Evidence panel says of them, or take them out</source>
+        <translation>查看“证据”面板对其的说明，或将其取出</translation>
+    </message>
+    <message>
         <source>signed by the key {0}, not by the one expected, {1}</source>
         <translation>由密钥 {0} 签名，而不是预期的 {1}</translation>
+    </message>
+    <message>
+        <source>simulate the ensemble of the case: rubble-cli ensemble</source>
+        <translation>模拟案例的系综：rubble-cli ensemble</translation>
+    </message>
+    <message>
+        <source>state it in the words of whoever asked: --question, or in the panel</source>
+        <translation>用提问者的话写明：--question，或在面板中</translation>
+    </message>
+    <message>
+        <source>surveys are in the case, and nothing is compared with them</source>
+        <translation>案例中有测量，但没有与之比较</translation>
+    </message>
+    <message>
+        <source>the case has no journal, so who changed what in it cannot be told</source>
+        <translation>案例没有日志，因此无法得知谁更改了什么</translation>
     </message>
     <message>
         <source>the case is not what its journal says</source>
@@ -10821,6 +10893,10 @@
         <translation>密钥或证书不是声明所写的那一个</translation>
     </message>
     <message>
+        <source>the program was not tested on this machine</source>
+        <translation>程序没有在本机上自检</translation>
+    </message>
+    <message>
         <source>the public key or the certificate beside the signature is damaged</source>
         <translation>签名旁的公钥或证书已损坏</translation>
     </message>
@@ -10829,8 +10905,32 @@
         <translation>{0} 的记录没有签名</translation>
     </message>
     <message>
+        <source>the report does not say who makes it</source>
+        <translation>报告没有写明由谁编写</translation>
+    </message>
+    <message>
+        <source>the report states no question that it answers</source>
+        <translation>报告没有写明它所回答的问题</translation>
+    </message>
+    <message>
         <source>the request for the time stamp is damaged</source>
         <translation>时间戳请求已损坏</translation>
+    </message>
+    <message>
+        <source>the result is held against no photograph and no survey</source>
+        <translation>结果没有与任何照片或测量对照</translation>
+    </message>
+    <message>
+        <source>the results have no intervals: nothing was repeated</source>
+        <translation>结果没有区间：没有重复</translation>
+    </message>
+    <message>
+        <source>the run passed limits of health, and nobody vouches for it</source>
+        <translation>计算超过了健康限值，没有人为其担保</translation>
+    </message>
+    <message>
+        <source>the run stands alone: no case tells what was received and assumed</source>
+        <translation>只有计算：没有案例说明接收了什么、作了何假设</translation>
     </message>
     <message>
         <source>the service granted no time stamp</source>
@@ -10875,6 +10975,22 @@
     <message>
         <source>trajectory hash</source>
         <translation>轨迹哈希</translation>
+    </message>
+    <message>
+        <source>what was not known was not varied</source>
+        <translation>未知的量没有变化</translation>
+    </message>
+    <message>
+        <source>what would change the opinion</source>
+        <translation>什么会改变意见</translation>
+    </message>
+    <message>
+        <source>which other causes were considered, and how each was excluded (rubble-cli compare)</source>
+        <translation>考虑过哪些其他原因，各自如何排除（rubble-cli compare）</translation>
+    </message>
+    <message>
+        <source>who held the material before it came here, and what was done to it</source>
+        <translation>材料到此之前由谁保管、做过什么</translation>
     </message>
     <message>
         <source>whoever opens the bundle needs these files to simulate again</source>

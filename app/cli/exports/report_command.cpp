@@ -11,8 +11,10 @@
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/temporary_run.h"
+#include "app/cli/frame/text_output.h"
 #include "app/cli/frame/virtual_display.h"
 #include "core/base/error.h"
+#include "core/evidence/report_gaps.h"
 #include "core/scenario/case_lookup.h"
 #include "core/selftest/report_checks.h"
 #include "io/base/files.h"
@@ -136,19 +138,54 @@ figures::MapPictureStyle mapStyle(const io::RunReader& run) {
     return style;
 }
 
+/// What the report would lack; nothing is repeated for it and nothing written.
+ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportRequest request) {
+    const ReportPlan plan{request.repeats, arguments.value("--self-test").value_or("closed-form") != "none"};
+    request.repeats = 0;
+    const ReportFacts facts = io::reportFacts(request, session.execution());
+    const Findings gaps = reportGaps(facts, plan);
+    if (arguments.json()) {
+        Json object;
+        object["run"] = request.run->path();
+        object["fingerprint"] = facts.fingerprint;
+        object["lacks"] = findingsJson(gaps);
+        object["own_words"] = Json::array();
+        for (const Message& own : reportOwnWords()) {
+            object["own_words"].push_back(englishText(own));
+        }
+        printJson(session, object);
+    } else {
+        printHeading(session.out(), gaps.empty() ? "The report lacks nothing that the program can tell" : "The report would lack");
+        if (!gaps.empty()) {
+            printFindings(session.out(), gaps);
+        }
+        printHeading(session.out(), "For you to say");
+        for (const Message& own : reportOwnWords()) {
+            session.out() << "  " << englishText(own) << '\n';
+        }
+    }
+    return gaps.empty() ? ExitCode::Ok : ExitCode::Failed;
+}
+
 ExitCode report(const Arguments& arguments, Session& session) {
     const std::optional<std::string> folder = arguments.value("--out");
-    if (!folder) {
+    const bool checkOnly = arguments.has("--check");
+    if (!folder && !checkOnly) {
         throw UsageError({"cli.no_report", "rubble-cli report does not know where to write.", {}},
                          {"cli.no_report.remedy", "Name a folder: --out FOLDER; it gets report.html and report.pdf.", {}});
     }
     checkSelfTest(arguments);
-    io::makeFolderOf(*folder);
+    if (!checkOnly) {
+        io::makeFolderOf(*folder);
+    }
     const ReportSubject subject = openReportSubject(arguments, session);
     Findings site;
     const Inputs inputs = openInputsOfRun(subject.runPath, subject.run->origin(), arguments, session, &site);
     io::ReportRequest request = requestOf(arguments, subject, inputs);
     request.siteFindings = site;
+    if (checkOnly) {
+        return tellGaps(arguments, session, request);
+    }
     ReportFacts facts = io::reportFacts(request, session.execution());
     addSelfTest(facts, arguments, session);
     quietQt();
@@ -199,6 +236,7 @@ Command reportCommand() {
             "newest run "
             "that was kept is reported; if there is none it is simulated.",
             {{"--out", "FOLDER", false, "where report.html and report.pdf are written"},
+             {"--check", "", false, "write nothing; list what the report lacks that standards for such reports ask for"},
              {"--case", "CASE", false, "of a run: the case that it must agree with"},
              {"--run", "RUN", false, "of a case: the run that is reported (default: the newest that was kept)"},
              scenarioOption(),

@@ -126,6 +126,7 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"convert", fe, folder / "converted.h5"},
         {"cache", "list", "--cache", folder / "cache"},
         {"seal", caseFile, "--key", pem, "--runs", run, "--out", bundle},
+        {"report", run, "--check"},
         {"time-stamp", bundle, "--request", folder / "request.tsq"},
         {"custody", bundle, "--received-by", "B", "--received-from", "A"},
         {"addendum", bundle, caseFile, "--key", pem, "--runs", run},

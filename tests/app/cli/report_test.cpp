@@ -72,6 +72,21 @@ TEST_F(ReportCommand, SaysTheNumbersOfTheRun) {
     }
 }
 
+TEST_F(ReportCommand, CheckListsWhatItLacksAndWritesNothing) {
+    const Outcome bare = cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--repeats", "0"});
+    EXPECT_EQ(bare.exitCode, 1) << bare.err;
+    for (const char* id :
+         {"report.gap.question", "report.gap.author", "report.gap.case", "report.gap.evidence", "report.gap.intervals"}) {
+        EXPECT_THAT(bare.out, HasSubstr(id));
+    }
+    EXPECT_THAT(bare.out, HasSubstr("what would change the opinion"));
+    const Outcome asked =
+        cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--question", "Where?", "--by", "A. Miller"});
+    EXPECT_THAT(asked.out, testing::Not(HasSubstr("report.gap.question")));
+    EXPECT_THAT(asked.out, testing::Not(HasSubstr("report.gap.intervals")));
+    EXPECT_FALSE(fs::exists(m_folder / "report"));
+}
+
 TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
     Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
     theCase.scenarios[0].scenario = io::openRun(m_out)->origin().scenario;

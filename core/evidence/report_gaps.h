@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/evidence/report_facts.h"
+
+namespace rubble {
+
+/// What a report will hold that is made only when it is written.
+struct ReportPlan {
+    int repeats = 0;        ///< simulated for the spread of the results
+    bool selfTest = false;  ///< the self-test is run
+};
+
+/// What a report lacks that standards for the reports of experts ask for, by their public abstracts (ASTM E620, E860, E2713,
+/// E3176): the question and who answers it, the material and where it comes from, tests of the program, known distance to the
+/// reference, results with intervals, what was not known. One finding for each, with what to do about it.
+Findings reportGaps(const ReportFacts& facts, const ReportPlan& plan);
+
+/// What these standards ask for as well, and no program can say.
+std::vector<Message> reportOwnWords();
+
+}  // namespace rubble

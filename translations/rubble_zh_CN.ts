@@ -21896,6 +21896,18 @@ Program: %3</source>
         <source>Not compared: %1 m² of surveyed and %2 m² of simulated debris.</source>
         <translation>未比较：测得堆积物 %1 m²，模拟堆积物 %2 m²。</translation>
     </message>
+    <message>
+        <source>Offset error of the survey</source>
+        <translation>测量的偏移误差</translation>
+    </message>
+    <message>
+        <source>Offset error, m</source>
+        <translation>偏移误差，m</translation>
+    </message>
+    <message>
+        <source>Standard deviation of an offset that all surveyed heights may have together, m. Without it the systematic error of volumes is not known. Kept in the case</source>
+        <translation>所有测得高程可能共有的偏移的标准差，m。没有它时体积的系统误差未知。保存在案例中</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::SurveyView</name>

@@ -29,6 +29,8 @@ struct CaseInput {
     /// Of a survey: standard deviation of its heights and of those of the ground, m; unset: not stated.
     std::optional<double> noise = std::nullopt;
     std::optional<double> groundNoise = std::nullopt;
+    /// Of a survey: standard deviation of an offset that all its heights may have together, m; unset: not stated.
+    std::optional<double> offsetError = std::nullopt;
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 

@@ -139,6 +139,9 @@ json inputJson(const CaseInput& input) {
     if (input.groundNoise) {
         object["ground_noise_m"] = jsonNumber(*input.groundNoise);
     }
+    if (input.offsetError) {
+        object["offset_error_m"] = jsonNumber(*input.offsetError);
+    }
     return object;
 }
 
@@ -154,8 +157,8 @@ std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) 
 }
 
 CaseInput inputFrom(const JsonCursor& object) {
-    object.allowOnly(
-        {"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m", "ground_noise_m"});
+    object.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m",
+                      "ground_noise_m", "offset_error_m"});
     CaseInput input{object["id"].text(), roleFrom(object["role"]), object["path"].text(), object["sha256"].text()};
     if (object.has("shows_fallen")) {
         input.showsFallen = object["shows_fallen"].flag();
@@ -171,6 +174,7 @@ CaseInput inputFrom(const JsonCursor& object) {
     }
     input.noise = noiseFrom(object, "noise_m");
     input.groundNoise = noiseFrom(object, "ground_noise_m");
+    input.offsetError = noiseFrom(object, "offset_error_m");
     return input;
 }
 

@@ -156,6 +156,7 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
             settings.scope = input.scope;
             settings.noise = input.noise;
             settings.groundNoise = input.groundNoise;
+            settings.offsetError = input.offsetError;
             settings.showsFallen = input.showsFallen;
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
             survey.comparison = compareRunWithSurvey(mapped, std::nullopt, read.survey, settings, execution);

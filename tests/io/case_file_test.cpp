@@ -470,6 +470,7 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     survey.scope.leftOut.polygons = {{{{4.0, 1.0}, {5.0, 1.0}, {5.0, 2.0}}}, {{{6.0, 1.0}, {7.0, 1.0}, {7.0, 2.0}}}};
     survey.noise = 0.05;
     survey.groundNoise = 0.1;
+    survey.offsetError = 0.03;
     theCase.inputs.push_back(survey);
     const std::string text = caseText(theCase);
     EXPECT_EQ(caseFromText(text, "a.rubble").inputs, theCase.inputs);
@@ -485,6 +486,7 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
         return std::string();
     };
     EXPECT_NE(refused("\"noise_m\": 0.05", "\"noise_m\": -0.05").find("/inputs/1/noise_m"), std::string::npos);
+    EXPECT_NE(refused("\"offset_error_m\": 0.03", "\"offset_error_m\": -1").find("/inputs/1/offset_error_m"), std::string::npos);
     EXPECT_NE(refused("\"area_m\": [", "\"area_m\": [[[[0, 0], [1, 1]]],").find("/inputs/1/area_m/0/0"), std::string::npos);
 }
 

@@ -146,7 +146,7 @@ TEST_F(SurveyForm, WhatTheSurveyShowsIsAskedAndShown) {
 TEST_F(SurveyForm, WhatIsComparedIsListedAndNoiseIsAskedFor) {
     content.scope.area.polygons = {{{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}}}};
     content.scope.leftOut.polygons = {{{{1.0, 1.0}, {2.0, 1.0}, {2.0, 2.0}, {1.0, 2.0}}}};
-    content.noise = 0.05;
+    content.errors.noise = 0.05;
     box.setContent(content);
     auto* list = box.findChild<QListWidget*>();
     ASSERT_EQ(list->count(), 2);
@@ -163,20 +163,22 @@ TEST_F(SurveyForm, WhatIsComparedIsListedAndNoiseIsAskedFor) {
     }
     ASSERT_EQ(removed.size(), 1u);
     EXPECT_EQ(removed.front(), std::pair(ScopePart::LeftOut, 0));
-    std::optional<double> ofSurvey;
-    std::optional<double> ofGround = 1.0;
-    QObject::connect(&box, &SurveyBox::noiseChosen, &box, [&](std::optional<double> survey, std::optional<double> ground) {
-        ofSurvey = survey;
-        ofGround = ground;
-    });
+    SurveyBox::Errors chosen{0.0, 1.0, 1.0};
+    QObject::connect(&box, &SurveyBox::noiseChosen, &box, [&](const SurveyBox::Errors& errors) { chosen = errors; });
     NumberField* noise = box.findChildren<NumberField*>()[2];
     EXPECT_EQ(noise->number(), std::optional<double>(0.05));
     noise->setFocus();
     noise->selectAll();
     QTest::keyClicks(noise, QStringLiteral("0.1"));
     QTest::keyClick(noise, Qt::Key_Return);
-    EXPECT_EQ(ofSurvey, std::optional<double>(0.1));
-    EXPECT_EQ(ofGround, std::nullopt);
+    EXPECT_EQ(chosen.noise, std::optional<double>(0.1));
+    EXPECT_EQ(chosen.groundNoise, std::nullopt);
+    EXPECT_EQ(chosen.offset, std::nullopt);
+    NumberField* offset = box.findChildren<NumberField*>()[4];
+    offset->setFocus();
+    QTest::keyClicks(offset, QStringLiteral("0.03"));
+    QTest::keyClick(offset, Qt::Key_Return);
+    EXPECT_EQ(chosen.offset, std::optional<double>(0.03));
 }
 
 TEST_F(SurveyForm, PolygonsAreDrawnOnTheMapByMouseAndKeys) {

@@ -99,6 +99,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
       m_noise(new NumberField(tr("Noise of the survey"))),
       m_groundNoise(new NumberField(tr("Noise of the ground"))),
+      m_offsetError(new NumberField(tr("Offset error of the survey"))),
       m_scope(new QListWidget),
       m_addScope(new QToolButton),
       m_removeScope(new QToolButton),
@@ -179,10 +180,11 @@ void SurveyBox::buildFields() {
         tr("Whether live structure that moved farther than 1 m belongs to the simulated debris, as it does to the "
            "surveyed; said on the result"));
     form->addRow(m_withFallen);
-    for (NumberField* field : {m_noise, m_groundNoise}) {
+    for (NumberField* field : {m_noise, m_groundNoise, m_offsetError}) {
         field->setRange(0.0, 100.0);
-        field->setEmptyMeans(tr("estimated"));
-        connect(field, &NumberField::edited, this, [this] { emit noiseChosen(m_noise->number(), m_groundNoise->number()); });
+        field->setEmptyMeans(field == m_offsetError ? tr("not known") : tr("estimated"));
+        connect(field, &NumberField::edited, this,
+                [this] { emit noiseChosen({m_noise->number(), m_groundNoise->number(), m_offsetError->number()}); });
     }
     m_noise->setToolTip(
         tr("Standard deviation of the surveyed heights, m. Without both, the noise is estimated where nothing fell; heights below "
@@ -190,6 +192,10 @@ void SurveyBox::buildFields() {
     m_groundNoise->setToolTip(tr("Standard deviation of the heights of the terrain below, m; kept in the case"));
     form->addRow(tr("Noise, survey, m"), m_noise);
     form->addRow(tr("Noise, ground, m"), m_groundNoise);
+    m_offsetError->setToolTip(
+        tr("Standard deviation of an offset that all surveyed heights may have together, m. Without it the systematic error of "
+           "volumes is not known. Kept in the case"));
+    form->addRow(tr("Offset error, m"), m_offsetError);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);
     for (NumberField* field : {m_cell, m_least}) {
         connect(field, &NumberField::edited, this, &SurveyBox::settingsChanged);
@@ -306,14 +312,15 @@ void SurveyBox::setContent(const Content& content) {
     m_surveys->addItems(content.names);
     m_surveys->setCurrentIndex(content.chosen);
     m_showsFallen->setCurrentIndex(!content.showsFallen ? 0 : *content.showsFallen ? 1 : 2);
-    m_noise->setNumber(content.noise);
-    m_groundNoise->setNumber(content.groundNoise);
+    m_noise->setNumber(content.errors.noise);
+    m_groundNoise->setNumber(content.errors.groundNoise);
+    m_offsetError->setNumber(content.errors.offset);
     showScope();
     m_showing = false;
     const bool some = content.chosen >= 0;
     m_add->setEnabled(content.available);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_surveys, m_remove, m_cell, m_least, m_fit, m_showsFallen, m_withFallen,
-                                                           m_compare, m_noise, m_groundNoise, m_addScope}) {
+                                                           m_compare, m_noise, m_groundNoise, m_offsetError, m_addScope}) {
         widget->setEnabled(some);
     }
     m_compare->setEnabled(some && content.noComparison.isEmpty() && !content.comparing);

@@ -27,14 +27,20 @@ class SurveyBox : public QWidget {
 public:
     explicit SurveyBox(QWidget* parent = nullptr);
 
+    /// Standard deviations as stated, m; unset: nobody stated them.
+    struct Errors {
+        std::optional<double> noise;
+        std::optional<double> groundNoise;
+        std::optional<double> offset;  ///< that all heights may have together
+    };
+
     struct Content {
         bool available = false;  ///< a case is open
         QStringList names;       ///< of all surveys
         int chosen = -1;
         std::optional<bool> showsFallen;  ///< whether the chosen survey shows live structure that fell; unset: not known
         SurveyScope scope;                ///< what of the chosen survey is compared
-        std::optional<double> noise;      ///< m, as stated
-        std::optional<double> groundNoise;
+        Errors errors;
         QString noComparison;  ///< why none can be made; empty: it can
         QString complaint;     ///< what went wrong with the last one
         bool comparing = false;
@@ -60,7 +66,7 @@ signals:
     void scopeFileRequested(rubble::ScopePart part);
     /// @param polygon  its number within the part
     void scopeRemoved(rubble::ScopePart part, int polygon);
-    void noiseChosen(std::optional<double> survey, std::optional<double> ground);
+    void noiseChosen(const Errors& errors);
     void saveRequested();
 
 private:
@@ -83,6 +89,7 @@ private:
     QCheckBox* m_withFallen;
     NumberField* m_noise;
     NumberField* m_groundNoise;
+    NumberField* m_offsetError;
     QListWidget* m_scope;
     QToolButton* m_addScope;
     QToolButton* m_removeScope;

@@ -328,6 +328,7 @@ void takeStated(SurveySettings& settings, const CaseInput& stated) {
     take(settings.showsFallen, stated.showsFallen);
     take(settings.noise, stated.noise);
     take(settings.groundNoise, stated.groundNoise);
+    take(settings.offsetError, stated.offsetError);
     settings.scope = stated.scope;
 }
 
@@ -401,7 +402,8 @@ Command surveyCommand() {
              {"--noise", "M", false, "standard deviation of the surveyed heights, m (default: as the case says, else estimated)"},
              {"--ground-noise", "M", false, "the same of the ground they are held above, m"},
              {"--offset-error", "M", false,
-              "standard deviation of an offset that all surveyed heights may have together, m (default: not known)"},
+              "standard deviation of an offset that all surveyed heights may have together, m (default: as the case says, else not "
+              "known)"},
              {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
              {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
              {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},

@@ -121,11 +121,12 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
             },
             [part] { return part == ScopePart::Area ? tr("area of interest removed") : tr("left-out polygon removed"); });
     });
-    connect(&box, &widgets::SurveyBox::noiseChosen, this, [this](std::optional<double> survey, std::optional<double> ground) {
+    connect(&box, &widgets::SurveyBox::noiseChosen, this, [this](const widgets::SurveyBox::Errors& errors) {
         edit(
             [&](CaseInput& input) {
-                input.noise = survey;
-                input.groundNoise = ground;
+                input.noise = errors.noise;
+                input.groundNoise = errors.groundNoise;
+                input.offsetError = errors.offset;
             },
             [] { return tr("noise of the survey"); });
     });
@@ -274,6 +275,7 @@ SurveyWork::Compared SurveyDisplay::comparedNow(const CaseInput& survey, const R
     now.settings.scope = survey.scope;
     now.settings.noise = survey.noise;
     now.settings.groundNoise = survey.groundNoise;
+    now.settings.offsetError = survey.offsetError;
     now.origin = record.reader != nullptr ? record.reader->origin() : io::RunOrigin();
     return now;
 }
@@ -346,8 +348,7 @@ void SurveyDisplay::refresh() {
     if (const CaseInput* survey = current(); survey != nullptr) {
         content.showsFallen = survey->showsFallen;
         content.scope = survey->scope;
-        content.noise = survey->noise;
-        content.groundNoise = survey->groundNoise;
+        content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
     }
     content.noComparison = EvidenceWork::whyNoDebris(m_computation.currentRun());
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();

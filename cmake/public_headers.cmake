@@ -47,6 +47,8 @@ set(RUBBLE_PUBLIC_HEADERS
     core/scenario/materials.h
     core/scenario/parameters.h
     core/scenario/photograph.h
+    core/scenario/registration.h
+    core/scenario/removal.h
     core/scenario/scenario.h
     core/scenario/site.h
     core/scenario/stage.h

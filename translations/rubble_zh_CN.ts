@@ -1653,10 +1653,6 @@
         <translation>Baltay &amp; Gjelsvik (1990)：滑动约 0.47；Rabbat &amp; Russell (1985)：现浇、静止 0.57-0.70</translation>
     </message>
     <message>
-        <source>Begin the table with the line name,picture_x_px,picture_y_px,x_m,y_m,z_m.</source>
-        <translation>表格首行应为 name,picture_x_px,picture_y_px,x_m,y_m,z_m。</translation>
-    </message>
-    <message>
         <source>Blocks without attribute names: their first attribute was taken for thickness or area</source>
         <translation>单元块没有属性名：其第一个属性被当作厚度或面积</translation>
     </message>
@@ -9661,10 +9657,6 @@
         <translation>离结构太远、容纳不下的点已略去</translation>
     </message>
     <message>
-        <source>points of class 2 are the ground; {0} of other classes were left out</source>
-        <translation>类别 2 的点为地面；略去了其他类别的 {0} 个点</translation>
-    </message>
-    <message>
         <source>points of vegetation and wires were left out</source>
         <translation>植被和电线的点已略去</translation>
     </message>
@@ -11059,6 +11051,170 @@
     <message>
         <source>{0}: {1} is damaged: it cannot be unpacked</source>
         <translation>{0}：{1} 已损坏，无法解包</translation>
+    </message>
+    <message>
+        <source>A survey is placed by three pairs or more, not by {0}</source>
+        <translation>测量由三对或更多的点对放置，而不是 {0} 对</translation>
+    </message>
+    <message>
+        <source>Pick places that lie far apart and not on a line.</source>
+        <translation>请选取相距较远且不在一条线上的地方。</translation>
+    </message>
+    <message>
+        <source>The pair {0} has no place in the system of the case</source>
+        <translation>点对 {0} 在案例的坐标系中没有位置</translation>
+    </message>
+    <message>
+        <source>Check its numbers and the systems of survey and case.</source>
+        <translation>请检查其数值以及测量和案例的坐标系。</translation>
+    </message>
+    <message>
+        <source>lengths of the survey are {0} times as long in the case</source>
+        <translation>测量中的长度在案例中为其 {0} 倍</translation>
+    </message>
+    <message>
+        <source>check the unit of the survey (feet, millimetres) and the pairs</source>
+        <translation>请检查测量的单位（英尺、毫米）和点对</translation>
+    </message>
+    <message>
+        <source>pairs lie farther than {0} from where the others place them</source>
+        <translation>点对与其他点对所定的位置相差超过 {0}</translation>
+    </message>
+    <message>
+        <source>pick them again, or leave them out</source>
+        <translation>请重新选取，或将其略去</translation>
+    </message>
+    <message>
+        <source>The pairs lie in one place or on a line: the turn about it is open</source>
+        <translation>点对在同一处或一条线上：绕该线的转动不能确定</translation>
+    </message>
+    <message>
+        <source>places whose debris had been removed before {0} are not compared</source>
+        <translation>{0} 之前堆积物已被运走之处不作比较</translation>
+    </message>
+    <message>
+        <source>debris was removed from places, and when the survey was taken is not known</source>
+        <translation>有些地方的堆积物已被运走，而测量的时间未知</translation>
+    </message>
+    <message>
+        <source>say when the survey was taken; until then these places are compared</source>
+        <translation>请说明测量何时拍摄；在此之前这些地方仍参与比较</translation>
+    </message>
+    <message>
+        <source>{0} was taken before the collapse: it shows no debris</source>
+        <translation>{0} 拍摄于倒塌之前：其中没有堆积物</translation>
+    </message>
+    <message>
+        <source>Take it as the terrain, or say that it was taken afterwards.</source>
+        <translation>请将其用作地形，或说明它拍摄于倒塌之后。</translation>
+    </message>
+    <message>
+        <source>the debris at {0}</source>
+        <translation>{0} 时的堆积物</translation>
+    </message>
+    <message>
+        <source>the debris at rest</source>
+        <translation>静止的堆积物</translation>
+    </message>
+    <message>
+        <source>the site before the collapse</source>
+        <translation>倒塌之前的现场</translation>
+    </message>
+    <message>
+        <source>nothing: no outline is drawn on it</source>
+        <translation>无：其上没有画轮廓</translation>
+    </message>
+    <message>
+        <source>where the case lies: {0} of {1} control points are used</source>
+        <translation>案例的位置：{1} 个控制点中使用了 {0} 个</translation>
+    </message>
+    <message>
+        <source>the registration tilts the survey by {0} degrees: its highest and lowest places lie up to {1} from where they should in plan</source>
+        <translation>配准使测量倾斜 {0} 度：最高和最低处在平面上与应在之处相差至多 {1}</translation>
+    </message>
+    <message>
+        <source>register the points of the cloud before a raster is made of them</source>
+        <translation>请在由点云的点生成栅格之前对点作配准</translation>
+    </message>
+    <message>
+        <source>the registration of the case moves it by {0} and turns it by {1} degrees; {2} are left, and a place is known to {3}</source>
+        <translation>案例的配准将其移动 {0}、转动 {1} 度；剩余 {2}，一处的位置已知到 {3}</translation>
+    </message>
+    <message>
+        <source>the registration of the case moves it by {0} and turns it by {1} degrees; {2} are left, and how well a place is known is not known</source>
+        <translation>案例的配准将其移动 {0}、转动 {1} 度；剩余 {2}，位置的准确程度未知</translation>
+    </message>
+    <message>
+        <source>give more pairs, or state the error of the registration</source>
+        <translation>请给出更多点对，或给定配准的误差</translation>
+    </message>
+    <message>
+        <source>{0} holds heights above the ground, which no registration moves</source>
+        <translation>{0} 的高程为地面以上的高度，配准不能移动它们</translation>
+    </message>
+    <message>
+        <source>Take the registration of this survey out of the case.</source>
+        <translation>请从案例中去掉该测量的配准。</translation>
+    </message>
+    <message>
+        <source>{0} has no point of the classes that are to be the ground: {1}</source>
+        <translation>{0} 没有要用作地面的类别的点：{1}</translation>
+    </message>
+    <message>
+        <source>Ask for classes that it has; rubble-cli cloud tells them.</source>
+        <translation>请指定其中有的类别；rubble-cli cloud 会列出它们。</translation>
+    </message>
+    <message>
+        <source>points of class {1} are the ground; {0} of other classes were left out</source>
+        <translation>类别 {1} 的点为地面；略去了其他类别的 {0} 个点</translation>
+    </message>
+    <message>
+        <source>Begin the table with the line {0}.</source>
+        <translation>表格首行应为 {0}。</translation>
+    </message>
+    <message>
+        <source>a class from 0 to 255</source>
+        <translation>0 至 255 的类别</translation>
+    </message>
+    <message>
+        <source>date and time, such as 2021-06-25 16:30:00</source>
+        <translation>日期和时间，如 2021-06-25 16:30:00</translation>
+    </message>
+    <message>
+        <source>A section needs a line with a length, a width, and at most {0} steps</source>
+        <translation>剖面需要一条有长度和宽度的线，至多 {0} 步</translation>
+    </message>
+    <message>
+        <source>Give two places apart from each other, or a greater step.</source>
+        <translation>请给出相距的两处，或更大的步长。</translation>
+    </message>
+    <message>
+        <source>Thin it, or cut out what is needed.</source>
+        <translation>请将其抽稀，或裁取所需部分。</translation>
+    </message>
+    <message>
+        <source>points of the drawing lie at height 0 while others have heights; they were left out</source>
+        <translation>图中有些点的高程为 0，而其他点有高程；已将其略去</translation>
+    </message>
+    <message>
+        <source>give them their heights if they belong to the section</source>
+        <translation>若属于剖面，请给出其高程</translation>
+    </message>
+    <message>
+        <source>a DXF names no coordinate system; it is taken to be that of the case, in metres</source>
+        <translation>DXF 不说明坐标系；视为案例的坐标系，以米为单位</translation>
+    </message>
+    <message>
+        <source>Give points with heights.</source>
+        <translation>请给出有高程的点。</translation>
+    </message>
+    <message>
+        <source>closed lines of the drawing were taken as edges of polygons</source>
+        <translation>图中的闭合线被当作多边形的边</translation>
+    </message>
+    <message>
+        <source>leave out layers whose lines are none</source>
+        <translation>请去掉其线不是边界的图层</translation>
     </message>
 </context>
 <context>
@@ -13545,10 +13701,6 @@
         <translation>添加测量</translation>
     </message>
     <message>
-        <source>Height models and outlines (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
-        <translation>高程模型和轮廓 (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>survey %1 added</source>
         <translation>已添加测量 %1</translation>
     </message>
@@ -13623,6 +13775,34 @@
     <message>
         <source>left-out polygons added</source>
         <translation>已添加略去的多边形</translation>
+    </message>
+    <message>
+        <source>Surveys (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
+        <translation>测量 (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>when the survey was taken</source>
+        <translation>测量的拍摄时间</translation>
+    </message>
+    <message>
+        <source>survey unplaced</source>
+        <translation>测量的放置已取消</translation>
+    </message>
+    <message>
+        <source>Pairs of places</source>
+        <translation>点对</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation>表格 (*.csv *.txt *.tsv);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>There is no survey to place, or the FE result is not open.</source>
+        <translation>没有可放置的测量，或有限元结果未打开。</translation>
+    </message>
+    <message>
+        <source>survey placed by pairs</source>
+        <translation>测量已按点对放置</translation>
     </message>
 </context>
 <context>
@@ -21621,10 +21801,6 @@ Program: %3</source>
         <translation>用于比较的测量</translation>
     </message>
     <message>
-        <source>Add a surveyed height model, or the outline of the real debris as polygons</source>
-        <translation>添加测量的高程模型，或以多边形表示的实际堆积物轮廓</translation>
-    </message>
-    <message>
         <source>Take this survey out of the case; its file stays</source>
         <translation>将此测量移出案例；文件保留</translation>
     </message>
@@ -21895,6 +22071,10 @@ Program: %3</source>
     <message>
         <source>Not compared: %1 m² of surveyed and %2 m² of simulated debris.</source>
         <translation>未比较：测得堆积物 %1 m²，模拟堆积物 %2 m²。</translation>
+    </message>
+    <message>
+        <source>Add a surveyed height model, a point cloud, or the outline of the real debris as polygons</source>
+        <translation>添加测量的高程模型、点云，或以多边形表示的实际堆积物轮廓</translation>
     </message>
     <message>
         <source>Offset error of the survey</source>
@@ -22391,6 +22571,144 @@ Program: %3</source>
     <message>
         <source>All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below the valley floor.</source>
         <translation>所有混凝土均配筋；河水以 1 m/s 向北流动，水面低于谷底半米。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SurveyPlace</name>
+    <message>
+        <source>lies as its coordinates say</source>
+        <translation>按自身坐标放置</translation>
+    </message>
+    <message>
+        <source>moved by %1 m, turned by %2°</source>
+        <translation>移动 %1 m，转动 %2°</translation>
+    </message>
+    <message>
+        <source>pairs: %1, RMS %2 m</source>
+        <translation>点对：%1，RMS %2 m</translation>
+    </message>
+    <message>
+        <source>fitted, RMS %1 m before, %2 m after</source>
+        <translation>已拟合，RMS 之前 %1 m，之后 %2 m</translation>
+    </message>
+    <message>
+        <source>known to %1 m (standard deviation)</source>
+        <translation>已知到 %1 m（标准差）</translation>
+    </message>
+    <message>
+        <source>how well it is known is not known</source>
+        <translation>准确程度未知</translation>
+    </message>
+    <message>
+        <source>Taken before the collapse</source>
+        <translation>拍摄于倒塌之前</translation>
+    </message>
+    <message>
+        <source>Instant that the survey shows</source>
+        <translation>测量所示的时刻</translation>
+    </message>
+    <message>
+        <source>Write date and time, such as 2021-06-25 16:30</source>
+        <translation>请写日期和时间，如 2021-06-25 16:30</translation>
+    </message>
+    <message>
+        <source>Place by pairs…</source>
+        <translation>按点对放置…</translation>
+    </message>
+    <message>
+        <source>Unplace</source>
+        <translation>取消放置</translation>
+    </message>
+    <message>
+        <source>When the survey was taken</source>
+        <translation>测量的拍摄时间</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Date and time by the clock of the site, such as 2021-06-25 16:30. Places whose debris had been removed by then are left out. Kept in the case</source>
+        <translation>按现场时钟的日期和时间，如 2021-06-25 16:30。此前堆积物已被运走之处不计入。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>拍摄时间</translation>
+    </message>
+    <message>
+        <source>It shows no debris and is not compared; take it as the terrain. Kept in the case</source>
+        <translation>其中没有堆积物，不作比较；可将其用作地形。保存在案例中</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Instant on the clock of the FE result that the survey shows, s; empty: all lay at rest. Kept in the case</source>
+        <translation>测量所示的时刻，按有限元结果的时钟，s；为空：全部静止。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Shows, s</source>
+        <translation>所示时刻，s</translation>
+    </message>
+    <message>
+        <source>Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, x_m, y_m, z_m</source>
+        <translation>用三处或更多的地方把测量移到应在之处，取自含 survey_x、survey_y、survey_z、x_m、y_m、z_m 各列的表</translation>
+    </message>
+    <message>
+        <source>Let the survey lie as its coordinates say</source>
+        <translation>使测量按自身坐标放置</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::EvidenceTable</name>
+    <message>
+        <source>photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>point cloud</source>
+        <translation>点云</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>control points</source>
+        <translation>控制点</translation>
+    </message>
+    <message>
+        <source>height model</source>
+        <translation>高程模型</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>shows</source>
+        <translation>所示</translation>
+    </message>
+    <message>
+        <source>within, m</source>
+        <translation>误差，m</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>重合度</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>All evidence of the case</source>
+        <translation>案例的全部证据</translation>
+    </message>
+    <message>
+        <source>Photographs, surveys, clouds, outlines and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
+        <translation>照片、测量、点云、轮廓和控制点：各自所示的内容、其位置已知到多少米（95 %），以及计算与之重合多少</translation>
     </message>
 </context>
 </TS>

@@ -6,12 +6,12 @@ namespace rubble::cli {
 const std::vector<Command>& commandTable() {
     static const std::vector<Command> table = [] {
         std::vector<Command> rows{
-            inspectCommand(),     sizeCommand(),      effectsCommand(),    runCommand(),      dropCommand(),     influenceCommand(),
-            accuracyCommand(),    calibrateCommand(), convertCommand(),    cacheCommand(),    jobsCommand(),     exportCommand(),
-            figureCommand(),      movieCommand(),     mapCommand(),        cameraCommand(),   photoCommand(),    surveyCommand(),
-            cloudCommand(),       scanCommand(),      reportCommand(),     ensembleCommand(), compareCommand(),  verifyCommand(),
-            acknowledgeCommand(), sealCommand(),      openSealedCommand(), custodyCommand(),  addendumCommand(), timeStampCommand(),
-            selfTestCommand(),    validateCommand(),  parametersCommand()};
+            inspectCommand(),  sizeCommand(),      effectsCommand(),     runCommand(),      dropCommand(),       influenceCommand(),
+            accuracyCommand(), calibrateCommand(), convertCommand(),     cacheCommand(),    jobsCommand(),       exportCommand(),
+            figureCommand(),   movieCommand(),     mapCommand(),         cameraCommand(),   photoCommand(),      evidenceCommand(),
+            surveyCommand(),   cloudCommand(),     scanCommand(),        sectionCommand(),  reportCommand(),     ensembleCommand(),
+            compareCommand(),  verifyCommand(),    acknowledgeCommand(), sealCommand(),     openSealedCommand(), custodyCommand(),
+            addendumCommand(), timeStampCommand(), selfTestCommand(),    validateCommand(), parametersCommand()};
         for (Command& row : rows) {
             row.options.push_back(jsonOption());
             row.options.push_back(helpOption());
@@ -52,6 +52,11 @@ Option cachedOption() {
 Option terrainOption() {
     return {"--terrain", "FILE", false,
             "raster, point cloud or mesh (STL, OBJ, PLY) that the debris falls on; takes the place of the case's"};
+}
+
+Option groundClassOption() {
+    return {"--ground-class", "LIST", false,
+            "classes of a point cloud whose points are the terrain, such as 2,9 (default: as the case says, else 2)"};
 }
 
 Option meshOffsetOption() {

@@ -7,6 +7,8 @@
 #include "core/scenario/ensemble.h"
 #include "core/scenario/journal.h"
 #include "core/scenario/photograph.h"
+#include "core/scenario/registration.h"
+#include "core/scenario/removal.h"
 #include "core/scenario/scenario.h"
 #include "core/scenario/site.h"
 #include "core/scenario/survey_scope.h"
@@ -31,6 +33,12 @@ struct CaseInput {
     std::optional<double> groundNoise = std::nullopt;
     /// Of a survey: standard deviation of an offset that all its heights may have together, m; unset: not stated.
     std::optional<double> offsetError = std::nullopt;
+    /// Of a survey: how it was moved to where it belongs; unset: it lies as its coordinates say.
+    std::optional<Registration> registration = std::nullopt;
+    std::string taken = {};  ///< of a survey: when, as clockTime() gives it; empty: not known
+    bool before = false;     ///< of a survey: it was taken before the collapse and shows no debris
+    /// Of a survey: s on the clock of the FE file, the instant of the collapse that it shows; unset: all lies at rest.
+    std::optional<double> instant = std::nullopt;
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 
@@ -73,6 +81,7 @@ struct Case {
     std::vector<Bookmark> bookmarks;    ///< in the order of their times
     std::vector<CameraKey> cameraKeys;  ///< in the order of their times
     std::vector<Photograph> photographs;
+    std::vector<Removal> removals;  ///< of debris, in the order of their times
     Site site;
     EnsembleSettings ensemble{usualVariations()};
     Journal journal;

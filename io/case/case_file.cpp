@@ -21,6 +21,7 @@
 #include "io/json/ensemble_json.h"
 #include "io/json/json_cursor.h"
 #include "io/json/photograph_json.h"
+#include "io/json/registration_json.h"
 #include "io/json/scenario_json.h"
 #include "io/json/scope_json.h"
 #include "io/json/site_json.h"
@@ -142,6 +143,18 @@ json inputJson(const CaseInput& input) {
     if (input.offsetError) {
         object["offset_error_m"] = jsonNumber(*input.offsetError);
     }
+    if (input.registration) {
+        object["registration"] = registrationJson(*input.registration);
+    }
+    if (!input.taken.empty()) {
+        object["taken"] = input.taken;
+    }
+    if (input.before) {
+        object["before_collapse"] = true;
+    }
+    if (input.instant) {
+        object["instant_s"] = jsonNumber(*input.instant);
+    }
     return object;
 }
 
@@ -158,7 +171,7 @@ std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) 
 
 CaseInput inputFrom(const JsonCursor& object) {
     object.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m",
-                      "ground_noise_m", "offset_error_m"});
+                      "ground_noise_m", "offset_error_m", "registration", "taken", "before_collapse", "instant_s"});
     CaseInput input{object["id"].text(), roleFrom(object["role"]), object["path"].text(), object["sha256"].text()};
     if (object.has("shows_fallen")) {
         input.showsFallen = object["shows_fallen"].flag();
@@ -175,6 +188,16 @@ CaseInput inputFrom(const JsonCursor& object) {
     input.noise = noiseFrom(object, "noise_m");
     input.groundNoise = noiseFrom(object, "ground_noise_m");
     input.offsetError = noiseFrom(object, "offset_error_m");
+    if (object.has("registration")) {
+        input.registration = registrationFromJson(object["registration"]);
+    }
+    if (object.has("taken")) {
+        input.taken = clockTimeFromJson(object["taken"]);
+    }
+    input.before = object.has("before_collapse") && object["before_collapse"].flag();
+    if (object.has("instant_s")) {
+        input.instant = object["instant_s"].number();
+    }
     return input;
 }
 
@@ -210,6 +233,9 @@ json caseJson(const Case& theCase) {
     if (!theCase.cameraKeys.empty()) {
         object["camera_keys"] = cameraKeysJson(theCase.cameraKeys);
     }
+    if (!theCase.removals.empty()) {
+        object["removals"] = removalsJson(theCase.removals);
+    }
     if (!(theCase.site == Site())) {
         object["site"] = siteJson(theCase.site);
     }
@@ -218,7 +244,7 @@ json caseJson(const Case& theCase) {
 
 Case caseFromJson(const JsonCursor& top) {
     top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "camera_keys",
-                   "photographs", "site", "ensemble", "journal"});
+                   "photographs", "removals", "site", "ensemble", "journal"});
     Case theCase;
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
@@ -239,6 +265,9 @@ Case caseFromJson(const JsonCursor& top) {
         theCase.cameraKeys = cameraKeysFromJson(top["camera_keys"]);
     }
     theCase.photographs = photographsFromJson(top["photographs"]);
+    if (top.has("removals")) {
+        theCase.removals = removalsFromJson(top["removals"]);
+    }
     if (top.has("site")) {
         theCase.site = siteFromJson(top["site"]);
     }

@@ -156,6 +156,9 @@ private:
     }
 
     void readSite() {
+        if (m_request.groundClasses) {
+            m_opened.theCase.site.groundClasses = *m_request.groundClasses;
+        }
         Case framed = m_opened.theCase;
         framed.frame = m_opened.inputs.frame;
         if (m_request.terrain) {

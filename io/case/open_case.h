@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -30,10 +31,11 @@ struct CaseRequest {
     std::optional<std::string> scenario;  ///< of a case, by id or name; unset: the one that is worked on, else the first
     /// Keys and texts as setParameterText() takes them, applied to the scenario in this order.
     std::vector<std::pair<std::string, std::string>> settings;
-    std::optional<std::string> terrain;     ///< file in place of the terrain of the case; surroundings stay
-    std::optional<Vec3> meshOffset;         ///< m, in place of the offsets of all surroundings of the case
-    bool cached = false;                    ///< FE results through compressed copies in the cache folder
-    std::optional<std::size_t> stateBytes;  ///< bytes of FE states kept in memory at most; unset: as usual
+    std::optional<std::string> terrain;                       ///< file in place of the terrain of the case; surroundings stay
+    std::optional<std::vector<std::uint16_t>> groundClasses;  ///< in place of those of the site of the case
+    std::optional<Vec3> meshOffset;                           ///< m, in place of the offsets of all surroundings of the case
+    bool cached = false;                                      ///< FE results through compressed copies in the cache folder
+    std::optional<std::size_t> stateBytes;                    ///< bytes of FE states kept in memory at most; unset: as usual
     OpenResult open;
     /// A case whose inputs cannot be read is opened without them; OpenedCase::failure then says why.
     bool evenWithoutInputs = false;

@@ -9,6 +9,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/evidence/ensembles/probability_map.h"
+#include "core/evidence/surveys/stated_survey.h"
 #include "core/fe/components.h"
 #include "core/scenario/case_lookup.h"
 #include "core/scenario/differences.h"
@@ -150,16 +151,16 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
         attempt(survey.problem, [&] {
             SurveyRequest wanted;
             wanted.ground = surveyGround(request.run->origin(), request.terrainPath);
-            const SurveyInput read = readSurvey(input.path, request.inputs.frame, request.theCase->site,
-                                                boundsAtRest(facts.fe->mesh()), execution, wanted);
+            wanted.registration = input.registration;
+            checkShowsDebris(input);
+            Site site = request.theCase->site;
+            site.groundClasses = request.run->origin().site.groundClasses;
+            const SurveyInput read =
+                readSurvey(input.path, request.inputs.frame, site, boundsAtRest(facts.fe->mesh()), execution, wanted);
             SurveySettings settings;
-            settings.scope = input.scope;
-            settings.noise = input.noise;
-            settings.groundNoise = input.groundNoise;
-            settings.offsetError = input.offsetError;
-            settings.showsFallen = input.showsFallen;
+            takeStated(settings, *request.theCase, input, facts.findings);
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
-            survey.comparison = compareRunWithSurvey(mapped, std::nullopt, read.survey, settings, execution);
+            survey.comparison = compareRunWithSurvey(mapped, input.instant, read.survey, settings, execution);
             facts.findings.append(read.findings);
             facts.findings.append(survey.comparison->findings);
         });

@@ -12,13 +12,17 @@ nlohmann::json siteJson(const Site& site) {
                           {"world_m", jsonVector(point.world)},
                           {"used", point.used}});
     }
-    return {{"control_points", std::move(points)},
-            {"height_shift_m", jsonNumber(site.heightShift)},
-            {"collide_with_surroundings", site.collide}};
+    nlohmann::json object{{"control_points", std::move(points)},
+                          {"height_shift_m", jsonNumber(site.heightShift)},
+                          {"collide_with_surroundings", site.collide}};
+    if (!site.groundClasses.empty()) {
+        object["ground_classes"] = site.groundClasses;
+    }
+    return object;
 }
 
 Site siteFromJson(const JsonCursor& object) {
-    object.allowOnly({"control_points", "height_shift_m", "collide_with_surroundings"});
+    object.allowOnly({"control_points", "height_shift_m", "collide_with_surroundings", "ground_classes"});
     Site site;
     for (const JsonCursor& point : object["control_points"].elements()) {
         point.allowOnly({"name", "local_m", "world_m", "used"});
@@ -27,6 +31,14 @@ Site siteFromJson(const JsonCursor& object) {
     }
     site.heightShift = object["height_shift_m"].number();
     site.collide = object["collide_with_surroundings"].flag();
+    if (object.has("ground_classes")) {
+        for (const JsonCursor& kind : object["ground_classes"].elements()) {
+            if (kind.integer() < 0 || kind.integer() > groundClassMost) {
+                kind.fail("a class from 0 to 255");
+            }
+            site.groundClasses.push_back(static_cast<std::uint16_t>(kind.integer()));
+        }
+    }
     return site;
 }
 

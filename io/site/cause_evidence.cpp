@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/evidence/surveys/stated_survey.h"
 #include "io/site/evidence_surface.h"
 
 namespace rubble::io {
@@ -14,7 +15,7 @@ std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const SurveyScope& scope,
+SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const CaseInput& stated,
                              const SurfaceSettings& settings, Findings& findings, const Execution& execution) {
     SurveyRequest request;
     request.holds = SurveyRequest::Holds::Heights;
@@ -24,20 +25,35 @@ SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site,
     request.aboveGround = file.kind == EvidenceFile::Kind::Heights;
     request.withFallen = settings.withFallen;
     request.ground = site.groundFile;
+    request.registration = stated.registration;
     const SurveyInput survey = readSurvey(file.path, site.frame, site.site, Aabb(), execution, request);
     findings.append(survey.findings);
-    return surfaceEvidence(survey, scope, settings.cell, site.ground, execution);
+    return surfaceEvidence(survey, stated.scope, settings.cell, site.ground, execution);
 }
 
-SurveyScope scopeOfFile(const Case& theCase, const std::string& casePath, const std::string& file) {
+const CaseInput* surveyOfFile(const Case& theCase, const std::string& casePath, const std::string& file) {
     const std::filesystem::path folder = std::filesystem::absolute(casePath).parent_path();
-    for (const CaseInput& input : theCase.inputs) {
+    const auto found = std::find_if(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) {
         std::error_code ignored;
-        if (input.role == InputRole::Survey && std::filesystem::equivalent(folder / input.path, file, ignored)) {
-            return input.scope;
-        }
+        return input.role == InputRole::Survey && std::filesystem::equivalent(folder / input.path, file, ignored);
+    });
+    return found != theCase.inputs.end() ? &*found : nullptr;
+}
+
+CaseInput statedOfFile(const Case& theCase, const std::string& casePath, const std::string& file, const SurveyScope& given,
+                       Findings& findings) {
+    const CaseInput* survey = surveyOfFile(theCase, casePath, file);
+    CaseInput stated;
+    stated.path = file;
+    if (survey != nullptr) {
+        stated = *survey;
+        checkShowsDebris(*survey);
     }
-    return {};
+    if (!given.whole()) {
+        stated.scope = given;
+    }
+    stated.scope = scopeWhenTaken(theCase, stated, findings);
+    return stated;
 }
 
 std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& findings, const Execution& execution) {

@@ -34,11 +34,18 @@ struct EvidenceSite {
 
 /// Reads a file of evidence, as a survey is read, onto the cells of the ensembles. What is assumed or left out is added to the
 /// findings. Throws as readSurvey() and surfaceEvidence().
-SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const SurveyScope& scope,
+/// @param stated  what the case says of it, with the scope that counts
+SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const CaseInput& stated,
                              const SurfaceSettings& settings, Findings& findings, const Execution& execution);
 
-/// What the case compares of a file, if that is one of its surveys; else everything.
-SurveyScope scopeOfFile(const Case& theCase, const std::string& casePath, const std::string& file);
+/// The survey of a case that a file is; null: it is none of them.
+const CaseInput* surveyOfFile(const Case& theCase, const std::string& casePath, const std::string& file);
+
+/// What a case says of a file, with the scope that counts when it was taken; of a file that is none of its surveys all counts, as
+/// it lies. Throws UsageError for a survey of before the collapse.
+/// @param given  in place of the scope that the case keeps, unless it is everything
+CaseInput statedOfFile(const Case& theCase, const std::string& casePath, const std::string& file, const SurveyScope& given,
+                       Findings& findings);
 
 /// The photographs of a case that say where debris lay at rest and whose camera is known, in their order; every other one is a
 /// finding. Throws Cancelled.

@@ -20,7 +20,7 @@ namespace rubble::io {
 namespace {
 
 /// Formats of one local file (a Shapefile has others beside it).
-constexpr std::array<const char*, 6> outlineFormats{"GPKG", "GeoJSON", "ESRI Shapefile", "FlatGeobuf", "KML", nullptr};
+constexpr std::array<const char*, 7> outlineFormats{"GPKG", "GeoJSON", "ESRI Shapefile", "FlatGeobuf", "KML", "DXF", nullptr};
 constexpr std::size_t cornersMax = 2'000'000;
 /// m. No site reaches as far from the zero of its frame.
 constexpr double reachMax = 1e8;
@@ -33,6 +33,7 @@ public:
         : m_path(path), m_crs(frame.crs), m_place(frame, site), m_withFallen(withFallen), m_execution(execution) {}
 
     OutlineReading read(GDALDataset& file) {
+        m_drawing = file.GetDriver() != nullptr && std::string_view(file.GetDriver()->GetDescription()) == "DXF";
         for (OGRLayer* layer : layersOf(file)) {
             readLayer(*layer);
         }
@@ -128,12 +129,20 @@ private:
         } else if (type == wkbCurvePolygon) {
             const std::unique_ptr<OGRGeometry> straight(shape.getLinearGeometry());
             add(*straight);
+        } else if (m_drawing && type == wkbLineString && shape.toLineString()->get_IsClosed() != 0) {
+            // A drawing has no polygons: a closed line is the edge of one.
+            OutlinePolygon polygon;
+            addRing(*shape.toLineString(), polygon);
+            if (!polygon.empty()) {
+                m_result.outline.polygons.push_back(std::move(polygon));
+                ++m_closed;
+            }
         } else {
             ++m_others;
         }
     }
 
-    void addRing(const OGRLinearRing& ring, OutlinePolygon& polygon) {
+    void addRing(const OGRLineString& ring, OutlinePolygon& polygon) {
         OutlineRing corners;
         m_corners += static_cast<std::size_t>(ring.getNumPoints());
         if (m_corners > cornersMax) {
@@ -170,6 +179,10 @@ private:
             find({"survey.live", "{0} outlines of live structure in the file were left out", {m_result.fallen}},
                  "remove the attribute \"of\" where they belong to the debris", m_result.fallen);
         }
+        if (m_closed > 0) {
+            find({"survey.closed_lines", "closed lines of the drawing were taken as edges of polygons", {}},
+                 "leave out layers whose lines are none", m_closed);
+        }
         if (m_others > 0) {
             find({"survey.other_shapes", "{0} points or lines in the file were left out", {m_others}},
                  "give outlines as polygons if they belong to the debris", m_others);
@@ -203,6 +216,8 @@ private:
     bool m_unplaced = false;   ///< a layer names no system
     bool m_projected = false;
     std::size_t m_corners = 0;
+    bool m_drawing = false;     ///< a DXF
+    std::int64_t m_closed = 0;  ///< closed lines of a drawing
     std::int64_t m_others = 0;  ///< shapes that are no polygons
     OutlineReading m_result;
 };

@@ -20,8 +20,9 @@ struct OutlineReading {
     Findings findings;
 };
 
-/// Reads the polygons of a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML: of several layers the one named "footprint", else
-/// all. Another system is brought to that of the case. What is assumed or left out is a counted finding.
+/// Reads the polygons of a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML, or the closed lines of a DXF: of several layers the
+/// one named "footprint", else all. Another system is brought to that of the case. What is assumed or left out is a counted
+/// finding.
 /// @param withFallen  of a map of our own: fallen live structure is taken in
 /// @return unset if the file is none of these formats, or has no layer
 /// Throws ParseError (no polygon, too many corners, degrees in a case without a coordinate system, elsewhere than can be mapped),

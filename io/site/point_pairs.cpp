@@ -14,20 +14,32 @@ namespace {
 
 constexpr std::size_t pairsMax = 10000;
 constexpr std::uintmax_t pairBytesMax = 10 << 20;
-constexpr std::array<std::string_view, 5> columnNames{"picture_x_px", "picture_y_px", "x_m", "y_m", "z_m"};
+constexpr std::array<std::string_view, 5> pictureColumns{"picture_x_px", "picture_y_px", "x_m", "y_m", "z_m"};
+constexpr std::array<std::string_view, 6> surveyColumns{"survey_x", "survey_y", "survey_z", "x_m", "y_m", "z_m"};
+
+/// A row of numbers and its name; without one it is called by its number.
+template <std::size_t Count>
+struct NamedNumbers {
+    std::string name;
+    std::array<double, Count> values{};
+};
 
 /// Where each column stands.
+template <std::size_t Count>
 struct Columns {
-    std::array<std::size_t, 5> numbers{};
+    std::array<std::size_t, Count> numbers{};
     std::size_t name = ~std::size_t{0};
 
-    Columns(const std::vector<std::string>& heading, const std::string& path) {
-        for (std::size_t c = 0; c < columnNames.size(); ++c) {
-            const auto found = std::find(heading.begin(), heading.end(), columnNames[c]);
+    Columns(const std::vector<std::string>& heading, const std::array<std::string_view, Count>& names, const std::string& path) {
+        std::string whole = "name";
+        for (const std::string_view each : names) {
+            whole += "," + std::string(each);
+        }
+        for (std::size_t c = 0; c < Count; ++c) {
+            const auto found = std::find(heading.begin(), heading.end(), names[c]);
             if (found == heading.end()) {
-                throw ParseError(
-                    {"pairs.no_column", "{0}, line 1: there is no column {1}", {path, columnNames[c]}},
-                    {"pairs.no_column.remedy", "Begin the table with the line name,picture_x_px,picture_y_px,x_m,y_m,z_m.", {}});
+                throw ParseError({"pairs.no_column", "{0}, line 1: there is no column {1}", {path, names[c]}},
+                                 {"pairs.no_column.remedy", "Begin the table with the line {0}.", {whole}});
             }
             numbers[c] = static_cast<std::size_t>(found - heading.begin());
         }
@@ -47,29 +59,43 @@ double numberIn(const DelimitedTable& table, const DelimitedRow& row, std::size_
     return *number;
 }
 
-}  // namespace
-
-std::vector<PointPair> readPointPairs(const std::string& path) {
+template <std::size_t Count>
+std::vector<NamedNumbers<Count>> readNumbers(const std::string& path, const std::array<std::string_view, Count>& names) {
     const DelimitedTable table = readDelimitedTable(path, pairBytesMax);
     const DelimitedRow heading = table.rows.empty() ? DelimitedRow{} : table.rows.front();
-    const Columns columns(heading.fields, path);
-    std::vector<PointPair> pairs;
+    const Columns<Count> columns(heading.fields, names, path);
+    std::vector<NamedNumbers<Count>> all;
     for (std::size_t r = 1; r < table.rows.size(); ++r) {
         const DelimitedRow& row = table.rows[r];
-        if (pairs.size() == pairsMax) {
+        if (all.size() == pairsMax) {
             throw ParseError({"pairs.too_many", "{0}, line {1}: there are more than {2} pairs", {path, row.line, pairsMax}},
                              {"pairs.too_many.remedy", "A few dozen pairs are enough.", {}});
         }
         requireNoMoreFields(path, heading, row);
-        std::array<double, 5> values{};
-        for (std::size_t c = 0; c < values.size(); ++c) {
-            values[c] = numberIn(table, row, columns.numbers[c], columnNames[c], path);
+        NamedNumbers<Count>& each = all.emplace_back();
+        for (std::size_t c = 0; c < Count; ++c) {
+            each.values[c] = numberIn(table, row, columns.numbers[c], names[c], path);
         }
-        PointPair& pair = pairs.emplace_back();
         const bool named = columns.name < row.fields.size() && !row.fields[columns.name].empty();
-        pair.name = named ? row.fields[columns.name] : std::to_string(row.line - 1);
-        pair.picture = {values[0], values[1]};
-        pair.model = {values[2], values[3], values[4]};
+        each.name = named ? row.fields[columns.name] : std::to_string(row.line - 1);
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<PointPair> readPointPairs(const std::string& path) {
+    std::vector<PointPair> pairs;
+    for (const auto& [name, values] : readNumbers(path, pictureColumns)) {
+        pairs.push_back({name, {values[0], values[1]}, {values[2], values[3], values[4]}});
+    }
+    return pairs;
+}
+
+std::vector<PlacePair> readPlacePairs(const std::string& path) {
+    std::vector<PlacePair> pairs;
+    for (const auto& [name, values] : readNumbers(path, surveyColumns)) {
+        pairs.push_back({name, {values[0], values[1], values[2]}, {values[3], values[4], values[5]}});
     }
     return pairs;
 }

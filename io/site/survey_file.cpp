@@ -8,6 +8,7 @@
 #include "io/base/files.h"
 #include "io/site/height_reading.h"
 #include "io/site/outline_file.h"
+#include "io/site/surveys/survey_placing.h"
 
 namespace rubble::io {
 
@@ -53,7 +54,7 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
 }  // namespace
 
 Outline readScope(const std::string& path, const Frame& frame, const Site& site, Findings& findings, const Execution& execution) {
-    SurveyInput read = readSurvey(path, frame, site, Aabb(), execution, {SurveyRequest::Holds::Outline, false, true, {}});
+    SurveyInput read = readSurvey(path, frame, site, Aabb(), execution, {.holds = SurveyRequest::Holds::Outline, .withFallen = true});
     findings.append(read.findings);
     return std::move(read.survey.footprint);
 }
@@ -81,8 +82,9 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
         throw ParseError({"survey.no_outline", "{0} is no file of polygons that can be read", {path}},
                          {"survey.no_outline.remedy", "Give a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML.", {}});
     } else {
+        const Aabb window = request.registration ? boxBack(*request.registration, around) : around;
         takeHeights(input,
-                    readHeights(path, frame, site, around, execution,
+                    readHeights(path, frame, site, window, execution,
                                 {.aboveGround = request.aboveGround, .withFallen = request.withFallen, .surface = true}),
                     request);
         if (!request.ground.empty() && !input.survey.heights.aboveGround) {
@@ -92,6 +94,9 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
             static_cast<HeightGrid&>(own) = std::move(ground.raster);
             own.lattice = std::move(ground.lattice);
         }
+    }
+    if (request.registration) {
+        placeSurvey(input, *request.registration);
     }
     input.sha256 = sha256OfFile(path);
     return input;

@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/evidence/surveys/survey.h"
 #include "core/fe/frame.h"
+#include "core/scenario/registration.h"
 #include "core/scenario/site.h"
 
 namespace rubble::io {
@@ -30,6 +31,7 @@ struct SurveyRequest {
     /// File of the terrain that debris fell on, which is then read as the survey is; empty: heights are taken above the nodes of
     /// the terrain.
     std::string ground = {};
+    std::optional<Registration> registration = {};  ///< by which it is moved once its coordinates were brought to the case
 };
 
 /// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris

@@ -471,9 +471,25 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     survey.noise = 0.05;
     survey.groundNoise = 0.1;
     survey.offsetError = 0.03;
+    survey.taken = "2021-06-25 16:30:00";
+    survey.instant = 2.25;
+    Registration& registration = survey.registration.emplace();
+    registration.turn = Vec3(0.01, -0.02, 1.5);
+    registration.about = Vec3(3.0, 4.0, 0.5);
+    registration.shift = Vec3(0.1, 0.2, -0.3);
+    registration.pairs = 4;
+    registration.pairsLeft = 0.012;
+    registration.error = 0.02;
     theCase.inputs.push_back(survey);
+    CaseInput before{"survey-2", InputRole::Survey, "before.laz", {}};
+    before.before = true;
+    theCase.inputs.push_back(before);
+    theCase.removals.push_back({"cleared", "2021-06-26 08:00:00", survey.scope.leftOut});
+    theCase.site.groundClasses = {2, 9};
     const std::string text = caseText(theCase);
     EXPECT_EQ(caseFromText(text, "a.rubble").inputs, theCase.inputs);
+    EXPECT_EQ(caseFromText(text, "a.rubble").removals, theCase.removals);
+    EXPECT_EQ(caseFromText(text, "a.rubble").site, theCase.site);
     // A ring of two corners and noise below zero are refused with their place.
     const auto refused = [&](const std::string& from, const std::string& to) {
         std::string other = text;
@@ -487,6 +503,9 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     };
     EXPECT_NE(refused("\"noise_m\": 0.05", "\"noise_m\": -0.05").find("/inputs/1/noise_m"), std::string::npos);
     EXPECT_NE(refused("\"offset_error_m\": 0.03", "\"offset_error_m\": -1").find("/inputs/1/offset_error_m"), std::string::npos);
+    EXPECT_NE(refused("\"error_m\": 0.02", "\"error_m\": -1").find("/inputs/1/registration/error_m"), std::string::npos);
+    EXPECT_NE(refused("2021-06-25 16:30:00", "2021-06-31 16:30:00").find("/inputs/1/taken"), std::string::npos);
+    EXPECT_NE(refused("2021-06-26 08:00:00", "then").find("/removals/0/time"), std::string::npos);
     EXPECT_NE(refused("\"area_m\": [", "\"area_m\": [[[[0, 0], [1, 1]]],").find("/inputs/1/area_m/0/0"), std::string::npos);
 }
 

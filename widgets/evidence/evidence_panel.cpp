@@ -16,6 +16,7 @@
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/evidence/evidence_table.h"
 #include "widgets/evidence/photo_pairs.h"
 #include "widgets/evidence/photo_view.h"
 #include "widgets/evidence/survey_box.h"
@@ -97,6 +98,7 @@ QString factsText(const PhotoFacts& facts, const QString& unchanged) {
 
 EvidencePanel::EvidencePanel(QWidget* parent)
     : Panel(tr("Evidence"), tr("What photographs show, and how far the simulated debris agrees."), parent),
+      m_list(new EvidenceTable),
       m_photographs(new QComboBox),
       m_add(new QPushButton(tr("Add photographs…"))),
       m_remove(new QPushButton(tr("Remove"))),
@@ -131,6 +133,7 @@ EvidencePanel::EvidencePanel(QWidget* parent)
 }
 
 void EvidencePanel::buildList() {
+    addWide(m_list);
     m_photographs->setAccessibleName(tr("Photographs"));
     m_photographs->setToolTip(tr("The photograph that is shown"));
     m_photographs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -18,6 +18,7 @@ class QPushButton;
 namespace rubble::widgets {
 
 class NumberField;
+class EvidenceTable;
 class PhotoPairs;
 class SurveyBox;
 
@@ -55,6 +56,7 @@ public:
     bool withFallen() const;
     void setWithFallen(bool with);
     SurveyBox& survey() { return *m_survey; }
+    EvidenceTable& list() { return *m_list; }
 
 signals:
     void addRequested();
@@ -85,6 +87,7 @@ private:
 
     Content m_content;
     bool m_showing = false;
+    EvidenceTable* m_list;
     QComboBox* m_photographs;
     QPushButton* m_add;
     QPushButton* m_remove;

@@ -94,6 +94,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_remove(new QPushButton(tr("Remove"))),
       m_cell(new NumberField(tr("Cells of the survey comparison"))),
       m_least(new NumberField(tr("Least height of debris"))),
+      m_place(new SurveyPlace),
       m_fit(new QComboBox),
       m_showsFallen(new QComboBox),
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
@@ -124,10 +125,11 @@ SurveyBox::SurveyBox(QWidget* parent)
     files->addWidget(m_remove);
     column->addWidget(m_add);
     column->addLayout(files);
+    column->addWidget(m_place);
     buildFields();
     buildScope();
     buildResults();
-    m_add->setToolTip(tr("Add a surveyed height model, or the outline of the real debris as polygons"));
+    m_add->setToolTip(tr("Add a surveyed height model, a point cloud, or the outline of the real debris as polygons"));
     m_remove->setToolTip(tr("Take this survey out of the case; its file stays"));
     connect(m_add, &QPushButton::clicked, this, &SurveyBox::addRequested);
     connect(m_remove, &QPushButton::clicked, this, &SurveyBox::removeRequested);
@@ -315,6 +317,7 @@ void SurveyBox::setContent(const Content& content) {
     m_noise->setNumber(content.errors.noise);
     m_groundNoise->setNumber(content.errors.groundNoise);
     m_offsetError->setNumber(content.errors.offset);
+    m_place->setStated(content.stated, content.chosen >= 0);
     showScope();
     m_showing = false;
     const bool some = content.chosen >= 0;

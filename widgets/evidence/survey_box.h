@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/evidence/surveys/survey_comparison.h"
+#include "widgets/evidence/survey_place.h"
 
 class QCheckBox;
 class QComboBox;
@@ -41,6 +42,7 @@ public:
         std::optional<bool> showsFallen;  ///< whether the chosen survey shows live structure that fell; unset: not known
         SurveyScope scope;                ///< what of the chosen survey is compared
         Errors errors;
+        SurveyPlace::Stated stated;
         QString noComparison;  ///< why none can be made; empty: it can
         QString complaint;     ///< what went wrong with the last one
         bool comparing = false;
@@ -52,6 +54,7 @@ public:
     /// What the fields ask for.
     SurveySettings settings() const;
     void setSettings(const SurveySettings& settings);
+    SurveyPlace& place() { return *m_place; }
 
 signals:
     void addRequested();
@@ -84,6 +87,7 @@ private:
     QPushButton* m_remove;
     NumberField* m_cell;
     NumberField* m_least;
+    SurveyPlace* m_place;
     QComboBox* m_fit;
     QComboBox* m_showsFallen;
     QCheckBox* m_withFallen;

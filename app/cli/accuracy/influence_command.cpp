@@ -75,9 +75,13 @@ ExitCode measureInfluence(const Arguments& arguments, Session& session) {
 
 Command influenceCommand() {
     std::vector<Option> options{
-        setOption(),        scenarioOption(),
-        cachedOption(),     terrainOption(),
-        meshOffsetOption(), {"--effects", "A,B", false, "these only (default: all), by the names that `effects` lists"},
+        setOption(),
+        scenarioOption(),
+        cachedOption(),
+        terrainOption(),
+        groundClassOption(),
+        meshOffsetOption(),
+        {"--effects", "A,B", false, "these only (default: all), by the names that `effects` lists"},
     };
     options.push_back({"--cache", "FOLDER", false, "where worlds are kept (default: RUBBLE_CACHE, else the user's cache)"});
     for (const Option& option : studyOptions()) {

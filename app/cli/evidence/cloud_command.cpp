@@ -8,6 +8,7 @@
 #include "app/cli/evidence/scanned_site.h"
 #include "app/cli/evidence/scope_options.h"
 #include "app/cli/exports/map_subject.h"
+#include "app/cli/exports/run_surroundings.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/health_output.h"
 #include "app/cli/frame/option_value.h"
@@ -17,6 +18,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/run/acknowledgements.h"
+#include "io/site/cause_evidence.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/point_writer.h"
 #include "io/site/survey_file.h"
@@ -115,14 +117,23 @@ io::CloudRequest cloudRequestFrom(const Arguments& arguments) {
 }
 
 /// Options that ask for distances, and mean nothing without another cloud.
-constexpr std::array<std::string_view, 16> distanceOptions{"--fit",          "--cell",
-                                                           "--out",          "--cores",
-                                                           "--normal-scale", "--projection-scale",
-                                                           "--depth",        "--registration-error",
-                                                           "--metres",       "--scanner",
-                                                           "--time",         "--live-threshold",
-                                                           "--area",         "--leave-out",
-                                                           "--fe",           "--terrain"};
+constexpr std::array<std::string_view, 17> distanceOptions{"--case",
+                                                           "--fit",
+                                                           "--cell",
+                                                           "--out",
+                                                           "--cores",
+                                                           "--normal-scale",
+                                                           "--projection-scale",
+                                                           "--depth",
+                                                           "--registration-error",
+                                                           "--metres",
+                                                           "--scanner",
+                                                           "--time",
+                                                           "--live-threshold",
+                                                           "--area",
+                                                           "--leave-out",
+                                                           "--fe",
+                                                           "--terrain"};
 
 double scaleFrom(const Arguments& arguments, std::string_view option) {
     if (!arguments.has(option)) {
@@ -188,17 +199,21 @@ void writeDistanceFiles(const Arguments& arguments, const io::CloudComparison& m
 }
 
 /// Options that mean something against a run alone.
-constexpr std::array<std::string_view, 7> runOptions{"--scanner",   "--time", "--live-threshold", "--area",
-                                                     "--leave-out", "--fe",   "--terrain"};
+constexpr std::array<std::string_view, 8> runOptions{"--case", "--scanner",   "--time", "--live-threshold",
+                                                     "--area", "--leave-out", "--fe",   "--terrain"};
+
+/// What the case of --case says of the cloud; nothing without it.
+CaseInput statedOfCloud(const Arguments& arguments, const io::RunOrigin& origin, Findings& findings) {
+    const auto path = arguments.value("--case");
+    return path ? io::statedOfFile(loadCaseOfRun(*path, origin), *path, arguments.operand(), {}, findings) : CaseInput();
+}
 
 ExitCode compareWithRun(const Arguments& arguments, Session& session, const std::string& path, const io::RunReader& run) {
-    for (const std::string_view option : {"--cores", "--metres", "--cell"}) {
+    for (const std::string_view option : {"--cores", "--metres"}) {
         if (arguments.has(option)) {
             throw UsageError(
                 {"cli.not_against_run", "{0} has no meaning against a run", {std::string(option)}},
-                {"cli.not_against_run.remedy",
-                 "Leave it out: a run is in metres, cores are points of the cloud, and volumes are those of rubble-cli survey.",
-                 {}});
+                {"cli.not_against_run.remedy", "Leave it out: a run is in metres, and cores are points of the cloud.", {}});
         }
     }
     io::RunDistanceRequest request;
@@ -208,13 +223,24 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     request.site = run.origin().site;
     request.scanners = scannersFrom(arguments);
     request.settings = distanceSettingsFrom(arguments);
+    if (arguments.has("--cell")) {
+        request.cell = parseLength(arguments, "--cell", 0.0);
+    }
     checkDistanceFiles(arguments, {request.cloud, path});
-    const std::optional<double> time = instantFrom(arguments);
     Findings findings;
+    const CaseInput stated = statedOfCloud(arguments, run.origin(), findings);
+    request.placed = stated.registration;
+    if (!request.settings.registrationError && !arguments.has("--fit")) {
+        request.settings.registrationError = stated.offsetError;
+    }
+    const std::optional<double> time = arguments.has("--time") ? instantFrom(arguments) : stated.instant;
     const Inputs inputs = openInputsOfRun(path, run.origin(), arguments, session, &findings);
     request.frame = inputs.frame;
     request.stable = stableFrom(arguments, request.frame, request.site, 1.0, findings, session.execution());
-    request.scope = scopeFrom(arguments, request.frame, request.site, findings, session.execution());
+    request.scope = stated.scope;
+    if (arguments.has("--area") || arguments.has("--leave-out")) {
+        request.scope = scopeFrom(arguments, request.frame, request.site, findings, session.execution());
+    }
     ScannedSite site = scannedSite(run, inputs, time, parseLength(arguments, "--live-threshold", 1.0, true), session.execution());
     io::RunDistance made = io::compareCloudWithSite(request, std::move(site.shape), site.ground, site.volumes, session.execution());
     findings.append(made.compared.findings);
@@ -321,7 +347,9 @@ Command cloudCommand() {
          {"--fit", "FILE|all", false,
           "fit one to the other first by what did not move: polygons of it, or all; the error of the fit is the registration "
           "error"},
-         {"--cell", "M", false, "also the volumes between two clouds, over square cells of this side: cut, fill and net"},
+         {"--cell", "M", false,
+          "also the volumes between the two, over square cells of this side, m against a run: cut, fill and net"},
+         {"--case", "CASE", false, "against a run: the case that says when FILE was taken, what counts of it and how it lies"},
          {"--metres", "", false, "bring all to metres first (default: lengths are in units of the files)"},
          scannerOption("against a run: where a scanner stood, easting, northing and height, m (default: as FILE says)"),
          {"--time", "SECONDS", false, "against a run: instant on the file's clock, or end (default: end)"},

@@ -108,9 +108,8 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
     site.groundFile = io::evidenceGround(first);
     const SurveyScope given = scopeFrom(arguments, first.frame, first.theCase.site, findings, session.execution());
     for (const io::EvidenceFile& file : against.files) {
-        evidence.surfaces.push_back(
-            io::readEvidence(file, site, given.whole() ? io::scopeOfFile(first.theCase, arguments.operand(), file.path) : given,
-                             request.surface(), findings, session.execution()));
+        const CaseInput stated = io::statedOfFile(first.theCase, arguments.operand(), file.path, given, findings);
+        evidence.surfaces.push_back(io::readEvidence(file, site, stated, request.surface(), findings, session.execution()));
         first.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     if (against.photographs) {
@@ -418,6 +417,7 @@ Command compareCommand() {
     options.push_back(setOption());
     options.push_back(cachedOption());
     options.push_back(terrainOption());
+    options.push_back(groundClassOption());
     options.push_back(meshOffsetOption());
     options.push_back(csvOption("write the ranking, one row for each cause"));
     return {"compare",

@@ -116,6 +116,7 @@ Command ensembleCommand() {
     options.push_back(scenarioOption());
     options.push_back(cachedOption());
     options.push_back(terrainOption());
+    options.push_back(groundClassOption());
     options.push_back(meshOffsetOption());
     options.push_back(csvOption("write one row for each member"));
     return {

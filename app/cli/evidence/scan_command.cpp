@@ -243,7 +243,8 @@ Command scanCommand() {
          scenarioOption(),
          meshOffsetOption(),
          feOption(),
-         {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"}},
+         {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
+         groundClassOption()},
         scan};
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
+#include "app/cli/evidence/placed_survey.h"
+#include "app/cli/evidence/scanned_site.h"
 #include "app/cli/evidence/scope_options.h"
 #include "app/cli/exports/map_subject.h"
+#include "app/cli/exports/run_surroundings.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/health_output.h"
 #include "app/cli/frame/json_output.h"
@@ -15,13 +17,14 @@
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
-#include "core/evidence/surveys/survey_comparison.h"
+#include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
 #include "io/run/acknowledgements.h"
+#include "io/site/cause_evidence.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
@@ -63,43 +66,36 @@ SurveySettings surveySettingsFrom(const Arguments& arguments) {
     return settings;
 }
 
-std::optional<double> timeFrom(const Arguments& arguments) {
-    const auto text = arguments.value("--time");
-    double seconds = 0.0;
-    if (!text || *text == "end") {
-        return std::nullopt;
-    }
-    if (!parseNumber(*text, seconds) || !std::isfinite(seconds)) {
-        throw wrongValue("--time", *text, "seconds with a point as decimal sign, or end");
-    }
-    return seconds;
-}
-
-/// The file of --survey, else the first survey of the case, and how it is brought to the local frame.
+/// The file of --survey, else the first survey of the case that shows debris, and what is said of it.
 struct SurveyFile {
     std::string path;
-    Site site;
+    Site site;              ///< how it is brought to the local frame
+    Case theCase = {};      ///< empty: none was named
     CaseInput stated = {};  ///< what the case says of it; without a SHA-256 if it names no such survey
 };
 
 SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
     SurveyFile file{arguments.value("--survey").value_or(""), run.origin().site};
-    if (io::isCaseFile(arguments.operand())) {
-        const Case theCase = io::loadCase(arguments.operand());
-        file.site = theCase.site;
-        for (const CaseInput& input : theCase.inputs) {
-            const std::string path = io::inputPath(arguments.operand(), input);
-            std::error_code ignored;
-            if (input.role == InputRole::Survey && file.stated.path.empty() &&
-                (file.path.empty() || std::filesystem::equivalent(path, file.path, ignored))) {
-                file.path = path;
-                file.stated = input;
-            }
+    const std::string casePath = caseOfEvidence(arguments);
+    if (!casePath.empty()) {
+        file.theCase = io::isCaseFile(arguments.operand()) ? io::loadCase(casePath) : loadCaseOfRun(casePath, run.origin());
+        file.site = file.theCase.site;
+        // The ground that debris fell on is read as the run had it.
+        file.site.groundClasses = run.origin().site.groundClasses;
+    }
+    for (const CaseInput& input : file.theCase.inputs) {
+        if (file.path.empty() && input.role == InputRole::Survey && !input.before) {
+            file.path = io::inputPath(casePath, input);
         }
     }
     if (file.path.empty()) {
         throw UsageError({"cli.no_survey", "There is no survey to compare {0} with.", {arguments.operand()}},
                          {"cli.no_survey.remedy", "Name a raster of heights or an outline with --survey FILE.", {}});
+    }
+    file.stated.path = file.path;
+    if (const CaseInput* found = casePath.empty() ? nullptr : io::surveyOfFile(file.theCase, casePath, file.path)) {
+        file.stated = *found;
+        checkShowsDebris(*found);
     }
     return file;
 }
@@ -187,10 +183,14 @@ void addMeasures(Json& object, const SurveyComparison& made) {
                        {"farthest_m", apart.farthest}};
 }
 
-Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input) {
+Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input, const CaseInput& stated) {
     Json object;
-    object["survey"] = {
-        {"path", input.path}, {"sha256", input.sha256}, {"kind", made.isFootprint ? "footprint" : "heights"}, {"crs", input.crs}};
+    object["survey"] = {{"path", input.path},
+                        {"sha256", input.sha256},
+                        {"kind", made.isFootprint ? "footprint" : "heights"},
+                        {"crs", input.crs},
+                        {"taken", stated.taken.empty() ? Json() : Json(stated.taken)}};
+    object["placed"] = registrationJson(stated.registration);
     object["time_s"] = made.time;
     object["interpolated"] = made.shown == FrameKind::Interpolated;
     object["cell_m"] = made.settings.cell;
@@ -274,9 +274,11 @@ std::string scopeText(const SurveyComparison& made) {
                              : " (" + englishNumber(left.surveyedVolume) + " and " + englishNumber(left.simulatedVolume) + " m3)");
 }
 
-void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInput& input) {
+void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInput& input, const CaseInput& stated) {
     FactList facts;
     facts.add("survey", input.path + (made.isFootprint ? ", an outline" : ", heights"));
+    facts.add("taken", stated.taken.empty() ? "not known" : stated.taken);
+    facts.add("placed", placedText(input.frame, input.site, stated.registration));
     facts.add("time", englishNumber(made.time) + " s");
     facts.add("compared", scopeText(made));
     facts.add("footprint IoU", iouText(made));
@@ -290,7 +292,7 @@ void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInpu
     }
     facts.add("centroids apart", englishNumber(made.centroidDistance) + " m");
     facts.add("registration", made.settings.fit == SurveyFit::None
-                                  ? std::string("none: the survey lies where it was surveyed")
+                                  ? std::string("none: the survey lies where it was placed")
                                   : "to the " + std::string(fitText(made.settings.fit)) + ", moved by " +
                                         englishNumber(made.shift.by.x()) + ", " + englishNumber(made.shift.by.y()) + ", " +
                                         englishNumber(made.shift.by.z()) + " m; RMS " + englishNumber(made.shift.before) +
@@ -318,23 +320,9 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
 }
 
-/// What the case says of a survey, where nothing else was asked for.
-void takeStated(SurveySettings& settings, const CaseInput& stated) {
-    const auto take = [](auto& asked, const auto& said) {
-        if (!asked) {
-            asked = said;
-        }
-    };
-    take(settings.showsFallen, stated.showsFallen);
-    take(settings.noise, stated.noise);
-    take(settings.groundNoise, stated.groundNoise);
-    take(settings.offsetError, stated.offsetError);
-    settings.scope = stated.scope;
-}
-
 ExitCode survey(const Arguments& arguments, Session& session) {
     SurveySettings settings = surveySettingsFrom(arguments);
-    const std::optional<double> time = timeFrom(arguments);
+    std::optional<double> time = instantFrom(arguments);
     const std::vector<std::string> files = arguments.values("--out");
     const std::vector<std::string> inputs{arguments.operand(), arguments.value("--survey").value_or(arguments.operand())};
     for (const std::string& path : files) {
@@ -345,17 +333,21 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     }
     checkCsvPath(arguments, inputs);
     const MapSubject subject = openMapSubject(arguments, session);
-    const SurveyFile file = surveyFile(arguments, *subject.run);
+    SurveyFile file = surveyFile(arguments, *subject.run);
+    if (!arguments.has("--time")) {
+        time = file.stated.instant;
+    }
     io::SurveyRequest wanted;
+    wanted.registration = file.stated.registration;
     wanted.ground = io::surveyGround(subject.run->origin(), arguments.value("--terrain").value_or(""));
     const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
                                                  io::boundsAtRest(subject.inputs.fe->mesh()), session.execution(), wanted);
     Findings findings = subject.findings;
     findings.append(input.findings);
-    takeStated(settings, file.stated);
     if (arguments.has("--area") || arguments.has("--leave-out")) {
-        settings.scope = scopeFrom(arguments, subject.inputs.frame, file.site, findings, session.execution());
+        file.stated.scope = scopeFrom(arguments, subject.inputs.frame, file.site, findings, session.execution());
     }
+    takeStated(settings, file.theCase, file.stated, findings);
     settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
@@ -374,8 +366,8 @@ ExitCode survey(const Arguments& arguments, Session& session) {
                      {"survey.changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}}, file.path);
     }
     conclude(
-        arguments, session, subject, findings, [&] { return surveyJson(made, input); },
-        [&](std::ostream& out) { print(out, made, input); });
+        arguments, session, subject, findings, [&] { return surveyJson(made, input, file.stated); },
+        [&](std::ostream& out) { print(out, made, input, file.stated); });
     return ExitCode::Ok;
 }
 
@@ -390,7 +382,8 @@ Command surveyCommand() {
             "of the footprints, volume, run-out by direction, centroids.",
             {{"--survey", "FILE", false,
               "raster of heights, point cloud, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
-             {"--time", "SECONDS", false, "instant on the file's clock, or end (default: end)"},
+             evidenceCaseOption(),
+             {"--time", "SECONDS", false, "instant on the file's clock, or end (default: as the case says, else end)"},
              {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
              {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
              {"--live", "on|off", false, "whether fallen live structure counts as debris (default: on)"},
@@ -414,6 +407,7 @@ Command surveyCommand() {
              meshOffsetOption(),
              feOption(),
              {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
+             groundClassOption(),
              csvOption("write the table of directions")},
             survey};
 }

@@ -148,6 +148,7 @@ Command mapCommand() {
     options.push_back(meshOffsetOption());
     options.push_back(feOption());
     options.push_back({"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"});
+    options.push_back(groundClassOption());
     options.push_back(csvOption("write the table of layers"));
     return {
         "map",

@@ -13,7 +13,7 @@ namespace rubble::cli {
 namespace {
 
 void refuseSettingsOfRun(const Arguments& arguments) {
-    for (const std::string_view option : {"--set", "--scenario", "--mesh-offset"}) {
+    for (const std::string_view option : {"--set", "--scenario", "--mesh-offset", "--ground-class"}) {
         if (arguments.has(option)) {
             throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
                              {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});

@@ -19,8 +19,11 @@ struct RunSurroundings {
 /// --case of commands that draw a run.
 Option caseOption();
 
+/// A case that has the FE result of a run. Throws UsageError if it has another, and as io::loadCase().
+Case loadCaseOfRun(const std::string& path, const io::RunOrigin& origin);
+
 /// Those of the case that --case names, placed as the run has its site; none without it. What cannot be read is a note on stderr.
-/// Throws UsageError if the case has another FE result than the run, and as io::loadCase().
+/// Throws as loadCaseOfRun().
 RunSurroundings surroundingsOfRun(const io::RunOrigin& origin, const Inputs& inputs, const Arguments& arguments, Session& session);
 /// The same for a case that was read before.
 RunSurroundings surroundingsOfRun(const Case& theCase, const std::string& casePath, const io::RunOrigin& origin,

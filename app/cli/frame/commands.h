@@ -21,6 +21,8 @@ Command jobsCommand();
 Command exportCommand();
 Command figureCommand();
 Command mapCommand();
+Command evidenceCommand();
+Command sectionCommand();
 Command surveyCommand();
 Command cloudCommand();
 Command scanCommand();
@@ -51,6 +53,7 @@ Option scenarioOption();
 Option feOption();
 Option cachedOption();
 Option terrainOption();
+Option groundClassOption();
 Option meshOffsetOption();
 Option runTerrainOption();
 

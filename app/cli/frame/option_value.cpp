@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/scenario/site.h"
+
 namespace rubble::cli {
 
 UsageError wrongValue(std::string_view option, const std::string& value, std::string_view offered) {
@@ -67,6 +69,22 @@ std::optional<Vec3> parsePlace(const Arguments& arguments, std::string_view opti
         }
     }
     return place;
+}
+
+std::optional<std::vector<std::uint16_t>> parseClasses(const Arguments& arguments, std::string_view option) {
+    const auto text = arguments.value(option);
+    if (!text) {
+        return std::nullopt;
+    }
+    std::vector<std::uint16_t> classes;
+    for (const std::string& part : splitAtCommas(*text)) {
+        std::uint16_t kind = 0;
+        if (!parseNumber(part, kind) || kind > groundClassMost) {
+            throw wrongValue(option, *text, "classes from 0 to 255 at commas, such as 2,9");
+        }
+        classes.push_back(kind);
+    }
+    return classes;
 }
 
 bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise) {

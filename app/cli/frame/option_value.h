@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,9 @@ double parseLength(const Arguments& arguments, std::string_view option, double o
 
 /// Three finite numbers at commas, m; unset if the option was not given.
 std::optional<Vec3> parsePlace(const Arguments& arguments, std::string_view option);
+
+/// Classes of points at commas, 0 to 255; unset if the option was not given.
+std::optional<std::vector<std::uint16_t>> parseClasses(const Arguments& arguments, std::string_view option);
 
 /// Whether an option was given as on or as off; what otherwise holds if it was not given.
 bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise);

@@ -12,6 +12,7 @@ io::CaseRequest caseRequest(const Arguments& arguments, const std::string& path)
         request.settings.push_back(splitAssignment("--set", setting));
     }
     request.terrain = arguments.value("--terrain");
+    request.groundClasses = parseClasses(arguments, "--ground-class");
     request.meshOffset = parsePlace(arguments, "--mesh-offset");
     request.cached = arguments.has("--cached");
     return request;

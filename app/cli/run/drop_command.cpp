@@ -131,6 +131,7 @@ Command dropCommand() {
         "Lets bodies of a table fall on level ground or a terrain, in the same world and with the same settings as a collapse. The "
         "heading of the table names quantity and unit of each column: mass_kg, side_x_m, x_m, vx_m_s, wx_body_rad_s and so on.",
         {terrainOption(),
+         groundClassOption(),
          setOption(),
          {"--apart", "", false, "the bodies never meet: each falls as if it were alone"},
          {"--turn", "", false, "each body is turned at random, anew in every repeat"},

@@ -147,6 +147,7 @@ Command runCommand() {
                                 scenarioOption(),
                                 cachedOption(),
                                 terrainOption(),
+                                groundClassOption(),
                                 meshOffsetOption(),
                                 {"--out", "RUN.h5", false, "keep the run in this file"},
                                 {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},

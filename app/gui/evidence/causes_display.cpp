@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
+#include <iterator>
 
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/evidence/map_export.h"
@@ -27,25 +28,23 @@ Case bare(Case of) {
     of.journal = {};
     of.ensemble = {};
     of.photographs.clear();
+    of.removals.clear();
     std::erase_if(of.inputs,
                   [](const CaseInput& input) { return input.role == InputRole::Photograph || input.role == InputRole::Survey; });
     return of;
 }
 
-/// What of the surveys of a case is compared.
-std::vector<std::pair<std::string, SurveyScope>> scopesOf(const Case& theCase) {
-    std::vector<std::pair<std::string, SurveyScope>> scopes;
-    for (const CaseInput& input : theCase.inputs) {
-        if (input.role == InputRole::Survey && !input.scope.whole()) {
-            scopes.emplace_back(input.path, input.scope);
-        }
-    }
-    return scopes;
+/// What a case says of its surveys.
+std::vector<CaseInput> surveysOf(const Case& theCase) {
+    std::vector<CaseInput> surveys;
+    std::copy_if(theCase.inputs.begin(), theCase.inputs.end(), std::back_inserter(surveys),
+                 [](const CaseInput& input) { return input.role == InputRole::Survey; });
+    return surveys;
 }
 
 bool sameCauses(const CauseOrder& a, const CauseOrder& b) {
     return a.files == b.files && a.photographs == b.photographs && a.photographed.photographs == b.photographed.photographs &&
-           scopesOf(a.photographed) == scopesOf(b.photographed) &&
+           surveysOf(a.photographed) == surveysOf(b.photographed) && a.photographed.removals == b.photographed.removals &&
            std::equal(
                a.causes.begin(), a.causes.end(), b.causes.begin(), b.causes.end(), [](const StudyCase& x, const StudyCase& y) {
                    return x.name == y.name && x.base == y.base && x.scenario == y.scenario && bare(x.theCase) == bare(y.theCase);

@@ -513,6 +513,7 @@ void EvidenceDisplay::showPanel() {
     m_deck.evidence().setContent(content);
     m_deck.evidence().setAdding(m_page.photo().tool() == widgets::PhotoView::Tool::Point);
     showRail();
+    emit changed();
 }
 
 void EvidenceDisplay::showPage() {

@@ -52,10 +52,14 @@ public:
     void refresh();
     /// Asks for the fragment view to look as the camera does.
     void lookThrough();
+    /// The comparison is of another run, or of other drawings.
+    bool comparisonStale() const;
     /// Nothing of what is shown is still being made.
     bool settled() const { return !m_work.busy() && m_overlay.settled(); }
 
 signals:
+    /// What the panel shows has changed.
+    void changed();
     /// The fragment view is to look as the matched camera does.
     void lookThroughRequested(const rubble::render::Camera& camera);
 
@@ -105,7 +109,6 @@ private:
     void showRail();
     void drawLater();
     bool visible() const;
-    bool comparisonStale() const;
     QString whyNoComparison() const;
 
     Session& m_session;

@@ -9,16 +9,20 @@
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
 #include "core/base/error.h"
+#include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
 #include "io/site/site_place.h"
+#include "io/site/surveys/survey_registration.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/survey_place.h"
 #include "widgets/evidence/survey_view.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
@@ -28,7 +32,7 @@ namespace rubble {
 bool SurveyWork::Compared::operator==(const Compared& other) const {
     return survey == other.survey && run == other.run && settings.cell == other.settings.cell &&
            settings.leastHeight == other.settings.leastHeight && settings.fit == other.settings.fit &&
-           settings.withFallen == other.settings.withFallen;
+           settings.withFallen == other.settings.withFallen && settings.scope == other.settings.scope;
 }
 
 SurveyWork::SurveyWork(Session& session) {
@@ -46,14 +50,18 @@ void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case
     const io::RunOrigin ground = order.origin;
     m_making = std::make_shared<Made>();
     m_worker.start({Worker::Kind::Study,
-                    [made = m_making, path, run, frame, ground, site = theCase.site,
-                     settings = order.settings](const Execution& execution) mutable {
+                    [made = m_making, path, run, frame, ground, site = theCase.site, survey = order.survey,
+                     settings = order.settings, said = order.said](const Execution& execution) mutable {
                         io::SurveyRequest wanted;
                         wanted.ground = io::surveyGround(ground);
+                        wanted.registration = survey.registration;
+                        checkShowsDebris(survey);
+                        site.groundClasses = ground.site.groundClasses;
                         made->input = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution, wanted);
+                        made->input.findings.append(said);
                         settings.turn = io::SitePlace(frame, site).transform().angle;
                         made->comparison =
-                            compareRunWithSurvey(run.mapped(), std::nullopt, made->input.survey, settings, execution);
+                            compareRunWithSurvey(run.mapped(), survey.instant, made->input.survey, settings, execution);
                     },
                     [this, made = m_making](const std::exception_ptr& thrown) { take(made, thrown); }});
     emit changed();
@@ -130,6 +138,7 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
             },
             [] { return tr("noise of the survey"); });
     });
+    connectPlace();
     connect(&page.survey(), &widgets::SurveyView::drawn, this, [this](ScopePart part, const OutlineRing& ring) {
         edit([&](CaseInput& input) { input.scope.part(part).polygons.push_back({ring}); },
              [part] { return part == ScopePart::Area ? tr("area of interest drawn") : tr("left-out polygon drawn"); });
@@ -144,6 +153,22 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     connect(&m_computation, &Computation::prepared, this, &SurveyDisplay::refresh);
     refresh();
     m_page.showSurvey(m_work.shown && m_work.answer.result() != nullptr);
+}
+
+void SurveyDisplay::connectPlace() {
+    widgets::SurveyPlace& place = m_deck.evidence().survey().place();
+    connect(&place, &widgets::SurveyPlace::edited, this, [this](const widgets::SurveyPlace::Stated& stated) {
+        edit(
+            [&](CaseInput& input) {
+                input.taken = stated.taken;
+                input.before = stated.before;
+                input.instant = stated.instant;
+            },
+            [] { return tr("when the survey was taken"); });
+    });
+    connect(&place, &widgets::SurveyPlace::pairsRequested, this, &SurveyDisplay::choosePairs);
+    connect(&place, &widgets::SurveyPlace::unplaceRequested, this,
+            [this] { edit([](CaseInput& input) { input.registration.reset(); }, [] { return tr("survey unplaced"); }); });
 }
 
 SurveyDisplay::~SurveyDisplay() {
@@ -167,30 +192,67 @@ const CaseInput* SurveyDisplay::current() const {
                                                                               : nullptr;
 }
 
+void SurveyDisplay::choose(const std::string& id) {
+    const auto all = surveys();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const CaseInput* survey) { return survey->id == id; });
+    if (found != all.end() && m_work.chosen != static_cast<int>(found - all.begin())) {
+        m_work.chosen = static_cast<int>(found - all.begin());
+        refresh();
+    }
+}
+
+void SurveyDisplay::choosePairs() {
+    const QString path =
+        QFileDialog::getOpenFileName(m_page.window(), tr("Pairs of places"), QFileInfo(m_document.base()).absolutePath(),
+                                     tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
+    if (!path.isEmpty()) {
+        placeByPairs(path);
+    }
+}
+
+void SurveyDisplay::placeByPairs(const QString& path) {
+    const CaseInput* survey = current();
+    const Inputs& inputs = m_computation.inputs();
+    if (survey == nullptr || inputs.fe == nullptr) {
+        m_session.tell(tr("There is no survey to place, or the FE result is not open."));
+        return;
+    }
+    io::PairsRequest request;
+    request.survey = io::inputPath(m_document.base().toStdString(), *survey);
+    request.table = path.toStdString();
+    request.frame = inputs.frame;
+    request.site = m_document.theCase().site;
+    request.around = io::boundsAtRest(inputs.fe->mesh());
+    try {
+        const PairFit fit = io::placeByPairs(request);
+        edit([&](CaseInput& input) { input.registration = fit.registration; }, [] { return tr("survey placed by pairs"); });
+        if (!fit.findings.empty()) {
+            m_session.tell(widgets::worded(fit.findings.list().front().what));
+        }
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.tell(failure->inOneLine());
+    }
+}
+
 void SurveyDisplay::chooseFile() {
     if (m_document.empty()) {
         return;
     }
-    const QString path = QFileDialog::getOpenFileName(
-        m_page.window(), tr("Add a survey"), QFileInfo(m_document.base()).absolutePath(),
-        tr("Height models and outlines (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All "
-           "files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(m_page.window(), tr("Add a survey"), QFileInfo(m_document.base()).absolutePath(),
+                                     tr("Surveys (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx "
+                                        "*.pts *.gpkg *.geojson *.json *.shp "
+                                        "*.fgb *.kml);;All files (*)"));
     if (!path.isEmpty()) {
         add(path);
     }
 }
 
 void SurveyDisplay::add(const QString& path) {
-    std::vector<CaseInput> inputs = m_document.theCase().inputs;
-    std::string id;
-    for (int number = 1; id.empty() || std::any_of(inputs.begin(), inputs.end(), [&](const CaseInput& i) { return i.id == id; });
-         ++number) {
-        id = "survey-" + std::to_string(number);
-    }
-    const QDir folder = QFileInfo(m_document.base()).absoluteDir();
-    inputs.push_back({id, InputRole::Survey, folder.relativeFilePath(path).toStdString(), {}});
+    Case theCase = m_document.theCase();
     try {
-        inputs.back().sha256 = io::sha256OfFile(path.toStdString());
+        io::takeSurvey(theCase, m_document.base().toStdString(), path.toStdString());
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_session.tell(failure->inOneLine());
@@ -198,7 +260,8 @@ void SurveyDisplay::add(const QString& path) {
     }
     m_work.chosen = static_cast<int>(surveys().size());
     m_deck.choose(PanelDeck::Evidence);
-    m_document.setSurveys(std::move(inputs), [name = QFileInfo(path).fileName()] { return tr("survey %1 added").arg(name); });
+    m_document.setSurveys(std::move(theCase.inputs),
+                          [name = QFileInfo(path).fileName()] { return tr("survey %1 added").arg(name); });
 }
 
 void SurveyDisplay::remove() {
@@ -271,11 +334,7 @@ std::shared_ptr<const SurveyComparison> SurveyDisplay::comparison() const {
 
 SurveyWork::Compared SurveyDisplay::comparedNow(const CaseInput& survey, const RunRecord& record) const {
     SurveyWork::Compared now{survey, record.reader.get(), m_deck.evidence().survey().settings()};
-    now.settings.showsFallen = survey.showsFallen;
-    now.settings.scope = survey.scope;
-    now.settings.noise = survey.noise;
-    now.settings.groundNoise = survey.groundNoise;
-    now.settings.offsetError = survey.offsetError;
+    takeStated(now.settings, m_document.theCase(), survey, now.said);
     now.origin = record.reader != nullptr ? record.reader->origin() : io::RunOrigin();
     return now;
 }
@@ -349,6 +408,7 @@ void SurveyDisplay::refresh() {
         content.showsFallen = survey->showsFallen;
         content.scope = survey->scope;
         content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
+        content.stated = {survey->taken, survey->before, survey->instant, survey->registration};
     }
     content.noComparison = EvidenceWork::whyNoDebris(m_computation.currentRun());
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
@@ -369,6 +429,7 @@ void SurveyDisplay::refresh() {
     m_deck.evidence().survey().setContent(content);
     m_page.setSurvey(content.comparison);
     m_page.survey().setScope(content.scope);
+    emit changed();
 }
 
 }  // namespace rubble

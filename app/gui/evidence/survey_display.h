@@ -38,6 +38,7 @@ public:
         const void* run = nullptr;
         SurveySettings settings;
         io::RunOrigin origin = {};  ///< of the run
+        Findings said = {};         ///< of what the case says of the survey
         /// What can be chosen is the same.
         bool operator==(const Compared& other) const;
     };
@@ -91,12 +92,24 @@ public:
     /// Writes the difference map as GeoTIFF or PNG, by the ending.
     void saveTo(const QString& path);
     void refresh();
+    /// The survey that is worked on; null: there is none.
+    const CaseInput* current() const;
+    /// Works on the survey of this id, if there is one.
+    void choose(const std::string& id);
+    /// The comparison is of another survey, another run or other settings.
+    bool stale() const;
+    /// Places the current survey by the pairs of a table, as one undoable command.
+    void placeByPairs(const QString& path);
+
+signals:
+    /// What the box shows has changed.
+    void changed();
 
 private:
     std::vector<const CaseInput*> surveys() const;
-    const CaseInput* current() const;
     SurveyWork::Compared comparedNow(const CaseInput& survey, const RunRecord& record) const;
-    bool stale() const;
+    void connectPlace();
+    void choosePairs();
     void remove();
     void setShowsFallen(std::optional<bool> shows);
     void drawScope(ScopePart part);

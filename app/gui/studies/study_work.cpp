@@ -60,8 +60,8 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
     site.groundFile = io::evidenceGround(first);
     for (const io::EvidenceFile& file : causes.files) {
         execution.check();
-        evidence.surfaces.push_back(io::readEvidence(file, site, io::scopeOfFile(causes.photographed, causes.base, file.path),
-                                                     order.surface, made.findings, execution));
+        const CaseInput stated = io::statedOfFile(causes.photographed, causes.base, file.path, {}, made.findings);
+        evidence.surfaces.push_back(io::readEvidence(file, site, stated, order.surface, made.findings, execution));
         made.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     Case chosen = causes.photographed;

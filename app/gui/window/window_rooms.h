@@ -11,6 +11,7 @@
 #include "app/gui/case/project_display.h"
 #include "app/gui/case/scenario_pane.h"
 #include "app/gui/evidence/evidence_display.h"
+#include "app/gui/evidence/evidence_list_display.h"
 #include "app/gui/evidence/evidence_studies.h"
 #include "app/gui/evidence/map_display.h"
 #include "app/gui/evidence/survey_display.h"
@@ -86,6 +87,7 @@ struct WindowRooms {
     std::unique_ptr<EvidenceStudies> studies;
     std::unique_ptr<EvidenceDisplay> evidence;
     std::unique_ptr<SurveyDisplay> survey;
+    std::unique_ptr<EvidenceListDisplay> evidenceList;
     std::unique_ptr<Inspection> inspection;
     std::unique_ptr<MapDisplay> map;
     std::unique_ptr<GridDisplay> grid;

@@ -234,6 +234,12 @@ double CloudFit::angle() const {
     return Eigen::AngleAxisd(turn).angle();
 }
 
+double CloudFit::errorAt(const Vec3& place) const {
+    const double shifted = shiftError.maxCoeff();
+    const double turned = turnError.maxCoeff() * (place - about - shift).norm();
+    return std::max(error, std::sqrt(shifted * shifted + turned * turned + unevenness * unevenness));
+}
+
 CloudFit fitCloud(const PointIndex& first, const std::vector<Vec3>& second, const CloudFitSettings& settings,
                   const Execution& execution) {
     return CloudFitting(first, second, settings, execution).fit();

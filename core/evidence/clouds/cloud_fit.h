@@ -37,6 +37,9 @@ struct CloudFit {
     /// m, rad: how far it moves and turns.
     double distance() const { return shift.norm(); }
     double angle() const;
+    /// Standard deviation that a place may be off by along its worst axis: where surfaces tell little about a direction or a turn,
+    /// it is more than that along the normals. @param place  once moved
+    double errorAt(const Vec3& place) const;
 };
 
 /// Fits by trimmed iterated closest planes (Chen & Medioni 1992; Chetverikov et al. 2002): each point of the second cloud is held

@@ -312,32 +312,13 @@ private:
 
     /// A core at the middle of each cell that a cloud has points in, as high as those of the first are in the mean.
     std::vector<Vec3> middlesOfCells() {
-        struct Cell {
-            std::array<double, 2> sums{};
-            std::array<std::uint32_t, 2> counts{};
-        };
-        // In order of the cells, so that no result depends on the order of the points.
-        std::map<std::pair<std::int64_t, std::int64_t>, Cell> cells;
+        CellMiddles middles(m_request.cell);
         const auto add = [&](const ComparedCloud& cloud, const std::string& crs, std::size_t which) {
-            read(cloud.path, crs, false, [&](const std::vector<Vec3>& places) {
-                for (const Vec3& place : places) {
-                    Cell& cell = cells[{std::llround(std::floor(place.x() / m_request.cell)),
-                                        std::llround(std::floor(place.y() / m_request.cell))}];
-                    cell.sums[which] += place.z();
-                    ++cell.counts[which];
-                }
-                checkCores(cells.size());
-            });
+            read(cloud.path, crs, false, [&](const std::vector<Vec3>& places) { middles.add(places, which); });
         };
         add(m_made.first, "", 0);
         add(m_made.second, m_made.first.head.crs, 1);
-        std::vector<Vec3> middles;
-        for (const auto& [at, cell] : cells) {
-            const std::size_t which = cell.counts[0] > 0 ? 0 : 1;
-            middles.emplace_back((static_cast<double>(at.first) + 0.5) * m_request.cell,
-                                 (static_cast<double>(at.second) + 0.5) * m_request.cell, cell.sums[which] / cell.counts[which]);
-        }
-        return middles;
+        return middles.places();
     }
 
     /// Straight up at each cell, in a cylinder of its area.
@@ -345,21 +326,14 @@ private:
         CloudComparisonRequest cells = m_request;
         cells.cell = 0.0;
         cells.stable.reset();
-        cells.settings = m_settings;
-        cells.settings.upwards = true;
-        cells.settings.projectionRadius = m_request.cell / std::sqrt(std::numbers::pi);
+        cells.settings = volumeSettings(m_settings, m_request.cell);
         CloudComparing comparing(cells, m_execution, middlesOfCells());
         comparing.m_made.fit = m_made.fit;
         const CloudComparison measured = comparing.compare();
         m_made.volumes = cloudVolumes(measured.distances, m_request.cell, m_settings.registrationError);
         const CloudUnits& units = m_made.first.head.units;
         m_made.cubicMetres = m_request.metres ? 1.0 : units.metres * units.metres * units.heightMetres;
-        const std::int64_t left = m_made.volumes->cells - m_made.volumes->measured;
-        find("",
-             {"distance.cells_left",
-              "cells are in no volume: a cloud has fewer than {0} points there within the depth",
-              {std::size_t{roughnessPoints}}},
-             "give greater cells or a greater depth; the clouds may end or have holes there", left);
+        addCellsLeft(m_made);
     }
 
     void find(Message what, std::string_view remedy, std::int64_t count = 1) { find("", std::move(what), remedy, count); }
@@ -386,6 +360,42 @@ void checkCores(std::size_t count) {
     if (count > coresMost) {
         throw UsageError({"distance.cores", "There are more than {0} core points", {coresMost}},
                          {"distance.cores.remedy", "Give a file with fewer of them, or a greater projection radius.", {}});
+    }
+}
+
+void CellMiddles::add(const std::vector<Vec3>& places, std::size_t which) {
+    for (const Vec3& place : places) {
+        Cell& cell = m_cells[{std::llround(std::floor(place.x() / m_side)), std::llround(std::floor(place.y() / m_side))}];
+        cell.sums[which] += place.z();
+        ++cell.counts[which];
+    }
+    checkCores(m_cells.size());
+}
+
+std::vector<Vec3> CellMiddles::places() const {
+    std::vector<Vec3> middles;
+    for (const auto& [at, cell] : m_cells) {
+        const std::size_t which = cell.counts[0] > 0 ? 0 : 1;
+        middles.emplace_back((static_cast<double>(at.first) + 0.5) * m_side, (static_cast<double>(at.second) + 0.5) * m_side,
+                             cell.sums[which] / cell.counts[which]);
+    }
+    return middles;
+}
+
+CloudDistanceSettings volumeSettings(CloudDistanceSettings settings, double cell) {
+    settings.upwards = true;
+    settings.projectionRadius = cell / std::sqrt(std::numbers::pi);
+    return settings;
+}
+
+void addCellsLeft(CloudComparison& made) {
+    const std::int64_t left = made.volumes->cells - made.volumes->measured;
+    if (left > 0) {
+        addFinding(made.findings, "",
+                   {"distance.cells_left",
+                    "cells are in no volume: a cloud has fewer than {0} points there within the depth",
+                    {std::size_t{roughnessPoints}}},
+                   "give greater cells or a greater depth; the clouds may end or have holes there", left);
     }
 }
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/execution.h"
@@ -68,6 +72,32 @@ CloudComparison compareClouds(const CloudComparisonRequest& request, const Execu
 
 /// Refuses more core points than there is room for. Throws UsageError.
 void checkCores(std::size_t count);
+
+/// The middles of square cells in plan that points of two clouds lie in, in the order of the cells whatever the order of the
+/// points.
+class CellMiddles {
+public:
+    explicit CellMiddles(double side) : m_side(side) {}
+
+    /// @param which  0: of the first cloud, 1: of the second. Throws UsageError (too many cells).
+    void add(const std::vector<Vec3>& places, std::size_t which);
+    /// As high as the points of the first cloud there are in the mean, else those of the second.
+    std::vector<Vec3> places() const;
+
+private:
+    struct Cell {
+        std::array<double, 2> sums{};
+        std::array<std::uint32_t, 2> counts{};
+    };
+    double m_side;
+    std::map<std::pair<std::int64_t, std::int64_t>, Cell> m_cells;
+};
+
+/// How volumes over cells of a side are measured: straight up, in a cylinder of the area of a cell.
+CloudDistanceSettings volumeSettings(CloudDistanceSettings settings, double cell);
+
+/// Says how many cells are in no volume, and why: a counted finding.
+void addCellsLeft(CloudComparison& made);
 
 /// What the level of detection takes for the registration error: as stated, else that of the fit.
 /// Says what speaks against the fit: counted findings.

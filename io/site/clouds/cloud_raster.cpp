@@ -114,7 +114,21 @@ private:
         if (block.classes.empty()) {
             return true;
         }
-        return m_groundAlone ? block.classes[i] == groundClass : !isPlantOrWire(block.classes[i]);
+        return m_groundAlone ? isGround(block.classes[i]) : !isPlantOrWire(block.classes[i]);
+    }
+
+    bool isGround(std::uint16_t kind) const {
+        const std::vector<std::uint16_t>& asked = m_site.groundClasses;
+        return asked.empty() ? kind == groundClass : std::find(asked.begin(), asked.end(), kind) != asked.end();
+    }
+
+    /// "2, 9"
+    std::string groundText() const {
+        std::string text;
+        for (const std::uint16_t kind : m_site.groundClasses) {
+            text += (text.empty() ? "" : ", ") + std::to_string(kind);
+        }
+        return text.empty() ? std::to_string(groundClass) : text;
     }
 
     void look() {
@@ -123,14 +137,15 @@ private:
         const CloudSummary summary = summariseCloud(*cloud, m_execution, [&](const CloudBlock& block) {
             for (std::size_t i = 0; i < block.size(); ++i) {
                 const std::uint16_t kind = classes ? block.classes[i] : 0;
-                if (isPlantOrWire(kind)) {
-                    ++m_plants;
-                    continue;
-                }
-                m_all.add(block.places[i]);
-                if (kind == groundClass) {
+                if (classes && isGround(kind)) {
                     m_ground.add(block.places[i]);
                 }
+                if (isPlantOrWire(kind)) {
+                    ++m_plants;
+                } else {
+                    m_all.add(block.places[i]);
+                }
+                ++m_points;
             }
         });
         m_head = cloud->head();
@@ -139,6 +154,14 @@ private:
         if (m_head.units.geocentric) {
             refuseContent({"cloud.no_plan", "{0} counts its places from the centre of the Earth", {m_path}},
                           "Bring it to a projected system, such as the UTM zone of the place.");
+        }
+        if (m_part == CloudPart::Ground && m_points > 0 && m_ground.points() == 0 && !m_site.groundClasses.empty()) {
+            refuseContent(
+                {"cloud.no_class", "{0} has no point of the classes that are to be the ground: {1}", {m_path, groundText()}},
+                "Ask for classes that it has; rubble-cli cloud tells them.");
+        }
+        if (m_part == CloudPart::Ground && m_ground.points() > 0) {
+            return;
         }
         if (m_all.points() == 0 && m_plants > 0) {
             refuseContent({"cloud.plants_alone",
@@ -156,8 +179,8 @@ private:
         const auto count = [](std::uint64_t points) { return static_cast<std::int64_t>(points); };
         if (m_groundAlone) {
             find({"cloud.ground",
-                  "points of class 2 are the ground; {0} of other classes were left out",
-                  {count(m_all.points() + m_plants - m_ground.points())}},
+                  "points of class {1} are the ground; {0} of other classes were left out",
+                  {count(m_points - m_ground.points()), groundText()}},
                  "none is needed", count(m_ground.points()));
         } else if (m_part == CloudPart::Ground) {
             find(m_classes
@@ -336,6 +359,7 @@ private:
     CloudHead m_head;
     bool m_classes = false;
     bool m_groundAlone = false;
+    std::uint64_t m_points = 0;
     std::uint64_t m_plants = 0;
     PointShare m_all;  ///< but vegetation and wires
     PointShare m_ground;

@@ -42,10 +42,14 @@ bool opensAsCloud(const std::string& path) {
 
 }  // namespace
 
+bool holdsCloud(const std::string& path) {
+    return beginsAsCloud(path) || (textWithoutRaster(path) && opensAsCloud(path));
+}
+
 HeightSource::HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
                            const Execution& execution)
     : m_path(path) {
-    if (beginsAsCloud(path) || (textWithoutRaster(path) && opensAsCloud(path))) {
+    if (holdsCloud(path)) {
         m_cloud = cloudRaster(path, part, frame, site, around, execution);
     }
 }

@@ -26,4 +26,7 @@ private:
     std::optional<CloudRaster> m_cloud;
 };
 
+/// Whether a file is read as a point cloud where heights are wanted: by its first bytes, or as a table that is no raster.
+bool holdsCloud(const std::string& path);
+
 }  // namespace rubble::io

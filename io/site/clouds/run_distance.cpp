@@ -7,6 +7,7 @@
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/file_words.h"
+#include "io/site/surveys/survey_placing.h"
 
 namespace rubble::io {
 
@@ -25,6 +26,7 @@ public:
         const CloudSummary summary = summariseCloud(*m_cloud, execution, [&](const CloudBlock& block) {
             places = block.places;
             m_place.toLocal(places);
+            moveAsPlaced(places);
             take(block, places);
         });
         told.path = request.cloud;
@@ -72,6 +74,16 @@ private:
         }
     }
 
+    void moveAsPlaced(std::vector<Vec3>& places) const {
+        if (m_request.placed) {
+            const Registration& placed = *m_request.placed;
+            const Mat3 turn = placed.rotation();
+            for (Vec3& place : places) {
+                place = placed.about + placed.shift + turn * (place - placed.about);
+            }
+        }
+    }
+
     bool compared(const Eigen::Vector2d& place) const {
         const SurveyScope& scope = m_request.scope;
         return (scope.area.empty() || covers(scope.area, place)) && !covers(scope.leftOut, place);
@@ -105,11 +117,15 @@ private:
                 scanners.push_back(scan.pose.position);
             }
             m_place.toLocal(scanners);
+            moveAsPlaced(scanners);
         }
         m_made.scanners = scanners.size();
     }
 
     void tell() {
+        if (m_request.placed) {
+            addPlacedFinding(m_made.compared.findings, m_request.cloud, *m_request.placed);
+        }
         const auto find = [&](Message what, std::string_view remedy, std::uint64_t count) {
             if (count > 0) {
                 addFinding(m_made.compared.findings, m_request.cloud, std::move(what), remedy, static_cast<std::int64_t>(count));
@@ -175,9 +191,8 @@ void checkMeeting(const RunDistanceRequest& request, const Aabb& cloud, const Aa
     }
 }
 
-/// Brings the cloud and its scanners onto the simulated site, by what neither simulation nor collapse moved.
-void fitToSite(const RunDistanceRequest& request, const SurfaceTree& tree, HeldCloud& held, CloudComparison& made,
-               const Execution& execution) {
+/// The move that brings the cloud onto the simulated site, by what neither simulation nor collapse moved.
+CloudFit fitOf(const RunDistanceRequest& request, const SurfaceTree& tree, const HeldCloud& held, const Execution& execution) {
     std::vector<Vec3> stable;
     std::vector<std::uint16_t> scans;
     CubeThinning thinning(0.25 * request.settings.normalRadius);
@@ -193,12 +208,38 @@ void fitToSite(const RunDistanceRequest& request, const SurfaceTree& tree, HeldC
     const PointIndex site(seenAlike(tree, stable, {held.scanners, scans}, request.settings.projectionRadius, execution).places);
     CloudFitSettings settings;
     settings.radius = request.settings.normalRadius;
-    made.fit = fitCloud(site, stable, settings, execution);
-    for (std::vector<Vec3>* places : {&held.points, &held.scanners}) {
-        for (Vec3& place : *places) {
-            place = (*made.fit)(place);
-        }
-    }
+    return fitCloud(site, stable, settings, execution);
+}
+
+/// Adds the ground about site and cloud, and checks that they meet.
+void addGroundAbout(const RunDistanceRequest& request, const HeldCloud& held, SiteShape& site, const SiteSurface& ground,
+                    Findings& findings) {
+    Aabb around = boxOf(site);
+    checkMeeting(request, held.box, around);
+    around.extend(held.box);
+    const Vec3 margin = Vec3::Constant(request.settings.depth + 2.0 * request.settings.projectionRadius);
+    around = Aabb(around.min() - margin, around.max() + margin);
+    addCoarseGround(findings, addGround(site, ground, around, scannedTriangles));
+}
+
+/// A core at the middle of each cell in plan that either has points in, as high as those of the first are in the mean.
+std::vector<Vec3> middlesOfCells(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double side) {
+    CellMiddles middles(side);
+    middles.add(first, 0);
+    middles.add(second, 1);
+    return middles.places();
+}
+
+/// Straight up at each cell, in a cylinder of its area, as between two clouds.
+void takeVolumes(const RunDistanceRequest& request, const PointIndex& first, const PointIndex& second,
+                 const CloudDistanceSettings& settings, CloudComparison& made, const Execution& execution) {
+    std::vector<Vec3> cores = middlesOfCells(first.places(), second.places(), request.cell);
+    const CloudDistanceSettings upwards = volumeSettings(settings, request.cell);
+    orderByCubes(cores, upwards.projectionRadius);
+    const std::vector<CoreDistance> cells = cloudDistances(cores, first, second, upwards, execution);
+    made.volumes = cloudVolumes(cells, request.cell, settings.registrationError);
+    made.cubicMetres = 1.0;
+    addCellsLeft(made);
 }
 
 /// Cores and normals as the system of the case has them.
@@ -250,22 +291,34 @@ SightedDebris sightedDebris(const SiteShape& site, const SiteScan& scan, std::sp
     return made;
 }
 
+CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground, Findings& findings,
+                        const Execution& execution) {
+    RunDistance made;
+    const HeldCloud held(request, made, execution);
+    addGroundAbout(request, held, site, ground, made.compared.findings);
+    const CloudFit fit = fitOf(request, SurfaceTree(site.points, site.triangles), held, execution);
+    findings.append(made.compared.findings);
+    return fit;
+}
+
 RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground,
                                  std::span<const double> volumes, const Execution& execution) {
     RunDistance made;
     HeldCloud held(request, made, execution);
-    Aabb around = boxOf(site);
-    checkMeeting(request, held.box, around);
-    around.extend(held.box);
-    const Vec3 margin = Vec3::Constant(request.settings.depth + 2.0 * request.settings.projectionRadius);
-    around = Aabb(around.min() - margin, around.max() + margin);
-    addCoarseGround(made.compared.findings, addGround(site, ground, around, scannedTriangles));
+    addGroundAbout(request, held, site, ground, made.compared.findings);
     const double radius = request.settings.projectionRadius;
     const SurfaceTree tree(site.points, site.triangles);
     if (request.stable) {
-        fitToSite(request, tree, held, made.compared, execution);
+        made.compared.fit = fitOf(request, tree, held, execution);
+        for (std::vector<Vec3>* places : {&held.points, &held.scanners}) {
+            std::transform(places->begin(), places->end(), places->begin(), *made.compared.fit);
+        }
     }
-    const CloudDistanceSettings settings = settingsAfterFit(made.compared, request.settings);
+    CloudDistanceSettings asked = request.settings;
+    if (!asked.registrationError && !request.stable && request.placed) {
+        asked.registrationError = request.placed->error;
+    }
+    const CloudDistanceSettings settings = settingsAfterFit(made.compared, asked);
     // Rays side by side go through the same boxes, which is twice as fast.
     const std::vector<std::uint32_t> before = orderByCubes(held.points, radius);
     std::vector<std::uint16_t> scans(held.scans.size());
@@ -294,6 +347,9 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
     const PointIndex second(std::move(seen.places));
     compared.distances = cloudDistances(compared.cores, first, second, settings, execution);
     judgeDistances(compared, settings);
+    if (request.cell > 0.0) {
+        takeVolumes(request, first, second, settings, compared, execution);
+    }
     bringToWorld(compared, SitePlace(request.frame, request.site));
     compared.first.head.crs = request.frame.crs;
     compared.first.head.units.metres = compared.first.head.units.heightMetres = 1.0;

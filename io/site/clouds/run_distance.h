@@ -8,6 +8,7 @@
 #include "core/evidence/clouds/site_scan.h"
 #include "core/evidence/photographs/site_picture.h"
 #include "core/fe/frame.h"
+#include "core/scenario/registration.h"
 #include "core/scenario/site.h"
 #include "core/scenario/survey_scope.h"
 #include "io/site/clouds/cloud_comparison.h"
@@ -29,6 +30,9 @@ struct RunDistanceRequest {
     /// What did not move, m, local: the cloud is fitted to the simulated site there. Empty: everywhere. Unset: it lies where it
     /// lies.
     std::optional<Outline> stable = std::nullopt;
+    std::optional<Registration> placed =
+        std::nullopt;   ///< by which the cloud is moved once its coordinates were brought to the case
+    double cell = 0.0;  ///< m, side of the cells that volumes are taken over; 0: none are
     std::uint64_t heldPoints = heldPointsMost;
 };
 
@@ -63,6 +67,11 @@ struct RunDistance {
 /// Throws ParseError (as CloudPlace; no point, elsewhere than the site), UsageError (too many cores), WorldError, Cancelled.
 RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground,
                                  std::span<const double> volumes, const Execution& execution);
+
+/// Fits a cloud to a site by what did not move, as compareCloudWithSite() does where that is asked for: the move goes on from that
+/// of the request. Findings say what was left out. Throws as above, and as fitCloud().
+CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground, Findings& findings,
+                        const Execution& execution);
 
 /// What a scan met of the debris of a site. @param volumes  m3, [fragments]
 SightedDebris sightedDebris(const SiteShape& site, const SiteScan& scan, std::span<const double> volumes);

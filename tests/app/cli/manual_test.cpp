@@ -111,6 +111,8 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"camera", writePairs(folder / "pairs.csv"), "--size", "4000x3000"},
         {"cloud", sourcePath("tests/data/clouds/point-time-color.laz")},
         {"cloud", sourcePath("tests/data/clouds/tiny_pc_and_images.e57")},
+        {"evidence", sourcePath("resources/samples/stone-arch.rubble")},
+        {"section", run, "--line", "-5,0.5,5,0.5"},
         {"scan", run, "--step", "1", "--out", folder / "scan.las"},
         {"cloud", folder / "scan.las", "--against", run, "--normal-scale", "1", "--projection-scale", "1", "--depth", "1"},
         {"cloud", folder / "scan.las", "--against", folder / "scan.las", "--normal-scale", "1", "--projection-scale", "1",

@@ -12,11 +12,13 @@
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
+#include "io/site/site_place.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/case/site_dialog.h"
 #include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/evidence_table.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_view.h"
 #include "widgets/views/view_widget.h"
@@ -230,6 +232,44 @@ TEST_F(SiteAndSurvey, AMeshOfTheSurroundingsIsDrawnAndLeftOutAgain) {
     window->actions()[ActionId::NoSurroundings].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().terrain().surroundings == nullptr && prepared(); }, patience));
     EXPECT_TRUE(QTest::qWaitFor([&] { return drawn() == without; }, patience));
+}
+
+TEST_F(SiteAndSurvey, OneListHoldsAllEvidenceWithItsPlaceAndScore) {
+    simulated();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    // A pile of 30 m by 10 m that the survey shows 4 m too far north and 1 m too high.
+    const QString survey =
+        heights("after.asc", [](double x, double y) { return std::abs(x) < 15.0 && std::abs(y - 4.0) < 5.0 ? 2.0 : 1.0; });
+    window->rooms().survey->add(survey);
+    const widgets::EvidenceTable& list = window->rooms().deck->evidence().list();
+    ASSERT_EQ(list.rowCount(), 1);
+    EXPECT_EQ(list.item(0, 0)->text(), QStringLiteral("after.asc"));
+    EXPECT_EQ(list.item(0, 2)->text(), QStringLiteral("not known"));
+    const std::string pairs = m_folder / "pairs.csv";
+    const io::SitePlace place(session->computation().inputs().frame, Site());
+    {
+        std::ofstream out(pairs);
+        out << "survey_x,survey_y,survey_z,x_m,y_m,z_m\n";
+        for (const Vec3& at : {Vec3(-15.0, 0.0, 1.0), Vec3(15.0, 9.0, 1.01), Vec3(3.0, -1.0, 1.99), Vec3(-8.0, 20.0, 1.0)}) {
+            const Vec3 surveyed = place.toWorld(at);
+            const Vec3 placed = place.toWorld(at + Vec3(0.0, -4.0, -1.0));
+            out << surveyed.x() << ',' << surveyed.y() << ',' << surveyed.z() << ',' << placed.x() << ',' << placed.y() << ','
+                << placed.z() << '\n';
+        }
+    }
+    window->rooms().survey->placeByPairs(QString::fromStdString(pairs));
+    ASSERT_TRUE(session->document().theCase().inputs.back().registration);
+    EXPECT_NE(list.item(0, 2)->text(), QStringLiteral("not known"));
+    compare();
+    ASSERT_NE(window->rooms().survey->comparison(), nullptr);
+    const SurveyComparison& made = *window->rooms().survey->comparison();
+    EXPECT_NEAR(made.survey.area, 300.0, 45.0);
+    EXPECT_NEAR(made.survey.centroid.y(), 0.0, 0.3);
+    EXPECT_NEAR(list.item(0, 3)->text().toDouble(), made.iou, 0.001);
+    // Taken out again, it lies where it lay, and its score is of something else.
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_FALSE(session->document().theCase().inputs.back().registration);
+    EXPECT_EQ(list.item(0, 3)->text(), QStringLiteral("–"));
 }
 
 }  // namespace

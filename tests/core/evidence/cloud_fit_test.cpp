@@ -58,6 +58,9 @@ TEST(CloudFit, FindsTheMoveThatWasMade) {
     EXPECT_NEAR(fit.angle(), 0.01, 2e-4);
     EXPECT_GT(fit.before, 0.03);
     EXPECT_LT(fit.after, 0.01);
+    EXPECT_GE(fit.errorAt(fit.about), fit.error);
+    EXPECT_GE(fit.errorAt(fit.about), fit.shiftError.maxCoeff());
+    EXPECT_GT(fit.errorAt(Vec3(1e5, 0.0, 0.0)), 0.5 * 1e5 * fit.turnError.maxCoeff()) << "a turn tells the more, the farther away";
     EXPECT_GT(fit.pairs, 1000);
     EXPECT_LT(fit.error, 0.003);
     EXPECT_EQ(fitCloud(first, cloud, {0.5}, Execution().withThreads(1)).shift, fit.shift);

@@ -282,6 +282,44 @@ TEST_F(CloudTerrain, ACloudIsEvidenceOfCausesAsARasterIs) {
     EXPECT_NEAR(0.25 * static_cast<double>(evidence.seen.cells.size()), 60.0, 16.0);
 }
 
+TEST_F(CloudTerrain, TheClassesThatAreTheGroundAreChosen) {
+    // Ground at 0, water (9) at 0.5 beside it, and a roof (6) at 3 m over all.
+    std::vector<MadePoint> points = scattered(8000, 12.0, [](double, double) { return 0.0; });
+    for (MadePoint& point : points) {
+        if (point.place[0] > 0) {
+            point.kind = 9;
+            point.place[2] = 50;
+        }
+    }
+    const std::vector<MadePoint> roof = scattered(4000, 12.0, [](double, double) { return 3.0; }, 6);
+    points.insert(points.end(), roof.begin(), roof.end());
+    const std::string path = lay(points);
+    const auto with = [&](std::vector<std::uint16_t> classes, bool surface) {
+        Site site;
+        site.groundClasses = std::move(classes);
+        return readHeights(path, m_frame, site, m_structure, Execution(), {.alongAxes = !surface, .surface = surface});
+    };
+    const auto highest = [](const HeightReading& reading) {
+        double most = -1e9;
+        for (const double height : reading.raster.heights) {
+            most = std::isfinite(height) ? std::max(most, height) : most;
+        }
+        return most;
+    };
+    EXPECT_NEAR(highest(with({}, false)), 0.0, 1e-6) << "class 2 unless something else is asked for";
+    const HeightReading both = with({2, 9}, false);
+    EXPECT_NEAR(highest(both), 0.5, 0.05) << "planes through the shore overshoot";
+    ASSERT_EQ(both.findings.count("cloud.ground"), 8000);
+    EXPECT_NEAR(highest(with({6}, false)), 3.0, 1e-6);
+    EXPECT_EQ(with({6}, true).findings.count("cloud.ground"), 0) << "a survey takes all that stands there";
+    try {
+        with({11}, false);
+        FAIL() << "no point is of that class";
+    } catch (const ParseError& error) {
+        EXPECT_EQ(error.message().id, "cloud.no_class");
+    }
+}
+
 }  // namespace
 
 }  // namespace rubble::io

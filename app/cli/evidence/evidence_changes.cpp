@@ -1,0 +1,229 @@
+#include "app/cli/evidence/evidence_changes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/cli/evidence/scanned_site.h"
+#include "app/cli/exports/map_subject.h"
+#include "app/cli/frame/option_value.h"
+#include "app/cli/frame/run_inputs.h"
+#include "app/cli/frame/subject.h"
+#include "core/base/error.h"
+#include "core/evidence/surveys/stated_survey.h"
+#include "io/case/case_file.h"
+#include "io/case/case_surveys.h"
+#include "io/case/terrain_reader.h"
+#include "io/site/clouds/height_source.h"
+#include "io/site/survey_file.h"
+#include "io/site/surveys/survey_registration.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// Options that say something of a survey.
+constexpr std::array<std::string_view, 8> surveyOptions{
+    "--pairs", "--fit", "--registration-error", "--unregister", "--taken", "--instant", "--before", "--crs"};
+
+void needs(const Arguments& arguments, std::string_view option, std::string_view other) {
+    if (arguments.has(option) && !arguments.has(other)) {
+        throw UsageError({"cli.option_alone", "{0} goes with {1}", {std::string(option), std::string(other)}},
+                         {"cli.option_alone.remedy", "Give both, or leave {0} out.", {std::string(option)}});
+    }
+}
+
+void checkEvidenceOptions(const Arguments& arguments) {
+    for (const std::string_view option : surveyOptions) {
+        needs(arguments, option, "--survey");
+    }
+    needs(arguments, "--fit", "--radius");
+    needs(arguments, "--radius", "--fit");
+    needs(arguments, "--scanner", "--fit");
+    needs(arguments, "--removed", "--since");
+    needs(arguments, "--since", "--removed");
+    if (arguments.has("--unregister") && (arguments.has("--pairs") || arguments.has("--fit"))) {
+        throw UsageError({"cli.unregister", "--unregister takes the registration out, --pairs and --fit make one", {}},
+                         {"cli.unregister.remedy", "Give one or the other.", {}});
+    }
+}
+
+std::string clockFrom(const Arguments& arguments, std::string_view option) {
+    const std::string time = clockTimeFrom(*arguments.value(option));
+    if (time.empty()) {
+        throw wrongValue(option, *arguments.value(option), "date and time by the clock of the site, such as 2021-06-25T16:30");
+    }
+    return time;
+}
+
+/// Registers a survey of a case that was opened.
+class Registering {
+public:
+    Registering(const Arguments& arguments, CaseInput& survey, const std::string& path, Session& session, Findings& findings)
+        : m_arguments(arguments),
+          m_survey(survey),
+          m_path(path),
+          m_session(session),
+          m_findings(findings),
+          m_opened(openSubject(arguments, session)) {
+        m_read.crs = arguments.value("--crs").value_or("");
+    }
+
+    void byPairs() {
+        io::PairsRequest request{m_path, *m_arguments.value("--pairs"), m_read, m_opened.inputs.frame, site(), {}};
+        request.around = io::boundsAtRest(m_opened.inputs.fe->mesh());
+        const PairFit fit = io::placeByPairs(request);
+        m_findings.append(fit.findings);
+        m_survey.registration = fit.registration;
+    }
+
+    void byFit() {
+        if (!io::holdsCloud(m_path)) {
+            throw UsageError({"cli.fit_no_cloud", "{0} is no point cloud: only points are fitted", {m_path}},
+                             {"cli.fit_no_cloud.remedy",
+                              "Give pairs, or shift it where it is compared, with rubble-cli survey --register ground.",
+                              {}});
+        }
+        io::RunDistanceRequest request;
+        request.cloud = m_path;
+        request.read = m_read;
+        request.frame = m_opened.inputs.frame;
+        request.site = site();
+        request.settings.normalRadius = parseLength(m_arguments, "--radius", 0.0);
+        request.settings.projectionRadius = 0.5 * request.settings.normalRadius;
+        request.settings.depth = request.settings.normalRadius;
+        request.placed = m_survey.registration;
+        request.scanners = scannersFrom(m_arguments);
+        const std::string area = *m_arguments.value("--fit");
+        request.stable = area == "all" ? Outline() : io::readScope(area, request.frame, site(), m_findings, m_session.execution());
+        ScannedSite target = targetSite();
+        const CloudFit fit = io::fitCloudToSite(request, std::move(target.shape), target.ground, m_findings, m_session.execution());
+        Registration both =
+            movedOn(m_survey.registration.value_or(Registration{.about = fit.about}), fit.turn, fit.about, fit.shift);
+        both.fitted = fit.pairs;
+        both.fitBefore = fit.before;
+        both.fitLeft = fit.after;
+        both.error = fit.error;
+        const Aabb structure = io::boundsAtRest(m_opened.inputs.fe->mesh());
+        for (int corner = 0; corner < 8; ++corner) {
+            both.error = std::max(*both.error, fit.errorAt(structure.corner(static_cast<Aabb::CornerType>(corner))));
+        }
+        m_survey.registration = both;
+        if (!fit.settled) {
+            m_findings.add({"fit.not_settled", "the fit had not settled after {0} rounds", {std::int64_t{fit.rounds}}},
+                           {"fit.not_settled.remedy", "give a greater normal scale, or clouds that lie nearer to each other", {}});
+        }
+    }
+
+private:
+    const Site& site() const { return m_opened.theCase.site; }
+
+    /// What stands and lies where the run of --run ends, else the terrain of the case alone.
+    ScannedSite targetSite() {
+        const auto path = m_arguments.value("--run");
+        if (path) {
+            const std::shared_ptr<io::RunReader> run = io::openRun(*path);
+            const Inputs inputs = openInputsOfRun(*path, run->origin(), m_arguments, m_session, &m_findings);
+            return scannedSite(*run, inputs, std::nullopt, 1.0, m_session.execution());
+        }
+        ScannedSite target;
+        target.ground = {true, m_opened.scenario.simulation.groundHeight, m_opened.inputs.terrain};
+        return target;
+    }
+
+    const Arguments& m_arguments;
+    CaseInput& m_survey;
+    std::string m_path;
+    Session& m_session;
+    Findings& m_findings;
+    io::OpenedCase m_opened;
+    io::CloudRequest m_read;
+};
+
+void changeSurvey(Case& theCase, const Arguments& arguments, Session& session, Findings& findings) {
+    const std::string path = *arguments.value("--survey");
+    CaseInput& survey = theCase.inputs[io::takeSurvey(theCase, arguments.operand(), path)];
+    if (arguments.has("--taken")) {
+        survey.taken = clockFrom(arguments, "--taken");
+    }
+    if (arguments.has("--before")) {
+        survey.before = parseOnOff(arguments, "--before", true);
+    }
+    if (const auto instant = arguments.value("--instant")) {
+        double seconds = 0.0;
+        if (*instant == "end") {
+            survey.instant.reset();
+        } else if (parseNumber(*instant, seconds) && std::isfinite(seconds)) {
+            survey.instant = seconds;
+        } else {
+            throw wrongValue("--instant", *instant, "seconds with a point as decimal sign, or end");
+        }
+    }
+    if (arguments.has("--unregister")) {
+        survey.registration.reset();
+    }
+    if (arguments.has("--pairs") || arguments.has("--fit")) {
+        Registering registering(arguments, survey, path, session, findings);
+        if (arguments.has("--pairs")) {
+            registering.byPairs();
+        }
+        if (arguments.has("--fit")) {
+            registering.byFit();
+        }
+    }
+    if (arguments.has("--registration-error")) {
+        const double error = parseLength(arguments, "--registration-error", 0.0, true);
+        if (!survey.registration) {
+            survey.offsetError = error;
+        } else {
+            survey.registration->error = error;
+        }
+    }
+}
+
+void addRemoval(Case& theCase, const Arguments& arguments, Session& session, Findings& findings) {
+    const io::OpenedCase opened = openSubject(arguments, session);
+    Removal removal;
+    removal.time = clockFrom(arguments, "--since");
+    const std::string path = *arguments.value("--removed");
+    removal.name = path.substr(path.find_last_of('/') + 1);
+    removal.area = io::readScope(path, opened.inputs.frame, opened.theCase.site, findings, session.execution());
+    theCase.removals.push_back(std::move(removal));
+    std::stable_sort(theCase.removals.begin(), theCase.removals.end(),
+                     [](const Removal& a, const Removal& b) { return a.time < b.time; });
+}
+
+}  // namespace
+
+std::vector<Option> evidenceChangeOptions() {
+    return {{"--survey", "FILE", false, "a survey, cloud or outline: it is taken into the case if it is none of its surveys"},
+            {"--pairs", "FILE", false, "place it by three pairs or more: a table of survey_x,survey_y,survey_z,x_m,y_m,z_m"},
+            {"--fit", "FILE|all", false, "place a cloud by what did not move: polygons of it, or all; after the pairs"},
+            {"--radius", "M", false, "about a point, m: surfaces within it are what it is fitted to"},
+            scannerOption("for the fit: where a scanner stood, easting, northing and height, m (default: as the cloud says)"),
+            {"--registration-error", "M", false, "standard deviation by which a place of it may be off, m (default: as found)"},
+            {"--unregister", "", false, "let it lie as its coordinates say"},
+            {"--crs", "SYSTEM", false, "coordinate system of a cloud that names none: EPSG code, WKT or PROJ"},
+            {"--taken", "TIME", false, "when it was taken, by the clock of the site, such as 2021-06-25T16:30"},
+            {"--before", "on|off", false, "it was taken before the collapse and shows no debris"},
+            {"--instant", "SECONDS", false, "instant that it shows on the file's clock, or end (default: end)"},
+            {"--removed", "FILE", false, "polygons of places whose debris was taken away"},
+            {"--since", "TIME", false, "from when on it was gone"}};
+}
+
+bool changesEvidence(const Arguments& arguments) {
+    const std::vector<Option> options = evidenceChangeOptions();
+    return std::any_of(options.begin(), options.end(), [&](const Option& option) { return arguments.has(option.name); });
+}
+
+void changeEvidence(Case& theCase, const Arguments& arguments, Session& session, Findings& findings) {
+    checkEvidenceOptions(arguments);
+    if (arguments.has("--survey")) {
+        changeSurvey(theCase, arguments, session, findings);
+    }
+    if (arguments.has("--removed")) {
+        addRemoval(theCase, arguments, session, findings);
+    }
+}
+
+}  // namespace rubble::cli

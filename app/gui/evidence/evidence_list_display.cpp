@@ -1,0 +1,111 @@
+#include "app/gui/evidence/evidence_list_display.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/evidence/evidence_display.h"
+#include "app/gui/evidence/survey_display.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/panel_deck.h"
+#include "core/evidence/evidence_list.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/evidence_table.h"
+
+namespace rubble {
+
+namespace {
+
+const CaseInput* inputOf(const Case& theCase, const std::string& id) {
+    const auto found =
+        std::find_if(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) { return input.id == id; });
+    return found != theCase.inputs.end() ? &*found : nullptr;
+}
+
+const Photograph* photographOf(const Case& theCase, const std::string& id) {
+    const auto found = std::find_if(theCase.photographs.begin(), theCase.photographs.end(),
+                                    [&](const Photograph& photograph) { return photograph.input == id; });
+    return found != theCase.photographs.end() ? &*found : nullptr;
+}
+
+}  // namespace
+
+EvidenceListDisplay::EvidenceListDisplay(Session& session, PanelDeck& deck, EvidenceDisplay& photographs, SurveyDisplay& surveys,
+                                         QObject* parent)
+    : QObject(parent),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_deck(deck),
+      m_photographs(photographs),
+      m_surveys(surveys) {
+    connect(&deck.evidence().list(), &widgets::EvidenceTable::chosen, this,
+            [this](const QString& id) { choose(id.toStdString()); });
+    connect(&photographs, &EvidenceDisplay::changed, this, &EvidenceListDisplay::refresh);
+    connect(&surveys, &SurveyDisplay::changed, this, &EvidenceListDisplay::refresh);
+    connect(&m_document, &Document::replaced, this, [this] {
+        m_scores.clear();
+        refresh();
+    });
+    refresh();
+}
+
+void EvidenceListDisplay::keepNewest() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr) {
+        return;
+    }
+    const Case& theCase = m_document.theCase();
+    const CaseInput* survey = m_surveys.current();
+    if (const auto made = m_surveys.comparison(); made != nullptr && survey != nullptr && !m_surveys.stale()) {
+        m_scores[survey->id] = {*survey, {}, record->reader.get(), made->iou, unknown};
+    }
+    const int chosen = m_photographs.chosen();
+    if (chosen >= 0 && chosen < static_cast<int>(theCase.photographs.size())) {
+        const Photograph& photograph = theCase.photographs[static_cast<std::size_t>(chosen)];
+        const double within = m_photographs.match() ? m_photographs.match()->placeRadius : unknown;
+        const double overlap = m_photographs.comparison() != nullptr && !m_photographs.comparisonStale()
+                                   ? m_photographs.comparison()->iou.best
+                                   : unknown;
+        Score& score = m_scores[photograph.input];
+        const bool other = !(score.photograph == photograph) || score.run != record->reader.get();
+        if (other || !std::isnan(overlap)) {
+            score = {{}, photograph, record->reader.get(), overlap, within};
+        }
+        score.within = within;
+    }
+}
+
+void EvidenceListDisplay::refresh() {
+    keepNewest();
+    const RunRecord* record = m_computation.currentRun();
+    const bool current = record != nullptr && !m_computation.runStale(m_document.scenario());
+    const Case& theCase = m_document.theCase();
+    std::vector<EvidenceRow> rows = m_document.empty() ? std::vector<EvidenceRow>() : evidenceOf(theCase);
+    for (EvidenceRow& row : rows) {
+        const auto kept = m_scores.find(row.id);
+        if (kept == m_scores.end()) {
+            continue;
+        }
+        const Score& score = kept->second;
+        const CaseInput* input = inputOf(theCase, row.id);
+        const Photograph* photograph = photographOf(theCase, row.id);
+        const bool same = photograph != nullptr ? score.photograph == *photograph : input != nullptr && score.survey == *input;
+        if (same && photograph != nullptr) {
+            row.within = score.within;
+        }
+        if (same && current && score.run == record->reader.get()) {
+            row.score = score.overlap;
+        }
+    }
+    m_deck.evidence().list().setRows(rows);
+}
+
+void EvidenceListDisplay::choose(const std::string& id) {
+    const Case& theCase = m_document.theCase();
+    if (const Photograph* photograph = photographOf(theCase, id)) {
+        m_photographs.choose(static_cast<int>(photograph - theCase.photographs.data()));
+    } else {
+        m_surveys.choose(id);
+    }
+}
+
+}  // namespace rubble

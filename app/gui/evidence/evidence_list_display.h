@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <string>
+
+#include "core/scenario/case.h"
+
+namespace rubble {
+
+class Computation;
+class Document;
+class EvidenceDisplay;
+class PanelDeck;
+class Session;
+class SurveyDisplay;
+
+/// The list of all evidence at the top of its panel. Scores are those of the comparisons that were made; one of another run, or of
+/// evidence that was changed since, is left out.
+class EvidenceListDisplay : public QObject {
+    Q_OBJECT
+
+public:
+    EvidenceListDisplay(Session& session, PanelDeck& deck, EvidenceDisplay& photographs, SurveyDisplay& surveys,
+                        QObject* parent = nullptr);
+
+    void refresh();
+
+private:
+    /// What a comparison gave.
+    struct Score {
+        CaseInput survey;       ///< as it was compared
+        Photograph photograph;  ///< as it was compared
+        const void* run = nullptr;
+        double overlap = 0.0;
+        double within = 0.0;  ///< m, of the camera's place
+    };
+    void keepNewest();
+    void choose(const std::string& id);
+
+    Document& m_document;
+    Computation& m_computation;
+    PanelDeck& m_deck;
+    EvidenceDisplay& m_photographs;
+    SurveyDisplay& m_surveys;
+    std::map<std::string, Score> m_scores;  ///< by id of the input
+};
+
+}  // namespace rubble

@@ -1,0 +1,93 @@
+#include "core/evidence/evidence_list.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/fe/control_points.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double confidence = 1.96;
+
+EvidenceForm formOf(const std::string& path) {
+    std::string ending = path.substr(std::min(path.size(), path.rfind('.')));
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const char* cloud : {".las", ".laz", ".e57", ".ply", ".pcd", ".ptx", ".pts", ".csv", ".txt"}) {
+        if (ending == cloud) {
+            return EvidenceForm::Cloud;
+        }
+    }
+    for (const char* outline : {".gpkg", ".geojson", ".json", ".shp", ".fgb", ".kml"}) {
+        if (ending == outline) {
+            return EvidenceForm::Outline;
+        }
+    }
+    return EvidenceForm::Heights;
+}
+
+Message instantOf(const std::optional<double>& instant) {
+    return instant ? Message{"evidence.at", "the debris at {0}", {{*instant, "s"}}}
+                   : Message{"evidence.at_rest", "the debris at rest", {}};
+}
+
+EvidenceRow surveyRow(const CaseInput& input) {
+    EvidenceRow row{input.id, formOf(input.path), input.path, input.taken, instantOf(input.instant)};
+    if (input.before) {
+        row.says = {"evidence.before", "the site before the collapse", {}};
+    }
+    if (input.offsetError) {
+        row.within = confidence * *input.offsetError;
+    } else if (input.registration && input.registration->error) {
+        row.within = confidence * *input.registration->error;
+    }
+    return row;
+}
+
+EvidenceRow photographRow(const CaseInput& input, const std::vector<Photograph>& photographs) {
+    EvidenceRow row{input.id, EvidenceForm::Photograph, input.path, {}, {}};
+    const auto found = std::find_if(photographs.begin(), photographs.end(),
+                                    [&](const Photograph& photograph) { return photograph.input == input.id; });
+    if (found == photographs.end()) {
+        row.says = {"evidence.nothing_drawn", "nothing: no outline is drawn on it", {}};
+        return row;
+    }
+    row.taken = clockTime(found->facts.taken);
+    const bool drawn =
+        std::any_of(found->masks.begin(), found->masks.end(), [](const PhotoMask& mask) { return mask.kind == MaskClass::Debris; });
+    row.says = drawn ? instantOf(found->time) : Message{"evidence.nothing_drawn", "nothing: no outline is drawn on it", {}};
+    return row;
+}
+
+EvidenceRow pointsRow(const Site& site) {
+    const std::size_t used = usedPoints(site.controlPoints);
+    EvidenceRow row{{}, EvidenceForm::Points, {}, {}, {}};
+    row.says = {"evidence.points", "where the case lies: {0} of {1} control points are used", {used, site.controlPoints.size()}};
+    if (used > 2) {
+        const SiteFit fit = fitControlPoints(site.controlPoints);
+        row.within = confidence * std::hypot(fit.rmsPlan, fit.rmsHeight);
+    }
+    return row;
+}
+
+}  // namespace
+
+std::vector<EvidenceRow> evidenceOf(const Case& theCase) {
+    std::vector<EvidenceRow> rows;
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == InputRole::Photograph) {
+            rows.push_back(photographRow(input, theCase.photographs));
+        } else if (input.role == InputRole::Survey) {
+            rows.push_back(surveyRow(input));
+        }
+    }
+    if (!theCase.site.controlPoints.empty()) {
+        rows.push_back(pointsRow(theCase.site));
+    }
+    return rows;
+}
+
+}  // namespace rubble

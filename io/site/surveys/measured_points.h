@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/base/finding.h"
+#include "core/fe/frame.h"
+#include "core/scenario/registration.h"
+#include "core/scenario/site.h"
+#include "io/site/clouds/cloud_source.h"
+
+namespace rubble::io {
+
+/// Points that somebody measured.
+struct MeasuredRequest {
+    std::string path;   ///< a point cloud, a table of a total station (easting, northing, height in columns by name), or a DXF
+    CloudRequest read;  ///< how a cloud or a table is read
+    Frame frame;        ///< of the case
+    Site site;
+    std::optional<Registration> placed = std::nullopt;  ///< by which they are moved once they were brought to the case
+};
+
+/// Most points of one file: what lies beyond does not fit into memory.
+inline constexpr std::size_t measuredMost = 20'000'000;
+
+/// Reads points into the local frame: all of a cloud or table, of a DXF its points and the corners of its lines with their heights.
+/// A DXF names no system and is taken to lie in that of the case; lines at height 0 of a DXF whose others have heights are counted.
+/// Throws ParseError (none of these, no point, too many), WorldError, Cancelled, and as CloudPlace.
+std::vector<Vec3> readMeasuredPoints(const MeasuredRequest& request, Findings& findings, const Execution& execution);
+
+}  // namespace rubble::io

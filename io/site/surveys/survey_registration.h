@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "core/evidence/surveys/pair_fit.h"
+#include "core/fe/frame.h"
+#include "core/scenario/site.h"
+#include "io/site/clouds/cloud_source.h"
+
+namespace rubble::io {
+
+/// A survey that is to be placed by a table of pairs.
+struct PairsRequest {
+    std::string survey;  ///< path
+    std::string
+        table;  ///< as readPlacePairs() takes it; places of a cloud in numbers of its file, of others in m in the case's system
+    CloudRequest read;  ///< how a cloud is read
+    Frame frame;        ///< of the case
+    Site site;
+    Aabb around;  ///< m, local, of the structure at rest: what the error holds for
+};
+
+/// Brings both places of each pair to the case and fits. Findings are those of the fit and of the cloud.
+/// Throws as readPlacePairs(), fitPairs() and CloudPlace.
+PairFit placeByPairs(const PairsRequest& request);
+
+}  // namespace rubble::io

@@ -1,0 +1,112 @@
+#include "widgets/evidence/evidence_table.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include "widgets/basics/number_field.h"
+#include "widgets/evidence/survey_place.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+std::vector<EvidenceRow> threeRows() {
+    EvidenceRow cloud{"survey-1", EvidenceForm::Cloud, "scans/site.laz", {}, {"evidence.at_rest", "the debris at rest", {}}};
+    cloud.within = 0.04;
+    cloud.score = 0.75;
+    const EvidenceRow photograph{
+        "photograph-1", EvidenceForm::Photograph, "a.jpg", {}, {"evidence.at", "the debris at {0}", {{2.5, "s"}}}};
+    const EvidenceRow points{
+        {}, EvidenceForm::Points, {}, {}, {"evidence.points", "where the case lies: {0} of {1} control points are used", {2, 3}}};
+    return {cloud, photograph, points};
+}
+
+TEST(EvidenceTable, ListsWhatEachShowsHowWellItLiesAndItsScore) {
+    EvidenceTable table;
+    EXPECT_TRUE(table.isHidden()) << "nothing is listed of a case without evidence";
+    table.setRows(threeRows());
+    ASSERT_EQ(table.rowCount(), 3);
+    EXPECT_EQ(table.item(0, 0)->text(), QStringLiteral("site.laz"));
+    EXPECT_EQ(table.item(0, 1)->text(), QStringLiteral("the debris at rest"));
+    EXPECT_EQ(table.item(0, 2)->text(), QStringLiteral("0.04"));
+    EXPECT_EQ(table.item(0, 3)->text(), QStringLiteral("0.75"));
+    EXPECT_EQ(table.item(1, 1)->text(), QStringLiteral("the debris at 2.5 s"));
+    EXPECT_EQ(table.item(1, 2)->text(), QStringLiteral("not known")) << "what nobody knows is never 0";
+    EXPECT_EQ(table.item(2, 0)->text(), QStringLiteral("control points"));
+}
+
+TEST(EvidenceTable, TellsWhichWasChosenByAPersonAlone) {
+    EvidenceTable table;
+    QStringList told;
+    QObject::connect(&table, &EvidenceTable::chosen, &table, [&](const QString& id) { told << id; });
+    table.setRows(threeRows());
+    table.setCurrentCell(1, 0);
+    table.setRows(threeRows());
+    EXPECT_EQ(told, QStringList{QStringLiteral("photograph-1")});
+    EXPECT_EQ(table.currentRow(), 1);
+}
+
+class PlaceOfSurvey : public testing::Test {
+protected:
+    SurveyPlace place;
+    SurveyPlace::Stated told;
+    int edits = 0;
+
+    PlaceOfSurvey() {
+        QObject::connect(&place, &SurveyPlace::edited, &place, [this](const SurveyPlace::Stated& stated) {
+            told = stated;
+            ++edits;
+        });
+        place.setStated({}, true);
+        place.show();
+    }
+    void typeTime(const char* text) {
+        auto* taken = place.findChild<QLineEdit*>();
+        taken->setFocus();
+        taken->selectAll();
+        QTest::keyClicks(taken, QString::fromLatin1(text));
+        QTest::keyClick(taken, Qt::Key_Return);
+    }
+};
+
+TEST_F(PlaceOfSurvey, TimeIsTakenAsPeopleWriteItOrAskedAgain) {
+    typeTime("2021-06-25");
+    EXPECT_EQ(edits, 0) << "a day without a time does not say what was removed by then";
+    typeTime("2021-06-25 16:30");
+    EXPECT_EQ(edits, 1);
+    EXPECT_EQ(told.taken, "2021-06-25 16:30:00");
+    place.setStated(told, true);
+    place.findChild<QLineEdit*>()->clear();
+    QTest::keyClick(place.findChild<QLineEdit*>(), Qt::Key_Return);
+    EXPECT_EQ(told.taken, "") << "not known again";
+}
+
+TEST_F(PlaceOfSurvey, OneOfBeforeTheCollapseShowsNoInstant) {
+    auto* before = place.findChild<QCheckBox*>();
+    before->click();
+    EXPECT_TRUE(told.before);
+    place.setStated(told, true);
+    EXPECT_FALSE(place.findChild<NumberField*>()->isEnabled());
+    EXPECT_EQ(edits, 1) << "what is shown is no edit";
+}
+
+TEST_F(PlaceOfSurvey, ARegistrationCanBeTakenOut) {
+    QPushButton* unplace = place.findChildren<QPushButton*>()[1];
+    EXPECT_FALSE(unplace->isEnabled());
+    SurveyPlace::Stated stated;
+    stated.registration.emplace().pairs = 4;
+    place.setStated(stated, true);
+    EXPECT_TRUE(unplace->isEnabled());
+    bool asked = false;
+    QObject::connect(&place, &SurveyPlace::unplaceRequested, &place, [&] { asked = true; });
+    unplace->click();
+    EXPECT_TRUE(asked);
+}
+
+}  // namespace
+
+}  // namespace rubble::widgets

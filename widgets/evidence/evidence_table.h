@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QTableWidget>
+#include <vector>
+
+#include "core/evidence/evidence_list.h"
+
+namespace rubble::widgets {
+
+/// All evidence of a case, one row each: what it is, what it is held to show, how well its place is known, and its score.
+class EvidenceTable : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit EvidenceTable(QWidget* parent = nullptr);
+
+    void setRows(const std::vector<EvidenceRow>& rows);
+
+signals:
+    /// A row was chosen by a person. @param id  of the input; empty: the control points
+    void chosen(const QString& id);
+
+private:
+    bool m_showing = false;
+    std::vector<EvidenceRow> m_rows;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,122 @@
+#include "widgets/evidence/survey_place.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <numbers>
+
+#include "core/evidence/surveys/stated_survey.h"
+#include "widgets/basics/number_field.h"
+#include "widgets/basics/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+QString placedText(const std::optional<Registration>& registration) {
+    if (!registration) {
+        return SurveyPlace::tr("lies as its coordinates say");
+    }
+    QStringList parts;
+    parts << SurveyPlace::tr("moved by %1 m, turned by %2°")
+                 .arg(shownNumber(registration->shift.norm()), shownNumber(registration->turn.norm() * 180.0 / std::numbers::pi));
+    if (registration->pairs > 0) {
+        parts << SurveyPlace::tr("pairs: %1, RMS %2 m").arg(shownCount(registration->pairs), shownNumber(registration->pairsLeft));
+    }
+    if (registration->fitted > 0) {
+        parts << SurveyPlace::tr("fitted, RMS %1 m before, %2 m after")
+                     .arg(shownNumber(registration->fitBefore), shownNumber(registration->fitLeft));
+    }
+    parts << (registration->error ? SurveyPlace::tr("known to %1 m (standard deviation)").arg(shownNumber(*registration->error))
+                                  : SurveyPlace::tr("how well it is known is not known"));
+    return parts.join(QStringLiteral(" · "));
+}
+
+}  // namespace
+
+SurveyPlace::SurveyPlace(QWidget* parent)
+    : QWidget(parent),
+      m_taken(new QLineEdit),
+      m_before(new QCheckBox(tr("Taken before the collapse"))),
+      m_instant(new NumberField(tr("Instant that the survey shows"))),
+      m_said(new QLabel(tr("Write date and time, such as 2021-06-25 16:30"))),
+      m_placed(new QLabel),
+      m_pairs(new QPushButton(tr("Place by pairs…"))),
+      m_unplace(new QPushButton(tr("Unplace"))) {
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(8);
+    form->setVerticalSpacing(4);
+    m_taken->setAccessibleName(tr("When the survey was taken"));
+    m_taken->setPlaceholderText(tr("not known"));
+    m_taken->setToolTip(
+        tr("Date and time by the clock of the site, such as 2021-06-25 16:30. Places whose debris had been removed by then are "
+           "left out. Kept in the case"));
+    form->addRow(tr("Taken"), m_taken);
+    m_said->setWordWrap(true);
+    m_said->setVisible(false);
+    form->addRow(m_said);
+    m_before->setToolTip(tr("It shows no debris and is not compared; take it as the terrain. Kept in the case"));
+    form->addRow(m_before);
+    m_instant->setEmptyMeans(tr("at rest"));
+    m_instant->setToolTip(
+        tr("Instant on the clock of the FE result that the survey shows, s; empty: all lay at rest. Kept in the case"));
+    form->addRow(tr("Shows, s"), m_instant);
+    m_placed->setWordWrap(true);
+    m_placed->setObjectName(QStringLiteral("muted"));
+    form->addRow(m_placed);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_pairs, 1);
+    buttons->addWidget(m_unplace);
+    form->addRow(buttons);
+    m_pairs->setToolTip(tr(
+        "Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, "
+        "x_m, y_m, z_m"));
+    m_unplace->setToolTip(tr("Let the survey lie as its coordinates say"));
+    connect(m_taken, &QLineEdit::editingFinished, this, &SurveyPlace::takeTime);
+    connect(m_before, &QCheckBox::toggled, this, &SurveyPlace::send);
+    connect(m_instant, &NumberField::edited, this, &SurveyPlace::send);
+    connect(m_pairs, &QPushButton::clicked, this, &SurveyPlace::pairsRequested);
+    connect(m_unplace, &QPushButton::clicked, this, &SurveyPlace::unplaceRequested);
+}
+
+void SurveyPlace::setStated(const Stated& stated, bool some) {
+    m_stated = stated;
+    m_showing = true;
+    m_taken->setText(QString::fromStdString(stated.taken));
+    m_before->setChecked(stated.before);
+    m_instant->setNumber(stated.instant);
+    m_placed->setText(placedText(stated.registration));
+    m_placed->setVisible(some);
+    m_said->setVisible(false);
+    m_showing = false;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_taken, m_before, m_pairs}) {
+        widget->setEnabled(some);
+    }
+    m_instant->setEnabled(some && !stated.before);
+    m_unplace->setEnabled(some && stated.registration.has_value());
+}
+
+void SurveyPlace::takeTime() {
+    const std::string text = m_taken->text().trimmed().toStdString();
+    const bool sound = text.empty() || !clockTimeFrom(text).empty();
+    m_said->setVisible(!sound);
+    if (sound) {
+        send();
+    }
+}
+
+void SurveyPlace::send() {
+    Stated now = m_stated;
+    now.taken = clockTimeFrom(m_taken->text().trimmed().toStdString());
+    now.before = m_before->isChecked();
+    now.instant = m_instant->number();
+    if (!m_showing && !(now == m_stated)) {
+        emit edited(now);
+    }
+}
+
+}  // namespace rubble::widgets

@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// How a survey lies in a case beyond what its coordinates say: a rigid move within the local frame, where it came from and how well
-/// it is known.
+/// How a survey lies in a case beyond what its coordinates say: a rigid move within the local frame, where it came from and how
+/// well it is known.
 struct Registration {
     Vec3 turn = Vec3::Zero();   ///< rad, the angle along its axis
     Vec3 about = Vec3::Zero();  ///< m, the turn is about it

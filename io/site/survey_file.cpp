@@ -54,7 +54,8 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
 }  // namespace
 
 Outline readScope(const std::string& path, const Frame& frame, const Site& site, Findings& findings, const Execution& execution) {
-    SurveyInput read = readSurvey(path, frame, site, Aabb(), execution, {.holds = SurveyRequest::Holds::Outline, .withFallen = true});
+    SurveyInput read =
+        readSurvey(path, frame, site, Aabb(), execution, {.holds = SurveyRequest::Holds::Outline, .withFallen = true});
     findings.append(read.findings);
     return std::move(read.survey.footprint);
 }

@@ -14,7 +14,7 @@
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
-#include "widgets/figures/validation_rows.h"
+#include "widgets/figures/report/validation_rows.h"
 
 namespace rubble::widgets {
 

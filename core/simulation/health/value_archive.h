@@ -28,8 +28,8 @@ inline void keep(Archive& archive, LiveIslands& of) {
 }
 
 inline void keep(Archive& archive, CarriedStructure& of) {
-    archive(of.islands, of.elements, of.mass, of.refused, of.bodies, of.born, of.bornMass, of.bornAtRestMass, of.bornSofterMass, of.left, of.leftMass,
-            of.stillMoving, of.droppedKineticEnergy, of.handOvers, of.losses);
+    archive(of.islands, of.elements, of.mass, of.refused, of.bodies, of.born, of.bornMass, of.bornAtRestMass, of.bornSofterMass,
+            of.left, of.leftMass, of.stillMoving, of.droppedKineticEnergy, of.handOvers, of.losses);
 }
 
 inline void keep(Archive& archive, LiveIsland& of) {

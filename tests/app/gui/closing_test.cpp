@@ -15,7 +15,6 @@
 
 #include "app/gui/accuracy/accuracy_display.h"
 #include "app/gui/accuracy/calibration_display.h"
-#include "app/gui/evidence/validation_display.h"
 #include "app/gui/accuracy/error_display.h"
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/new_case.h"
@@ -23,6 +22,7 @@
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/evidence/evidence_studies.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/validation_display.h"
 #include "app/gui/exports/picture_export.h"
 #include "app/gui/exports/report_work.h"
 #include "app/gui/stage/view_area.h"
@@ -32,8 +32,8 @@
 #include "tests/support/small_collapse.h"
 #include "widgets/accuracy/accuracy_panel.h"
 #include "widgets/accuracy/calibration_view.h"
-#include "widgets/evidence/validation_view.h"
 #include "widgets/accuracy/error_bar.h"
+#include "widgets/evidence/validation_view.h"
 
 namespace rubble {
 

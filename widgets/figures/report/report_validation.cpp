@@ -1,5 +1,5 @@
 #include "widgets/figures/report/report_sections.h"
-#include "widgets/figures/validation_rows.h"
+#include "widgets/figures/report/validation_rows.h"
 
 namespace rubble::figures {
 
@@ -39,7 +39,8 @@ void ReportSections::addValidation() {
             parameters.rows.push_back({row.set, row.setting, row.source});
         }
     }
-    figures.source = parameters.source = tr("From simulations of these sets by the program that made this report, apart from its run.");
+    figures.source = parameters.source =
+        tr("From simulations of these sets by the program that made this report, apart from its run.");
     m_blocks.push_back(ReportList{sets});
     m_blocks.push_back(std::move(figures));
     m_blocks.push_back(std::move(parameters));

@@ -1,4 +1,4 @@
-#include "widgets/figures/validation_rows.h"
+#include "widgets/figures/report/validation_rows.h"
 
 #include <QCoreApplication>
 #include <array>

@@ -15403,6 +15403,10 @@
         <source>The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it. On a stone arch, elements of 6.1 t instead of 1.3 t moved 25 % of the mass map, where a repeat moves 10 %; run-out fell from 10.4 m to 6.3 m, and the mean height rose from 3.0 m to 3.5 m. Part of that is the FE analysis of the other mesh.</source>
         <translation>碎块的大小就是单元的大小：网格越细碎块越小，小于它的不会再破碎。在一座石拱上，单元为 6.1 t 而非 1.3 t 时，质量图移动 25 %，而重复移动 10 %；散落距离由 10.4 m 降至 6.3 m，平均高度由 3.0 m 升至 3.5 m。其中一部分来自另一网格的有限元分析。</translation>
     </message>
+    <message>
+        <source>and by a blow more than twice as hard as any that the engine had given them</source>
+        <translation>以及因冲击超过引擎所给两倍而失效的</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -18141,6 +18145,57 @@ What the file fits: %2.</source>
     <message>
         <source>Agreement with the photograph</source>
         <translation>与照片的吻合程度</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::EvidenceTable</name>
+    <message>
+        <source>photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>point cloud</source>
+        <translation>点云</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>control points</source>
+        <translation>控制点</translation>
+    </message>
+    <message>
+        <source>height model</source>
+        <translation>高程模型</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>shows</source>
+        <translation>所示</translation>
+    </message>
+    <message>
+        <source>within, m</source>
+        <translation>误差，m</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>重合度</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>All evidence of the case</source>
+        <translation>案例的全部证据</translation>
+    </message>
+    <message>
+        <source>Photographs, surveys, clouds, outlines and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
+        <translation>照片、测量、点云、轮廓和控制点：各自所示的内容、其位置已知到多少米（95 %），以及计算与之重合多少</translation>
     </message>
 </context>
 <context>
@@ -21076,8 +21131,8 @@ Program: %3</source>
         <translation>有限元结果结束之前，自松脱起由引擎移动的松散孤立部分</translation>
     </message>
     <message>
-        <source>%1; fragments born from them %2, of these after they had come to rest %3; bodies left at the end %4</source>
-        <translation>%1；由其产生的碎块 %2，其中在其静止之后产生 %3；结束时余下的刚体 %4</translation>
+        <source>%1; fragments born from them %2, of these after they had come to rest %3, by a blow twice as hard as in the engine %4; bodies left at the end %5</source>
+        <translation>%1；由其产生的碎块 %2，其中静止之后产生的 %3，因冲击为引擎所给两倍以上而产生的 %4；结束时余下的刚体 %5</translation>
     </message>
 </context>
 <context>
@@ -22090,6 +22145,93 @@ Program: %3</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::SurveyPlace</name>
+    <message>
+        <source>lies as its coordinates say</source>
+        <translation>按自身坐标放置</translation>
+    </message>
+    <message>
+        <source>moved by %1 m, turned by %2°</source>
+        <translation>移动 %1 m，转动 %2°</translation>
+    </message>
+    <message>
+        <source>pairs: %1, RMS %2 m</source>
+        <translation>点对：%1，RMS %2 m</translation>
+    </message>
+    <message>
+        <source>fitted, RMS %1 m before, %2 m after</source>
+        <translation>已拟合，RMS 之前 %1 m，之后 %2 m</translation>
+    </message>
+    <message>
+        <source>known to %1 m (standard deviation)</source>
+        <translation>已知到 %1 m（标准差）</translation>
+    </message>
+    <message>
+        <source>how well it is known is not known</source>
+        <translation>准确程度未知</translation>
+    </message>
+    <message>
+        <source>Taken before the collapse</source>
+        <translation>拍摄于倒塌之前</translation>
+    </message>
+    <message>
+        <source>Instant that the survey shows</source>
+        <translation>测量所示的时刻</translation>
+    </message>
+    <message>
+        <source>Write date and time, such as 2021-06-25 16:30</source>
+        <translation>请写日期和时间，如 2021-06-25 16:30</translation>
+    </message>
+    <message>
+        <source>Place by pairs…</source>
+        <translation>按点对放置…</translation>
+    </message>
+    <message>
+        <source>Unplace</source>
+        <translation>取消放置</translation>
+    </message>
+    <message>
+        <source>When the survey was taken</source>
+        <translation>测量的拍摄时间</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Date and time by the clock of the site, such as 2021-06-25 16:30. Places whose debris had been removed by then are left out. Kept in the case</source>
+        <translation>按现场时钟的日期和时间，如 2021-06-25 16:30。此前堆积物已被运走之处不计入。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>拍摄时间</translation>
+    </message>
+    <message>
+        <source>It shows no debris and is not compared; take it as the terrain. Kept in the case</source>
+        <translation>其中没有堆积物，不作比较；可将其用作地形。保存在案例中</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Instant on the clock of the FE result that the survey shows, s; empty: all lay at rest. Kept in the case</source>
+        <translation>测量所示的时刻，按有限元结果的时钟，s；为空：全部静止。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Shows, s</source>
+        <translation>所示时刻，s</translation>
+    </message>
+    <message>
+        <source>Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, x_m, y_m, z_m</source>
+        <translation>用三处或更多的地方把测量移到应在之处，取自含 survey_x、survey_y、survey_z、x_m、y_m、z_m 各列的表</translation>
+    </message>
+    <message>
+        <source>Let the survey lie as its coordinates say</source>
+        <translation>使测量按自身坐标放置</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::SurveyView</name>
     <message>
         <source>Difference map of the survey</source>
@@ -22571,144 +22713,6 @@ Program: %3</source>
     <message>
         <source>All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below the valley floor.</source>
         <translation>所有混凝土均配筋；河水以 1 m/s 向北流动，水面低于谷底半米。</translation>
-    </message>
-</context>
-<context>
-    <name>rubble::widgets::SurveyPlace</name>
-    <message>
-        <source>lies as its coordinates say</source>
-        <translation>按自身坐标放置</translation>
-    </message>
-    <message>
-        <source>moved by %1 m, turned by %2°</source>
-        <translation>移动 %1 m，转动 %2°</translation>
-    </message>
-    <message>
-        <source>pairs: %1, RMS %2 m</source>
-        <translation>点对：%1，RMS %2 m</translation>
-    </message>
-    <message>
-        <source>fitted, RMS %1 m before, %2 m after</source>
-        <translation>已拟合，RMS 之前 %1 m，之后 %2 m</translation>
-    </message>
-    <message>
-        <source>known to %1 m (standard deviation)</source>
-        <translation>已知到 %1 m（标准差）</translation>
-    </message>
-    <message>
-        <source>how well it is known is not known</source>
-        <translation>准确程度未知</translation>
-    </message>
-    <message>
-        <source>Taken before the collapse</source>
-        <translation>拍摄于倒塌之前</translation>
-    </message>
-    <message>
-        <source>Instant that the survey shows</source>
-        <translation>测量所示的时刻</translation>
-    </message>
-    <message>
-        <source>Write date and time, such as 2021-06-25 16:30</source>
-        <translation>请写日期和时间，如 2021-06-25 16:30</translation>
-    </message>
-    <message>
-        <source>Place by pairs…</source>
-        <translation>按点对放置…</translation>
-    </message>
-    <message>
-        <source>Unplace</source>
-        <translation>取消放置</translation>
-    </message>
-    <message>
-        <source>When the survey was taken</source>
-        <translation>测量的拍摄时间</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>Date and time by the clock of the site, such as 2021-06-25 16:30. Places whose debris had been removed by then are left out. Kept in the case</source>
-        <translation>按现场时钟的日期和时间，如 2021-06-25 16:30。此前堆积物已被运走之处不计入。保存在案例中</translation>
-    </message>
-    <message>
-        <source>Taken</source>
-        <translation>拍摄时间</translation>
-    </message>
-    <message>
-        <source>It shows no debris and is not compared; take it as the terrain. Kept in the case</source>
-        <translation>其中没有堆积物，不作比较；可将其用作地形。保存在案例中</translation>
-    </message>
-    <message>
-        <source>at rest</source>
-        <translation>静止</translation>
-    </message>
-    <message>
-        <source>Instant on the clock of the FE result that the survey shows, s; empty: all lay at rest. Kept in the case</source>
-        <translation>测量所示的时刻，按有限元结果的时钟，s；为空：全部静止。保存在案例中</translation>
-    </message>
-    <message>
-        <source>Shows, s</source>
-        <translation>所示时刻，s</translation>
-    </message>
-    <message>
-        <source>Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, x_m, y_m, z_m</source>
-        <translation>用三处或更多的地方把测量移到应在之处，取自含 survey_x、survey_y、survey_z、x_m、y_m、z_m 各列的表</translation>
-    </message>
-    <message>
-        <source>Let the survey lie as its coordinates say</source>
-        <translation>使测量按自身坐标放置</translation>
-    </message>
-</context>
-<context>
-    <name>rubble::widgets::EvidenceTable</name>
-    <message>
-        <source>photograph</source>
-        <translation>照片</translation>
-    </message>
-    <message>
-        <source>point cloud</source>
-        <translation>点云</translation>
-    </message>
-    <message>
-        <source>outline</source>
-        <translation>轮廓</translation>
-    </message>
-    <message>
-        <source>control points</source>
-        <translation>控制点</translation>
-    </message>
-    <message>
-        <source>height model</source>
-        <translation>高程模型</translation>
-    </message>
-    <message>
-        <source>evidence</source>
-        <translation>证据</translation>
-    </message>
-    <message>
-        <source>shows</source>
-        <translation>所示</translation>
-    </message>
-    <message>
-        <source>within, m</source>
-        <translation>误差，m</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>重合度</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>All evidence of the case</source>
-        <translation>案例的全部证据</translation>
-    </message>
-    <message>
-        <source>Photographs, surveys, clouds, outlines and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
-        <translation>照片、测量、点云、轮廓和控制点：各自所示的内容、其位置已知到多少米（95 %），以及计算与之重合多少</translation>
     </message>
 </context>
 </TS>

@@ -62,9 +62,8 @@ void EvidenceListDisplay::keepNewest() {
     if (chosen >= 0 && chosen < static_cast<int>(theCase.photographs.size())) {
         const Photograph& photograph = theCase.photographs[static_cast<std::size_t>(chosen)];
         const double within = m_photographs.match() ? m_photographs.match()->placeRadius : unknown;
-        const double overlap = m_photographs.comparison() != nullptr && !m_photographs.comparisonStale()
-                                   ? m_photographs.comparison()->iou.best
-                                   : unknown;
+        const auto compared = m_photographs.comparison();
+        const double overlap = compared != nullptr && !m_photographs.comparisonStale() ? compared->iou.best : unknown;
         Score& score = m_scores[photograph.input];
         const bool other = !(score.photograph == photograph) || score.run != record->reader.get();
         if (other || !std::isnan(overlap)) {

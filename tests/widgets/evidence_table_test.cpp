@@ -32,9 +32,9 @@ TEST(EvidenceTable, ListsWhatEachShowsHowWellItLiesAndItsScore) {
     ASSERT_EQ(table.rowCount(), 3);
     EXPECT_EQ(table.item(0, 0)->text(), QStringLiteral("site.laz"));
     EXPECT_EQ(table.item(0, 1)->text(), QStringLiteral("the debris at rest"));
-    EXPECT_EQ(table.item(0, 2)->text(), QStringLiteral("0.04"));
-    EXPECT_EQ(table.item(0, 3)->text(), QStringLiteral("0.75"));
-    EXPECT_EQ(table.item(1, 1)->text(), QStringLiteral("the debris at 2.5 s"));
+    EXPECT_EQ(table.item(0, 2)->text(), QStringLiteral("0.0400"));
+    EXPECT_EQ(table.item(0, 3)->text(), QStringLiteral("0.750"));
+    EXPECT_EQ(table.item(1, 1)->text(), QStringLiteral("the debris at 2.500\u00a0s"));
     EXPECT_EQ(table.item(1, 2)->text(), QStringLiteral("not known")) << "what nobody knows is never 0";
     EXPECT_EQ(table.item(2, 0)->text(), QStringLiteral("control points"));
 }

@@ -52,6 +52,14 @@ protected:
         }
         return nullptr;
     }
+    NumberField* field(const QString& name) {
+        for (auto* each : box.findChildren<NumberField*>()) {
+            if (each->accessibleName() == name) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
     bool says(const QString& words) {
         for (const auto* label : box.findChildren<QLabel*>()) {
             if (label->isVisible() && label->text().contains(words)) {
@@ -89,17 +97,19 @@ TEST_F(SurveyForm, SaysWhatIsMissingUntilItCanCompare) {
 TEST_F(SurveyForm, FieldsAreTheSettings) {
     box.setContent(content);
     QSignalSpy changed(&box, &SurveyBox::settingsChanged);
-    const auto fields = box.findChildren<NumberField*>();
-    ASSERT_EQ(fields.size(), 4);
-    const auto type = [&](int field, const QString& text) {
-        fields[field]->setFocus();
-        fields[field]->selectAll();
-        QTest::keyClicks(fields[field], text);
-        QTest::keyClick(fields[field], Qt::Key_Return);
+    NumberField* cell = field(QStringLiteral("Cells of the survey comparison"));
+    NumberField* least = field(QStringLiteral("Least height of debris"));
+    ASSERT_NE(cell, nullptr);
+    ASSERT_NE(least, nullptr);
+    const auto type = [](NumberField* field, const QString& text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
     };
-    type(0, QStringLiteral("0.25"));
-    type(1, QStringLiteral("0.1"));
-    type(1, QStringLiteral("99"));
+    type(cell, QStringLiteral("0.25"));
+    type(least, QStringLiteral("0.1"));
+    type(least, QStringLiteral("99"));
     QComboBox* fit = nullptr;
     for (auto* each : box.findChildren<QComboBox*>()) {
         if (each->accessibleName() == QStringLiteral("Registration of the survey")) {
@@ -109,7 +119,11 @@ TEST_F(SurveyForm, FieldsAreTheSettings) {
     ASSERT_NE(fit, nullptr);
     fit->setFocus();
     QTest::keyClick(fit, Qt::Key_Down);
-    QTest::keyClick(box.findChild<QCheckBox*>(), Qt::Key_Space);
+    for (auto* each : box.findChildren<QCheckBox*>()) {
+        if (each->text() == QStringLiteral("Fallen structure counts as debris")) {
+            QTest::keyClick(each, Qt::Key_Space);
+        }
+    }
     const SurveySettings settings = box.settings();
     EXPECT_DOUBLE_EQ(settings.cell, 0.25);
     EXPECT_DOUBLE_EQ(settings.leastHeight, 0.1) << "what is out of range is not taken";
@@ -165,7 +179,8 @@ TEST_F(SurveyForm, WhatIsComparedIsListedAndNoiseIsAskedFor) {
     EXPECT_EQ(removed.front(), std::pair(ScopePart::LeftOut, 0));
     SurveyBox::Errors chosen{0.0, 1.0, 1.0};
     QObject::connect(&box, &SurveyBox::noiseChosen, &box, [&](const SurveyBox::Errors& errors) { chosen = errors; });
-    NumberField* noise = box.findChildren<NumberField*>()[2];
+    NumberField* noise = field(QStringLiteral("Noise of the survey"));
+    ASSERT_NE(noise, nullptr);
     EXPECT_EQ(noise->number(), std::optional<double>(0.05));
     noise->setFocus();
     noise->selectAll();
@@ -174,7 +189,8 @@ TEST_F(SurveyForm, WhatIsComparedIsListedAndNoiseIsAskedFor) {
     EXPECT_EQ(chosen.noise, std::optional<double>(0.1));
     EXPECT_EQ(chosen.groundNoise, std::nullopt);
     EXPECT_EQ(chosen.offset, std::nullopt);
-    NumberField* offset = box.findChildren<NumberField*>()[4];
+    NumberField* offset = field(QStringLiteral("Offset error of the survey"));
+    ASSERT_NE(offset, nullptr);
     offset->setFocus();
     QTest::keyClicks(offset, QStringLiteral("0.03"));
     QTest::keyClick(offset, Qt::Key_Return);

@@ -306,11 +306,12 @@ void readFilter(const QJsonValue& value, std::string_view source, render::View& 
             continue;
         }
         const QJsonArray list = bounds.toArray();
+        const std::string name = key;
         const auto bound = [&](qsizetype i) -> std::optional<double> {
             if (i < list.size() && (list[i].isDouble() || list[i].isNull())) {
                 return list[i].isNull() ? std::nullopt : std::optional(list[i].toDouble());
             }
-            refuse(source, std::string("filter.") + key + " is no pair of bounds", "two numbers or null: least and greatest");
+            refuse(source, "filter." + name + " is no pair of bounds", "two numbers or null: least and greatest");
         };
         range->low = bound(0);
         range->high = bound(1);

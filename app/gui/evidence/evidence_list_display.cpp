@@ -63,7 +63,10 @@ void EvidenceListDisplay::keepNewest() {
         const Photograph& photograph = theCase.photographs[static_cast<std::size_t>(chosen)];
         const double within = m_photographs.match() ? m_photographs.match()->placeRadius : unknown;
         const auto compared = m_photographs.comparison();
-        const double overlap = compared != nullptr && !m_photographs.comparisonStale() ? compared->iou.best : unknown;
+        double overlap = unknown;
+        if (compared != nullptr && !m_photographs.comparisonStale()) {
+            overlap = compared->iou.best;
+        }
         Score& score = m_scores[photograph.input];
         const bool other = !(score.photograph == photograph) || score.run != record->reader.get();
         if (other || !std::isnan(overlap)) {

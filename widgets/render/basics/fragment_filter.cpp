@@ -22,9 +22,11 @@ std::vector<double> speedsShown(const SceneData& data, const TrajectoryFrame* fr
 
 std::vector<std::uint8_t> meeting(const FragmentFilter& filter, const FragmentSet& fragments, const Components* components,
                                   const std::vector<double>& speeds) {
-    std::vector<std::uint8_t> wanted(components != nullptr ? components->list.size() : 0, 0);
-    for (std::size_t c = 0; c < wanted.size(); ++c) {
-        wanted[c] = filter.component.empty() || components->list[c].name == filter.component ? 1 : 0;
+    std::vector<std::uint8_t> wanted;
+    if (components != nullptr) {
+        for (const Component& component : components->list) {
+            wanted.push_back(filter.component.empty() || component.name == filter.component ? 1 : 0);
+        }
     }
     std::vector<std::uint8_t> meets(fragments.size(), 0);
     for (std::size_t f = 0; f < meets.size(); ++f) {

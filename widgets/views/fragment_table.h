@@ -10,6 +10,7 @@
 #include "widgets/views/fragment_model.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -53,7 +54,7 @@ protected:
 
 private:
     QWidget* buildBounds();
-    void addBounds(class QGridLayout& grid, int row, const QString& name, const char* unit, const QString& tip,
+    void addBounds(QGridLayout& grid, int row, const QString& name, const char* unit, const QString& tip,
                    render::FilterRange render::FragmentFilter::* range);
     void edit(const render::FragmentFilter& filter);
     void sift();

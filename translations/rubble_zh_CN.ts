@@ -658,6 +658,14 @@
         <translation>加深边缘和凹处；在没有显卡的机器上较慢</translation>
     </message>
     <message>
+        <source>Shadows</source>
+        <translation>阴影</translation>
+    </message>
+    <message>
+        <source>One sun, and its shadow on the ground, which is darker beneath what lies on it</source>
+        <translation>一个太阳及其在地面上的阴影；地面在其上之物下方更暗</translation>
+    </message>
+    <message>
         <source>Ground grid</source>
         <translation>地面网格</translation>
     </message>

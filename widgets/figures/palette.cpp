@@ -38,6 +38,7 @@ Palette light() {
     p.skyHorizon = QColor("#eceeed");
     p.ground = QColor("#cdcdc6");
     p.groundGrid = QColor("#bdbdb5");
+    p.earth = QColor("#aaa590");
     p.water = QColor("#5f8fae");
     p.outline = QColor("#4d5a66");
     p.materials = {QColor("#b8aa90"), QColor("#a7a8a4"), QColor("#76828f"),
@@ -72,6 +73,7 @@ Palette dark() {
     p.skyHorizon = QColor("#42474d");
     p.ground = QColor("#383b3d");
     p.groundGrid = QColor("#484b4d");
+    p.earth = QColor("#45443c");
     p.water = QColor("#3f7396");
     p.outline = QColor("#aeb6bd");
     p.structureGreys = {QColor("#b3a897"), QColor("#a4a6ad"), QColor("#c1b398"), QColor("#9a9286"), QColor("#b0b3a9")};
@@ -89,6 +91,7 @@ Palette print() {
     p.chip = QColor(255, 255, 255, 235);
     p.skyTop = p.skyHorizon = p.ground = QColor("#ffffff");
     p.groundGrid = QColor("#d2d2ce");
+    p.earth = QColor("#c2bdab");
     return p;
 }
 
@@ -232,6 +235,7 @@ render::SceneColours sceneColours(render::Theme theme, render::ColourMap map) {
     c.skyHorizon = rgb(p.skyHorizon);
     c.ground = rgb(p.ground);
     c.grid = rgb(p.groundGrid);
+    c.earth = rgb(p.earth);
     c.water = rgb(p.water);
     c.divider = rgb(p.hairline);
     c.fragment = rgb(p.fragment);
@@ -249,6 +253,9 @@ render::SceneColours sceneColours(render::Theme theme, render::ColourMap map) {
         c.speedRamp[i] = rgb(speedColour(static_cast<double>(i) / 255.0, map));
         c.errorRamp[i] = rgb(errorColour(static_cast<double>(i) / 255.0));
     }
+    // Paper stays white in the analysis style; nothing glares on a dark screen.
+    c.groundTexture = theme == render::Theme::Print ? 0.0 : theme == render::Theme::Dark ? 0.14 : 0.07;
+    c.brightest = theme == render::Theme::Dark ? 0.6 : 0.85;
     c.ambient = theme == render::Theme::Dark ? 0.42 : 0.48;
     return c;
 }

@@ -32,6 +32,7 @@ struct Palette {
     QColor chip;          ///< behind captions and legends in views (may be translucent)
     QColor chipText;
     QColor skyTop, skyHorizon, ground, groundGrid;  ///< background of views
+    QColor earth;                                   ///< ground in the presentation style
     QColor water;
     QColor outline;                               ///< of the intact structure
     std::array<QColor, materialCount> materials;  ///< by Material, in the presentation style

@@ -429,6 +429,7 @@ std::string toJson(const render::View& view) {
                        {"ground", view.ground},
                        {"ground_grid", view.groundGrid},
                        {"shading", view.shading},
+                       {"shadows", view.shadows},
                        {"axes", view.axes},
                        {"captions", view.captions},
                        {"legends", view.legends},
@@ -466,6 +467,7 @@ render::View viewFromJson(std::string_view json, std::string_view source) {
     reader.read("ground", view.ground);
     reader.read("ground_grid", view.groundGrid);
     reader.read("shading", view.shading);
+    reader.read("shadows", view.shadows);
     reader.read("axes", view.axes);
     reader.read("captions", view.captions);
     reader.read("legends", view.legends);

@@ -31,6 +31,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/render/basics/sun.h"
 #include "widgets/render/edge_shading.h"
 #include "widgets/render/grain_shader.h"
 
@@ -67,6 +68,7 @@ private:
 void leaveOutIdleShading(vtkActor& actor) {
     actor.GetShaderProperty()->AddFragmentShaderReplacement("discard;", true, "", false);
     actor.GetShaderProperty()->AddFragmentShaderReplacement("specular += (sf * lightColor0);", false, "", true);
+    actor.GetShaderProperty()->AddFragmentShaderReplacement("specular += (sf * lightColor1);", false, "", true);
 }
 
 vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
@@ -100,6 +102,11 @@ vtkSmartPointer<vtkCellArray> cells(const std::vector<std::int32_t>& connectivit
     return array;
 }
 
+/// Lamp without sun; both together. Beside the sun the lamp only keeps faces in the shade apart.
+constexpr double lampAlone = 1.25;
+constexpr double lampBesideSun = 0.5;
+constexpr double sunlight = 0.9;
+
 double channel(std::uint8_t value) {
     return value / 255.0;
 }
@@ -108,6 +115,8 @@ double channel(std::uint8_t value) {
 
 PaneRenderer::PaneRenderer()
     : m_renderer(vtkSmartPointer<vtkRenderer>::New()),
+      m_lamp(vtkSmartPointer<vtkLight>::New()),
+      m_sun(vtkSmartPointer<vtkLight>::New()),
       m_points(vtkSmartPointer<vtkPoints>::New()),
       m_coordinates(vtkSmartPointer<vtkFloatArray>::New()),
       m_rgba(vtkSmartPointer<vtkUnsignedCharArray>::New()),
@@ -127,12 +136,17 @@ PaneRenderer::PaneRenderer()
     m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
     m_renderer->AutomaticLightCreationOff();
     // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
-    vtkNew<vtkLight> key;
-    key->SetLightTypeToCameraLight();
-    key->SetPosition(-0.55, 0.85, 1.0);
-    key->SetFocalPoint(0.0, 0.0, 0.0);
-    key->SetIntensity(1.25);
-    m_renderer->AddLight(key);
+    m_lamp->SetLightTypeToCameraLight();
+    m_lamp->SetPosition(-0.55, 0.85, 1.0);
+    m_lamp->SetFocalPoint(0.0, 0.0, 0.0);
+    m_lamp->SetIntensity(lampAlone);
+    m_renderer->AddLight(m_lamp);
+    m_sun->SetLightTypeToSceneLight();
+    m_sun->SetPosition(sun.x(), sun.y(), sun.z());
+    m_sun->SetFocalPoint(0.0, 0.0, 0.0);
+    m_sun->SetIntensity(sunlight);
+    m_sun->SwitchOff();
+    m_renderer->AddLight(m_sun);
 }
 
 PaneRenderer::~PaneRenderer() = default;
@@ -229,6 +243,13 @@ void PaneRenderer::setShading(bool shaded) {
     camera->SetDelegatePass(sequence);
     m_edges->SetDelegatePass(camera);
     m_renderer->SetPass(m_edges);
+}
+
+void PaneRenderer::setShade(const GroundShade* shade, const SceneColours& colours) {
+    m_ground.setShade(shade, colours);
+    m_site.setShade(shade, colours);
+    m_sun->SetSwitch(shade != nullptr);
+    m_lamp->SetIntensity(shade ? lampBesideSun : lampAlone);
 }
 
 void PaneRenderer::setOutline(const std::vector<Eigen::Vector3f>& ends) {

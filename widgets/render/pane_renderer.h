@@ -14,6 +14,7 @@
 
 class vtkActor;
 class vtkFloatArray;
+class vtkLight;
 class vtkPlane;
 class vtkPoints;
 class vtkPolyData;
@@ -44,6 +45,8 @@ public:
     void setClip(const std::optional<ClipPlane>& clip);
     /// Darkens edges and hollows after the depth of the picture.
     void setShading(bool shaded);
+    /// The sun and what it leaves in the dark, or a lamp behind the viewer; null: the lamp. It must outlive the next Render().
+    void setShade(const GroundShade* shade, const SceneColours& colours);
     /// Edges of the intact structure, two ends each [m]; none: nothing is drawn.
     void setOutline(const std::vector<Eigen::Vector3f>& ends);
     /// Lines over the model, two ends each [m]; none: nothing is drawn.
@@ -58,6 +61,8 @@ private:
     void setGrain(const std::vector<float>& grain);
 
     vtkSmartPointer<vtkRenderer> m_renderer;
+    vtkSmartPointer<vtkLight> m_lamp;
+    vtkSmartPointer<vtkLight> m_sun;
     vtkSmartPointer<vtkPoints> m_points;
     vtkSmartPointer<vtkFloatArray> m_coordinates;
     vtkSmartPointer<vtkUnsignedCharArray> m_rgba;

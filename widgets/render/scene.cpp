@@ -15,6 +15,7 @@
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/pane_renderer.h"
 #include "widgets/render/shapes/intact_outline.h"
+#include "widgets/render/site/ground_shade.h"
 #include "widgets/render/site/relief.h"
 
 namespace rubble::render {
@@ -22,6 +23,9 @@ namespace {
 
 /// Geometries that panes show: the FE result, the fragments, the fragments of another scenario.
 constexpr std::size_t geometryCount = 3;
+
+/// Share of light that the unevenness of earth takes at most.
+constexpr double earthTexture = 0.09;
 
 std::size_t indexOf(PaneContent content) {
     return content == PaneContent::Fe ? 0 : content == PaneContent::Other ? 2 : 1;
@@ -97,6 +101,9 @@ struct Scene::Impl {
     bool shownSimply = false;                          ///< the last update asked for less than full detail
     std::array<std::unique_ptr<PaneGeometry>, geometryCount> geometries;
     std::array<PaneStatus, geometryCount> statuses;
+    std::array<GroundShade, geometryCount> shades;
+    std::array<std::pair<std::uint64_t, std::uint64_t>, geometryCount> shadeOf{};  ///< versions of points and triangles
+    SceneColours shownColours;                                                     ///< as the style has them
     std::optional<std::array<double, 3>> gridShown;
     std::vector<std::uint8_t> hidden;  ///< by element, or empty
     std::vector<std::string> hiddenComponents;
@@ -122,12 +129,27 @@ struct Scene::Impl {
 
     const SceneData& of(PaneContent content) const { return content == PaneContent::Other && other.fe ? other : data; }
 
+    /// Colours with the ground of the style.
+    SceneColours coloursOfStyle() const {
+        SceneColours colours = scale.colours;
+        if (view.style == Style::Presentation) {
+            colours.ground = colours.earth;
+            colours.groundTexture = std::max(colours.groundTexture, earthTexture);
+        }
+        return colours;
+    }
+
     void applyColours() {
+        shownColours = coloursOfStyle();
+        for (std::size_t i = 0; i < geometryCount; ++i) {
+            shades[i].set(bounds, groundOf(i == indexOf(PaneContent::Other) ? of(PaneContent::Other) : data));
+            shadeOf[i] = {};
+        }
         for (std::size_t i = 0; i < renderers.size(); ++i) {
             const SceneData& shown = of(static_cast<PaneContent>(i));
             const bool fragments = i != rendererOf(PaneContent::Fe);
-            renderers[i].setColours(scale.colours, bounds, groundOf(shown), fragments ? shown.waterLevel : std::nullopt);
-            renderers[i].setSite(shown.orthophoto, shown.surroundings, groundOf(shown), bounds, scale.colours);
+            renderers[i].setColours(shownColours, bounds, groundOf(shown), fragments ? shown.waterLevel : std::nullopt);
+            renderers[i].setSite(shown.orthophoto, shown.surroundings, groundOf(shown), bounds, shownColours);
         }
         const Rgb& c = scale.colours.divider;
         backdrop->SetBackground(c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -155,6 +177,8 @@ struct Scene::Impl {
             }
         }
         geometries[geometry].reset();
+        shades[geometry].clear();
+        shadeOf[geometry] = {};
         statuses[geometry] = {};
     }
 
@@ -204,6 +228,16 @@ struct Scene::Impl {
             gridShown = view.basicGrid;
             const bool drawn = gridShown && data.fragments;
             renderer.setGrid(drawn ? gridOutline(*data.fragments, *gridShown) : std::vector<Eigen::Vector3f>());
+        }
+    }
+
+    /// Brings the shade on the ground to what a geometry shows.
+    void shade(std::size_t geometry) {
+        const PaneGeometry& shown = *geometries[geometry];
+        const std::pair versions(shown.pointsVersion(), shown.trianglesVersion());
+        if (view.shadows && view.ground && versions != shadeOf[geometry]) {
+            shades[geometry].bake(shown.points(), shown.triangles());
+            shadeOf[geometry] = versions;
         }
     }
 
@@ -356,7 +390,10 @@ void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) 
     }
     std::vector<std::future<void>> others;
     for (auto geometry = shown.begin(); geometry != shown.end(); ++geometry) {
-        const auto bring = [&, own = *geometry] { own->update(view.time, view.colourBy, scale, view.selection); };
+        const auto bring = [&, own = *geometry, index = static_cast<std::size_t>(geometry - shown.begin())] {
+            own->update(view.time, view.colourBy, scale, view.selection);
+            shade(index);
+        };
         const bool last = std::all_of(geometry + 1, shown.end(), [](const PaneGeometry* later) { return later == nullptr; });
         if (*geometry && !last) {
             others.push_back(std::async(std::launch::async, bring));
@@ -377,7 +414,7 @@ void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) 
 
 void Scene::Impl::update(bool simple) {
     shownSimply = simple;
-    if (coloursChanged) {
+    if (coloursChanged || view.style != scale.style) {
         applyColours();
     }
     scale.errorSteps = view.errorSteps;
@@ -400,6 +437,7 @@ void Scene::Impl::update(bool simple) {
         }
         renderer.setClip(view.clip);
         renderer.setShading(view.shading);
+        renderer.setShade(view.shadows && geometry ? &shades[indexOf(pane.content)] : nullptr, shownColours);
         renderer.setGround(view.ground && geometry, view.groundGrid);
         renderer.place(pane, width, height);
         renderer.look(cameraOf(view, pane.content), bounds);

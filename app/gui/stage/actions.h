@@ -81,6 +81,7 @@ enum class ActionId {
     // Look
     Presentation,
     Shading,
+    Shadows,
     GroundGrid,
     Axes,
     MapStandard,

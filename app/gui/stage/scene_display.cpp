@@ -127,6 +127,7 @@ void SceneDisplay::lookAtAll() {
     view.axes = before.axes;
     view.groundGrid = before.groundGrid;
     view.shading = before.shading;
+    view.shadows = before.shadows;
     setView(view);
     m_area.views().keepFitted();
     emit changed();

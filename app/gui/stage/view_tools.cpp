@@ -43,7 +43,7 @@ constexpr std::array modelActions{ActionId::LookSide,        ActionId::LookFront
                                   ActionId::TurnRight,       ActionId::TurnUp,        ActionId::TurnDown,    ActionId::Clip,
                                   ActionId::MeasureDistance, ActionId::MeasureHeight, ActionId::GroundGrid,  ActionId::Axes,
                                   ActionId::Shading,         ActionId::Presentation,  ActionId::MapStandard, ActionId::MapViridis,
-                                  ActionId::MapCividis,      ActionId::MapGrey};
+                                  ActionId::MapCividis,      ActionId::MapGrey,       ActionId::Shadows};
 
 }  // namespace
 
@@ -84,6 +84,7 @@ void ViewTools::connectStyle() {
     toggles(ActionId::GroundGrid, &render::View::groundGrid);
     toggles(ActionId::Axes, &render::View::axes);
     toggles(ActionId::Shading, &render::View::shading);
+    toggles(ActionId::Shadows, &render::View::shadows);
     connect(&m_actions[ActionId::Presentation], &QAction::triggered, this, [this](bool on) {
         change([&](render::View& view) { view.style = on ? render::Style::Presentation : render::Style::Analysis; });
     });
@@ -136,6 +137,7 @@ void ViewTools::refresh() {
     m_actions[ActionId::GroundGrid].setChecked(view.groundGrid);
     m_actions[ActionId::Axes].setChecked(view.axes);
     m_actions[ActionId::Shading].setChecked(view.shading);
+    m_actions[ActionId::Shadows].setChecked(view.shadows);
     m_actions[ActionId::Presentation].setChecked(view.style == render::Style::Presentation);
     for (const Map& map : maps) {
         m_actions[map.id].setChecked(view.colourMap == map.map);

@@ -34,6 +34,7 @@ render::View randomView(std::mt19937& engine) {
     view.ground = pick(2) == 1;
     view.groundGrid = pick(2) == 1;
     view.shading = pick(2) == 1;
+    view.shadows = pick(2) == 1;
     view.axes = pick(2) == 1;
     view.captions = pick(2) == 1;
     view.legends = pick(2) == 1;

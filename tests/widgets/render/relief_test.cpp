@@ -59,7 +59,7 @@ TEST(Relief, LevelGroundIsInFullLightAndSlopesAreNot) {
     for (const double shade : reliefOf(level, model, 300.0).shade) {
         EXPECT_NEAR(shade, 1.0, 1e-9);
     }
-    // Falls to the south-east, away from the light.
+    // Falls to the south-east.
     const TerrainGrid away(-100.0, -100.0, 100.0, 3, 3, {0, -50, -100, 50, 0, -50, 100, 50, 0});
     const Relief relief = reliefOf(away, model, 120.0);
     double darkest = 2.0;

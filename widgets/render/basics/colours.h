@@ -20,6 +20,7 @@ struct Rgb {
 struct SceneColours {
     Rgb skyTop, skyHorizon;
     Rgb ground, grid;
+    Rgb earth;  ///< takes the place of ground in the presentation style
     Rgb water;
     Rgb divider;                                 ///< between panes
     Rgb fragment;                                ///< plain highlight
@@ -34,6 +35,9 @@ struct SceneColours {
     std::array<Rgb, materialCount> materials{};  ///< by Material, of the presentation style
     Rgb unknown;                                 ///< a fragment that the reference does not have at this time
     double ambient = 0.4;                        ///< share of light that comes from everywhere
+    double shadow = 0.8;                         ///< share of a shadow's depth that is drawn
+    double groundTexture = 0.0;                  ///< share of light that the unevenness of ground takes at most
+    double brightest = 1.0;                      ///< share of white that a picture of the ground reaches at most
 
     friend bool operator==(const SceneColours&, const SceneColours&) = default;
 };

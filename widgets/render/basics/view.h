@@ -74,6 +74,7 @@ struct View {
     bool ground = true;
     bool groundGrid = true;
     bool shading = false;  ///< edges and hollows darker, after the depth of the picture
+    bool shadows = true;   ///< the sun's shadow on the ground, which is darker beneath what lies on it
     bool axes = true;
     bool captions = true;
     bool legends = true;

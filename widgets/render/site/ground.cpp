@@ -24,6 +24,7 @@ namespace {
 constexpr double planeReach = 14.0;  // model lengths until ground and sky are one
 constexpr double gridReach = 1.1;    // model lengths until the grid has faded
 constexpr double gridLift = 5e-4;    // model lengths above a terrain
+constexpr double lightenMost = 0.1;  // share of white in slopes that face the light: more would glare like snow
 
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -46,7 +47,8 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share) {
 
 /// A colour in more or less light than level ground has.
 Rgb shaded(const Rgb& colour, double light) {
-    return light < 1.0 ? mixed({0, 0, 0}, colour, 0.55 + 0.45 * light) : mixed(colour, {255, 255, 255}, std::min(0.5, light - 1.0));
+    return light < 1.0 ? mixed({0, 0, 0}, colour, 0.55 + 0.45 * light)
+                       : mixed(colour, {255, 255, 255}, std::min(lightenMost, light - 1.0));
 }
 
 /// Share of the horizon's colour in the ground at a distance, both in model lengths.
@@ -113,6 +115,27 @@ void Ground::set(const Aabb& bounds, const SiteSurface& ground, const SceneColou
         makePlane(centre, colours);
     }
     makeGrid(ground, centre, size, spacing(bounds), colours);
+    m_shadeLaid = false;
+}
+
+void Ground::setShade(const GroundShade* shade, const SceneColours& colours) {
+    if (!shade || shade->empty()) {
+        if (m_planeActor->GetTexture()) {
+            m_planeActor->SetTexture(nullptr);
+            // VTK makes the shader anew for what it is told of; a texture that goes is not among that.
+            m_plane->GetPointData()->SetTCoords(nullptr);
+            m_plane->Modified();
+            m_planeActor->GetMapper()->Modified();
+            m_shadeLaid = false;
+        }
+        return;
+    }
+    if (!m_shadeLaid) {
+        ShadeTexture::lay(*m_plane, *shade);
+        m_shadeLaid = true;
+    }
+    m_shade.follow(*shade, colours);
+    m_planeActor->SetTexture(m_shade.texture());
 }
 
 void Ground::setGridOpacity(double opacity) {

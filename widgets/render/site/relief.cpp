@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/render/basics/sun.h"
+
 namespace rubble::render {
 namespace {
 
@@ -13,9 +15,7 @@ constexpr double linesFar = 30.0;
 constexpr double nearShare = 0.6;
 /// Where the level beyond the raster has its rows, as shares of the way to the rim.
 constexpr std::array<double, 5> beyond{0.08, 0.2, 0.4, 0.7, 1.0};
-/// Light from the north-west, high up; slopes are darker than level ground also where they face it, so that white ground shows
-/// them.
-const Vec3 light = Vec3(-0.35, 0.35, 0.87).normalized();
+/// Slopes are darker than level ground also where they face the sun, so that white ground shows them.
 constexpr double slopeShade = 0.65;
 
 /// Rows or columns of a terrain: those of its window about the structure, and how far it goes on around them.
@@ -85,7 +85,7 @@ double shadeAt(const std::vector<Vec3>& points, std::size_t columns, std::size_t
     const Vec3 east = at(std::min(i + 1, columns - 1), j) - at(i > 0 ? i - 1 : 0, j);
     const Vec3 north = at(i, std::min(j + 1, rows - 1)) - at(i, j > 0 ? j - 1 : 0);
     const Vec3 normal = east.cross(north).normalized();
-    return std::max(0.0, normal.dot(light)) / light.z() * (1.0 - slopeShade + slopeShade * normal.z());
+    return std::max(0.0, normal.dot(sun)) / sun.z() * (1.0 - slopeShade + slopeShade * normal.z());
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "widgets/render/site/relief.h"
 
@@ -43,6 +44,21 @@ bool over(const Orthophoto& picture, const Vec3& a, const Vec3& b, const Vec3& c
     return !apart(a.x(), b.x(), c.x(), picture.x0, picture.right()) && !apart(a.y(), b.y(), c.y(), picture.y0, picture.top());
 }
 
+/// Brings the bright parts of a picture below a share of white, so that snow and roofs do not glare; the dark ones stay.
+void dampen(std::span<std::uint8_t> rgba, double brightest) {
+    const double knee = 0.6 * brightest;
+    for (std::size_t p = 0; p + 3 < rgba.size() && brightest < 1.0; p += 4) {
+        const double most = std::max({rgba[p], rgba[p + 1], rgba[p + 2]}) / 255.0;
+        if (most <= knee) {
+            continue;
+        }
+        const double factor = (knee + (brightest - knee) * (most - knee) / (1.0 - knee)) / most;
+        for (std::size_t c = p; c < p + 3; ++c) {
+            rgba[c] = static_cast<std::uint8_t>(std::lround(factor * rgba[c]));
+        }
+    }
+}
+
 /// Whether a picture from above shows a triangle: walls and cliffs would be smeared with the colours of their edges.
 bool seenFromAbove(const Vec3& a, const Vec3& b, const Vec3& c) {
     constexpr double stretchMost = 2.0;  // of the picture along the slope: 60 degrees
@@ -53,7 +69,9 @@ bool seenFromAbove(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 SiteLayer::SiteLayer()
-    : m_drape(vtkSmartPointer<vtkPolyData>::New()),
+    : m_veil(vtkSmartPointer<vtkPolyData>::New()),
+      m_veilActor(vtkSmartPointer<vtkActor>::New()),
+      m_drape(vtkSmartPointer<vtkPolyData>::New()),
       m_texture(vtkSmartPointer<vtkTexture>::New()),
       m_meshes(vtkSmartPointer<vtkPolyData>::New()),
       m_drapeActor(vtkSmartPointer<vtkActor>::New()),
@@ -72,6 +90,17 @@ SiteLayer::SiteLayer()
     m_drapeActor->GetProperty()->LightingOff();
     m_drapeActor->GetProperty()->BackfaceCullingOn();
     m_drapeActor->PickableOff();
+    vtkNew<vtkPolyDataMapper> veil;
+    veil->SetInputData(m_veil);
+    veil->ScalarVisibilityOff();
+    veil->SetResolveCoincidentTopologyToPolygonOffset();
+    veil->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 0.5);
+    m_veilActor->SetMapper(veil);
+    m_veilActor->SetTexture(m_shade.texture());
+    m_veilActor->GetProperty()->LightingOff();
+    m_veilActor->GetProperty()->BackfaceCullingOn();
+    m_veilActor->ForceTranslucentOn();
+    m_veilActor->PickableOff();
     vtkNew<vtkPolyDataMapper> meshes;
     meshes->SetInputData(m_meshes);
     meshes->ScalarVisibilityOff();
@@ -85,9 +114,26 @@ SiteLayer::~SiteLayer() = default;
 void SiteLayer::addTo(vtkRenderer& renderer) {
     renderer.AddActor(m_meshActor);
     renderer.AddActor(m_drapeActor);
+    renderer.AddActor(m_veilActor);
+}
+
+void SiteLayer::setShade(const GroundShade* shade, const SceneColours& colours) {
+    m_shaded = shade && !shade->empty() && m_orthophoto != nullptr;
+    if (m_shaded) {
+        if (!m_shadeLaid) {
+            m_veil->SetPoints(m_drape->GetPoints());
+            m_veil->SetPolys(m_drape->GetPolys());
+            ShadeTexture::lay(*m_veil, *shade);
+            m_shadeLaid = true;
+        }
+        m_shade.follow(*shade, colours);
+    }
+    m_veilActor->SetVisibility(m_visible && m_shaded);
 }
 
 void SiteLayer::setVisible(bool visible) {
+    m_visible = visible;
+    m_veilActor->SetVisibility(visible && m_shaded);
     m_drapeActor->SetVisibility(visible && m_orthophoto != nullptr);
     m_meshActor->SetVisibility(visible && m_surroundings != nullptr);
 }
@@ -96,8 +142,9 @@ void SiteLayer::set(const std::shared_ptr<const Orthophoto>& orthophoto,
                     const std::shared_ptr<const std::vector<SiteMesh>>& surroundings, const SiteSurface& ground, const Aabb& bounds,
                     double reach, const SceneColours& colours) {
     const bool sameGround = ground.terrain == m_ground.terrain && ground.levelHeight == m_ground.levelHeight && reach == m_reach;
-    if (orthophoto != nullptr && !(orthophoto == m_orthophoto && sameGround)) {
-        drape(*orthophoto, ground, bounds, reach);
+    m_shadeLaid = false;
+    if (orthophoto != nullptr && !(orthophoto == m_orthophoto && sameGround && colours.brightest == m_brightest)) {
+        drape(*orthophoto, ground, bounds, reach, colours.brightest);
     }
     if (surroundings != nullptr && surroundings != m_surroundings) {
         build(*surroundings);
@@ -106,6 +153,7 @@ void SiteLayer::set(const std::shared_ptr<const Orthophoto>& orthophoto,
     m_surroundings = surroundings;
     m_ground = ground;
     m_reach = reach;
+    m_brightest = colours.brightest;
     // Between ground and structure: neither of what is analysed nor of what it falls on.
     const Rgb& c = colours.grid;
     m_meshActor->GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -113,11 +161,12 @@ void SiteLayer::set(const std::shared_ptr<const Orthophoto>& orthophoto,
     m_meshActor->GetProperty()->SetDiffuse(1.0 - colours.ambient);
 }
 
-void SiteLayer::drape(const Orthophoto& picture, const SiteSurface& ground, const Aabb& bounds, double reach) {
+void SiteLayer::drape(const Orthophoto& picture, const SiteSurface& ground, const Aabb& bounds, double reach, double brightest) {
     vtkNew<vtkImageData> image;
     image->SetDimensions(picture.width, picture.height, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
     std::copy(picture.rgba.begin(), picture.rgba.end(), static_cast<std::uint8_t*>(image->GetScalarPointer()));
+    dampen({static_cast<std::uint8_t*>(image->GetScalarPointer()), picture.rgba.size()}, brightest);
     m_texture->SetInputData(image);
     const Relief relief = ground.terrain ? reliefOf(*ground.terrain, bounds, reach) : levelRelief(picture, ground.levelHeight);
     vtkNew<vtkPoints> points;

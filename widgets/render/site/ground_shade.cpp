@@ -18,7 +18,7 @@ constexpr float castShare = 0.62F;
 constexpr float contactShare = 0.5F;
 /// Things so many cells above the ground darken it at most by their nearness.
 constexpr float leastCells = 2.0F;
-constexpr double astray = 1e6;  // cells
+constexpr float astray = 1e6F;  // cells
 
 struct Corner {
     float x;
@@ -103,6 +103,9 @@ void GroundShade::set(const Aabb& bounds, const SiteSurface& ground) {
     m_cell = longer / static_cast<double>(cellsAlong);
     m_columns = std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(around.sizes().x() / m_cell)));
     m_rows = std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(around.sizes().y() / m_cell)));
+    m_cellsInMetre = static_cast<float>(1.0 / m_cell);
+    m_east = static_cast<float>(-sun.x() / sun.z() / m_cell);
+    m_north = static_cast<float>(-sun.y() / sun.z() / m_cell);
     m_left = around.min().x();
     m_bottom = around.min().y();
     m_near = std::max(nearHeight * size, static_cast<double>(leastCells) * m_cell);
@@ -138,23 +141,19 @@ float GroundShade::groundUnder(float x, float y) const {
 
 GroundShade::Cast GroundShade::castOf(const float* point) const {
     // What has gone astray, or is nowhere, lies far beyond the raster.
-    const auto cells = [this](double along, double from) {
-        const double at = (along - from) / m_cell;
-        return static_cast<float>(std::isfinite(at) ? std::clamp(at, -astray, astray) : -astray);
-    };
+    const auto cells = [](float at) { return at > -astray && at < astray ? at : -astray; };
     Cast cast;
-    cast.x = cells(point[0], m_left);
-    cast.y = cells(point[1], m_bottom);
+    cast.x = cells((point[0] - static_cast<float>(m_left)) * m_cellsInMetre);
+    cast.y = cells((point[1] - static_cast<float>(m_bottom)) * m_cellsInMetre);
     cast.above = std::max(0.0F, point[2] - groundUnder(cast.x, cast.y));
-    const auto east = static_cast<float>(-sun.x() / sun.z() / m_cell);
-    const auto north = static_cast<float>(-sun.y() / sun.z() / m_cell);
     // On a slope the shadow falls until it meets the ground there; two steps come close enough for a shadow.
-    float fall = std::min(cast.above, static_cast<float>(astray * m_cell));
+    const float most = astray / m_cellsInMetre;
+    float fall = std::min(cast.above, most);
     for (int step = 0; step < (m_ground.empty() ? 0 : 2); ++step) {
-        fall = std::max(0.0F, point[2] - groundUnder(cast.x + fall * east, cast.y + fall * north));
+        fall = std::min(most, std::max(0.0F, point[2] - groundUnder(cast.x + fall * m_east, cast.y + fall * m_north)));
     }
-    cast.u = cast.x + fall * east;
-    cast.v = cast.y + fall * north;
+    cast.u = cast.x + fall * m_east;
+    cast.v = cast.y + fall * m_north;
     return cast;
 }
 
@@ -215,7 +214,9 @@ void GroundShade::bake(const std::vector<float>& points, const std::vector<std::
         const float turn = (c[1]->u - c[0]->u) * (c[2]->v - c[0]->v) - (c[2]->u - c[0]->u) * (c[1]->v - c[0]->v);
         if (turn > 0.0F) {
             cast({Corner{c[0]->u, c[0]->v, 1.0F}, Corner{c[1]->u, c[1]->v, 1.0F}, Corner{c[2]->u, c[2]->v, 1.0F}});
+            continue;
         }
+        // Below it ends with sides that lie away from the sun.
         if (std::min({c[0]->above, c[1]->above, c[2]->above}) < close) {
             contact({Corner{c[0]->x, c[0]->y, nearness(*c[0])}, Corner{c[1]->x, c[1]->y, nearness(*c[1])},
                      Corner{c[2]->x, c[2]->y, nearness(*c[2])}});

@@ -60,6 +60,9 @@ private:
     double m_bottom = 0.0;
     double m_cell = 1.0;
     double m_near = 1.0;  ///< m above the ground within which things darken it
+    float m_cellsInMetre = 1.0F;
+    float m_east = 0.0F;  ///< cells that a shadow goes east and north for each metre above the ground
+    float m_north = 0.0F;
     std::size_t m_columns = 0;
     std::size_t m_rows = 0;
     std::vector<float> m_ground;  ///< m, by cell; empty: level

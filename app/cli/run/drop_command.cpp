@@ -8,6 +8,7 @@
 #include "app/cli/frame/text_output.h"
 #include "app/cli/run/drop_tables.h"
 #include "core/base/error.h"
+#include "core/simulation/health/passed_limits.h"
 #include "io/base/files.h"
 #include "io/run/run_file.h"
 #include "io/validation/drop_source.h"
@@ -71,10 +72,11 @@ std::vector<Caution> cautionsOf(const DropSeries& series) {
     return series.varied.empty() ? std::vector{singleRunCaution()} : std::vector<Caution>();
 }
 
+/// Limits that were passed, each once a repeat however often, as a run counts them.
 std::int64_t breachesOf(const std::vector<DropRepeat>& repeats) {
     std::int64_t breaches = 0;
     for (const DropRepeat& repeat : repeats) {
-        breaches += static_cast<std::int64_t>(repeat.result.results.simulation->health.breaches.size());
+        breaches += static_cast<std::int64_t>(passedLimits(repeat.result.results.simulation->health.breaches).size());
     }
     return breaches;
 }

@@ -3,6 +3,8 @@
 
 #include <fstream>
 
+#include "core/simulation/health/passed_limits.h"
+#include "io/run/run_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -101,6 +103,30 @@ TEST_F(DropRun, TellsBreachesOfHealthOfEveryRepeat) {
         return made["health_breaches"].get<int>();
     };
     EXPECT_EQ(breaches("3"), 3 * breaches("1"));
+}
+
+TEST_F(DropRun, CountsALimitOnceHoweverOftenItIsPassed) {
+    // Thin slabs that heavy ones come down upon pass a limit again after they have held it.
+    const std::string bodies = table(
+        "a0,5000,0.5,2,0.05,-0.21,-0.69,0.30,-2.9,0,-18.0,concrete\n"
+        "a1,200,0.5,2,0.1,0.07,-0.45,0.60,2.0,0,-29.5,concrete\n"
+        "a2,20000,1,1,0.05,-0.61,-0.38,6.30,2.2,0,-1.6,concrete\n"
+        "a3,200,2,1,0.1,0.34,0.01,1.20,-1.5,0,-28.8,concrete\n"
+        "a4,5000,0.5,1,0.3,0.14,0.76,12.30,-1.8,0,-23.1,concrete\n"
+        "a5,5000,1,0.5,0.1,-0.53,-0.48,1.80,-2.5,0,-21.5,concrete\n"
+        "a6,20000,2,2,0.1,-0.06,-0.31,18.30,-1.8,0,-23.5,concrete\n"
+        "a7,20000,2,1,0.05,-0.45,-0.29,21.30,0.5,0,-14.6,concrete\n"
+        "a8,5000,0.5,0.5,0.05,0.42,-0.45,24.30,0.7,0,-30.5,concrete\n"
+        "a9,200,1,1,0.1,-0.95,-0.29,3.00,2.4,0,-1.8,concrete\n"
+        "a10,20000,1,0.5,0.3,-0.35,-0.36,3.30,1.7,0,-23.6,concrete\n"
+        "a11,20000,0.5,1,0.3,0.24,0.79,11.30,-2.2,0,-24.7,concrete\n");
+    const std::string file = m_folder / "slabs.run.h5";
+    const Outcome outcome = cli({"drop", bodies, "--out", file, "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto breaches = io::openRun(file)->breaches();
+    const std::size_t limits = passedLimits(breaches).size();
+    ASSERT_GT(breaches.size(), limits) << "no limit was passed twice: this test needs harder bodies";
+    EXPECT_EQ(outcome.json()["health_breaches"], limits);
 }
 
 TEST_F(DropRun, RefusesWhatCannotBeMeant) {

@@ -482,10 +482,6 @@
         <translation>导览</translation>
     </message>
     <message>
-        <source>What the parts of this window are for, in five steps</source>
-        <translation>分五步介绍窗口各部分的用途</translation>
-    </message>
-    <message>
         <source>Overlay</source>
         <translation>叠加</translation>
     </message>
@@ -1108,6 +1104,10 @@
     <message>
         <source>Check a sealed bundle, simulate its runs again, and open a copy of its case</source>
         <translation>核验封存包，重新模拟其计算，并打开其案例的副本</translation>
+    </message>
+    <message>
+        <source>What this window is for, a sentence at a time: over the open case, else over the sample</source>
+        <translation>此窗口的用途，每次一句：在打开的案例上，否则在示例上</translation>
     </message>
 </context>
 <context>
@@ -13076,44 +13076,60 @@
         <translation>无法读取的首选项采用默认值：%1</translation>
     </message>
     <message>
-        <source>From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, or with a finding.</source>
-        <translation>自上而下，从文件到堆积物。每一项显示其状态：最新、更改后过期、正在运行或有发现项。</translation>
-    </message>
-    <message>
         <source>The panel of a stage</source>
         <translation>各阶段的面板</translation>
-    </message>
-    <message>
-        <source>One question per panel, its settings, and what they cost. Every change can be undone with Ctrl+Z.</source>
-        <translation>每个面板回答一个问题，给出其设置及代价。每次更改都可用 Ctrl+Z 撤销。</translation>
     </message>
     <message>
         <source>The views</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>The conventional FE result and the fragments, from the same camera. Left button orbits, Shift and left pans, the wheel zooms. Keys 1 to 4 choose the layout.</source>
-        <translation>常规有限元结果和碎块，使用同一相机。左键旋转，Shift 加左键平移，滚轮缩放。数字键 1 至 4 选择布局。</translation>
-    </message>
-    <message>
         <source>Simulate</source>
         <translation>模拟</translation>
-    </message>
-    <message>
-        <source>Computes where the fragments go (Ctrl+R); the views play what is computed meanwhile. Live runs at the pace of the collapse.</source>
-        <translation>计算碎块的去向（Ctrl+R）；其间视图播放已计算的部分。“实时”按倒塌的实际速度运行。</translation>
     </message>
     <message>
         <source>The timeline</source>
         <translation>时间轴</translation>
     </message>
     <message>
-        <source>Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.</source>
-        <translation>失效随时间的变化以及计算的进度。拖动可浏览，空格播放，方向键逐个状态移动。</translation>
-    </message>
-    <message>
         <source>The order of work</source>
         <translation>工作的次序</translation>
+    </message>
+    <message>
+        <source>What this is for</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Elements that fail vanish from the conventional view; the other one shows how they fall, hit and come to rest as fragments.</source>
+        <translation>失效单元在常规视图中消失；另一视图显示它们作为碎块如何下落、碰撞并静止。</translation>
+    </message>
+    <message>
+        <source>Simulate (Ctrl+R) computes where the fragments go, and the views play what is computed meanwhile.</source>
+        <translation>“模拟”（Ctrl+R）计算碎块的去向，其间视图播放已计算的部分。</translation>
+    </message>
+    <message>
+        <source>Drag to go to any instant of the collapse; Space plays and pauses.</source>
+        <translation>拖动可到达倒塌的任意时刻；空格播放和暂停。</translation>
+    </message>
+    <message>
+        <source>The left button turns the model, the wheel nears it, and a click on a fragment tells what became of it.</source>
+        <translation>左键转动模型，滚轮拉近，单击碎块可知其经过。</translation>
+    </message>
+    <message>
+        <source>The rail leads from the file to the report, top to bottom, and marks what is up to date, stale or running.</source>
+        <translation>导轨自上而下从文件引向报告，并标出最新、过期和正在运行的各项。</translation>
+    </message>
+    <message>
+        <source>Each panel answers one question with few settings, and Ctrl+Z takes back every change.</source>
+        <translation>每个面板以少量设置回答一个问题，任何更改都可用 Ctrl+Z 撤销。</translation>
+    </message>
+    <message>
+        <source>On from here</source>
+        <translation>接下来</translation>
+    </message>
+    <message>
+        <source>Case has New case… for a result of your own, and Help has the manual (F1) and this tour again.</source>
+        <translation>“案例”菜单的“新建案例…”用于自己的结果，“帮助”菜单有手册（F1）和本导览。</translation>
     </message>
 </context>
 <context>
@@ -21767,10 +21783,6 @@ Program: %3</source>
         <translation>开始导览</translation>
     </message>
     <message>
-        <source>What the parts of this window are for, in five steps</source>
-        <translation>分五步介绍窗口各部分的用途</translation>
-    </message>
-    <message>
         <source>SAMPLES</source>
         <translation>示例</translation>
     </message>
@@ -21797,6 +21809,10 @@ Program: %3</source>
     <message>
         <source>Make a case from an FE result step by step (Ctrl+N)</source>
         <translation>由有限元结果逐步建立案例 (Ctrl+N)</translation>
+    </message>
+    <message>
+        <source>The stone arch collapses, and seven sentences say what is for what</source>
+        <translation>石拱桥倒塌，七句话说明各部分的用途</translation>
     </message>
 </context>
 <context>
@@ -22352,10 +22368,6 @@ Program: %3</source>
         <translation>窗口导览</translation>
     </message>
     <message>
-        <source>End</source>
-        <translation>结束</translation>
-    </message>
-    <message>
         <source>End the tour (Esc); the Help menu has it again</source>
         <translation>结束导览（Esc）；“帮助”菜单中可再次打开</translation>
     </message>
@@ -22374,6 +22386,10 @@ Program: %3</source>
     <message>
         <source>Done</source>
         <translation>完成</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>跳过</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,7 @@ StartPage::StartPage(QWidget* parent)
     make->setToolTip(tr("Make a case from an FE result step by step (Ctrl+N)"));
     auto* tour = new QPushButton(tr("Take the tour"));
     tour->setObjectName(QStringLiteral("tour"));
-    tour->setToolTip(tr("What the parts of this window are for, in five steps"));
+    tour->setToolTip(tr("The stone arch collapses, and seven sentences say what is for what"));
     buttons->addWidget(open);
     buttons->addWidget(make);
     buttons->addWidget(tour);

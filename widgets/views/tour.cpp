@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "widgets/basics/theme.h"
 
@@ -28,6 +29,7 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
       m_title(new QLabel),
       m_words(new QLabel),
       m_count(new QLabel),
+      m_skip(new QPushButton(tr("Skip"))),
       m_back(new QPushButton(tr("Back"))),
       m_next(new QPushButton(tr("Next"))) {
     setAccessibleName(tr("Tour of the window"));
@@ -44,17 +46,19 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     column->addWidget(m_title);
     column->addWidget(m_words);
     auto* row = new QHBoxLayout;
-    auto* skip = new QPushButton(tr("End"));
-    skip->setToolTip(tr("End the tour (Esc); the Help menu has it again"));
+    m_skip->setObjectName(QStringLiteral("tourSkip"));
+    m_skip->setToolTip(tr("End the tour (Esc); the Help menu has it again"));
+    m_back->setObjectName(QStringLiteral("tourBack"));
     m_back->setToolTip(tr("The stop before (←)"));
     m_next->setToolTip(tr("The next stop (→)"));
     m_next->setObjectName(QStringLiteral("primary"));
     row->addWidget(m_count, 1);
-    row->addWidget(skip);
-    row->addWidget(m_back);
-    row->addWidget(m_next);
+    for (QPushButton* button : {m_skip, m_back, m_next}) {
+        button->installEventFilter(this);
+        row->addWidget(button);
+    }
     column->addLayout(row);
-    connect(skip, &QPushButton::clicked, this, [this] { go(-1); });
+    connect(m_skip, &QPushButton::clicked, this, [this] { go(-1); });
     connect(m_back, &QPushButton::clicked, this, [this] { go(m_current - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] { go(m_current + 1); });
     window->installEventFilter(this);
@@ -67,17 +71,14 @@ void Tour::start() {
 void Tour::go(int stop) {
     if (stop < 0 || stop >= static_cast<int>(m_stops.size())) {
         m_current = -1;
+        // What goes with the focus would hand it on to some field.
+        parentWidget()->setFocus(Qt::OtherFocusReason);
         hide();
         emit ended();
         return;
     }
     m_current = stop;
-    const TourStop& at = m_stops[static_cast<std::size_t>(stop)];
-    m_title->setText(at.title);
-    m_words->setText(at.words);
-    m_count->setText(tr("%1 of %2").arg(stop + 1).arg(m_stops.size()));
-    m_back->setEnabled(stop > 0);
-    m_next->setText(stop + 1 < static_cast<int>(m_stops.size()) ? tr("Next") : tr("Done"));
+    tell(m_stops[static_cast<std::size_t>(stop)]);
     show();
     raise();
     place();
@@ -85,8 +86,21 @@ void Tour::go(int stop) {
     QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection);
     // Reached as if by the keyboard, so that Space pushes it.
     m_next->setFocus(Qt::TabFocusReason);
-    setAccessibleDescription(at.title + QStringLiteral(". ") + at.words);
     update();
+}
+
+void Tour::tell(const TourStop& stop) {
+    const bool last = m_current + 1 == static_cast<int>(m_stops.size());
+    m_title->setText(stop.title);
+    m_words->setText(stop.words);
+    m_count->setText(tr("%1 of %2").arg(m_current + 1).arg(m_stops.size()));
+    m_back->setEnabled(m_current > 0);
+    m_skip->setVisible(!last);
+    m_next->setText(last ? tr("Done") : tr("Next"));
+    const QString all = QStringLiteral("%1, %2. %3").arg(m_count->text(), stop.title, stop.words);
+    setAccessibleDescription(all);
+    // A screen reader speaks of what has the focus.
+    m_next->setAccessibleDescription(all);
 }
 
 QRect Tour::partRect() const {
@@ -103,7 +117,7 @@ void Tour::place() {
     }
     setGeometry(parentWidget()->rect());
     m_card->layout()->invalidate();
-    m_card->setFixedHeight(m_card->layout()->heightForWidth(cardWidth));
+    m_card->setFixedHeight(m_card->heightForWidth(cardWidth));
     const QRect part = partRect();
     const QRect room = rect().adjusted(margin, margin, -margin, -margin);
     const QSize card(cardWidth, m_card->height());
@@ -131,7 +145,8 @@ bool Tour::eventFilter(QObject* watched, QEvent* event) {
     if (watched == parentWidget() && event->type() == QEvent::Resize && m_current >= 0) {
         place();
     }
-    return QWidget::eventFilter(watched, event);
+    const bool key = event->type() == QEvent::KeyPress && watched != parentWidget();
+    return (key && takesKey(*static_cast<QKeyEvent*>(event), watched)) || QWidget::eventFilter(watched, event);
 }
 
 void Tour::paintEvent(QPaintEvent*) {
@@ -156,6 +171,8 @@ bool Tour::event(QEvent* event) {
             case Qt::Key_Left:
             case Qt::Key_Right:
             case Qt::Key_Space:
+            case Qt::Key_Return:
+            case Qt::Key_Enter:
                 event->accept();
                 return true;
             default:
@@ -166,21 +183,46 @@ bool Tour::event(QEvent* event) {
 }
 
 void Tour::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
+    if (!takesKey(*event, this)) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool Tour::takesKey(const QKeyEvent& key, QObject* on) {
+    auto* button = qobject_cast<QPushButton*>(on);
+    switch (key.key()) {
         case Qt::Key_Escape:
             go(-1);
-            break;
+            return true;
         case Qt::Key_Right:
-        case Qt::Key_Return:
-        case Qt::Key_Space:
             go(m_current + 1);
-            break;
+            return true;
         case Qt::Key_Left:
             go(std::max(0, m_current - 1));
-            break;
+            return true;
+        case Qt::Key_Space:
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            (button != nullptr ? button : m_next)->click();
+            return true;
         default:
-            QWidget::keyPressEvent(event);
+            return false;
     }
+}
+
+bool Tour::focusNextPrevChild(bool next) {
+    const std::array buttons{m_skip, m_back, m_next};
+    const auto count = static_cast<int>(buttons.size());
+    int at = static_cast<int>(std::find(buttons.begin(), buttons.end(), focusWidget()) - buttons.begin());
+    for (int step = 0; step < count; ++step) {
+        at = (at + (next ? 1 : count - 1)) % count;
+        QPushButton* button = buttons[static_cast<std::size_t>(at)];
+        if (button->isEnabled() && button->isVisible()) {
+            button->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+            break;
+        }
+    }
+    return true;
 }
 
 void Tour::mousePressEvent(QMouseEvent*) {

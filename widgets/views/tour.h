@@ -15,11 +15,11 @@ namespace rubble::widgets {
 struct TourStop {
     QPointer<QWidget> part;
     QString title;
-    QString words;
+    QString words;  ///< one sentence
 };
 
-/// Leads through the window: darkens all but one part and says what that is for. Arrow keys and buttons go on, Esc ends it. A click
-/// beside the card goes on as well.
+/// Leads through the window: darkens all but one part and says what that is for. Arrow keys, Enter and buttons go on and back, Esc
+/// ends it. A click beside the card goes on as well. The keyboard stays with its buttons as long as it lasts.
 class Tour : public QWidget {
     Q_OBJECT
 
@@ -40,9 +40,12 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     void go(int stop);
+    void tell(const TourStop& stop);
+    bool takesKey(const QKeyEvent& key, QObject* on);
     void place();
     QRect partRect() const;
 
@@ -52,6 +55,7 @@ private:
     QLabel* m_title;
     QLabel* m_words;
     QLabel* m_count;
+    QPushButton* m_skip;
     QPushButton* m_back;
     QPushButton* m_next;
 };

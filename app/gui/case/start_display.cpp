@@ -40,7 +40,10 @@ StartDisplay::StartDisplay(Session& session, ViewArea& area, QObject* parent)
       m_files(session.part<ProjectFiles>()) {
     widgets::StartPage& page = area.startPage();
     connect(&page, &widgets::StartPage::recentChosen, this, &StartDisplay::openRequested);
-    connect(&page, &widgets::StartPage::sampleChosen, this, &StartDisplay::sampleRequested);
+    connect(&page, &widgets::StartPage::sampleChosen, this, [this](const QString& path) {
+        m_passedOver.clear();
+        emit sampleRequested(path);
+    });
     connect(&page, &widgets::StartPage::tourRequested, this, &StartDisplay::tourRequested);
     connect(&page, &widgets::StartPage::forgetRequested, this, [this](const QString& path) {
         m_files.recent.forget(path);
@@ -131,14 +134,15 @@ QString StartDisplay::openPath() const {
 }
 
 void StartDisplay::noteOpened() {
-    if (!m_document.empty()) {
+    if (!m_document.empty() && openPath() != m_passedOver) {
         m_files.recent.add(openPath(), QString::fromStdString(m_document.theCase().title));
     }
     refresh();
 }
 
 void StartDisplay::takePicture() {
-    if (!m_document.empty() && m_computation.inputs().fe != nullptr && m_area.views().isVisible()) {
+    const bool chosen = !m_document.empty() && openPath() != m_passedOver;
+    if (chosen && m_computation.inputs().fe != nullptr && m_area.views().isVisible()) {
         m_files.recent.setPicture(openPath(), m_area.views().picture());
     }
 }

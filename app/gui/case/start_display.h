@@ -22,6 +22,8 @@ public:
     void refresh();
     /// What is opened from here on is listed at the next start.
     void remember();
+    /// A case that nobody has chosen is about to open: it is not listed until somebody does.
+    void passOver(const QString& path) { m_passedOver = path; }
     RecentCases& recent() { return m_files.recent; }
     /// A recent case lies elsewhere now; it is opened there.
     void locate(const QString& from, const QString& to);
@@ -43,6 +45,7 @@ private:
     Computation& m_computation;
     ViewArea& m_area;
     ProjectFiles& m_files;
+    QString m_passedOver;
 };
 
 }  // namespace rubble

@@ -10,13 +10,14 @@ namespace {
 using widgets::Glyph;
 
 const std::array helpTable = {
-    ActionRow{ActionId::Tour,
-              "tour",
-              "Help",
-              QT_TRANSLATE_NOOP("actions", "Tour"),
-              QT_TRANSLATE_NOOP("actions", "What the parts of this window are for, in five steps"),
-              "",
-              {}},
+    ActionRow{
+        ActionId::Tour,
+        "tour",
+        "Help",
+        QT_TRANSLATE_NOOP("actions", "Tour"),
+        QT_TRANSLATE_NOOP("actions", "What this window is for, a sentence at a time: over the open case, else over the sample"),
+        "",
+        {}},
     ActionRow{ActionId::Manual, "manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"),
               QT_TRANSLATE_NOOP("actions", "The page of the manual about what has the focus"), "F1", Glyph::Help},
     ActionRow{ActionId::ManualSearch, "manual_search", "Help", QT_TRANSLATE_NOOP("actions", "Search the manual…"),

@@ -9,6 +9,7 @@
 #include "app/gui/case/new_case.h"
 #include "app/gui/session/session.h"
 #include "app/gui/session/settings.h"
+#include "app/gui/window/first_visit.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/options.h"
 #include "app/gui/window/renewed_window.h"
@@ -108,6 +109,8 @@ int main(int argc, char** argv) {
             static_cast<rubble::widgets::NewCaseWizard::Step>(*options.newCaseStep));
     } else if (!options.path.isEmpty()) {
         window.open(options.path, options.simulate);
+    } else if (aside.isEmpty() && rubble::FirstVisit::isDue(session, options)) {
+        window.firstVisit().begin();
     }
     if (!options.screenshot.isEmpty() || !options.chart.isEmpty()) {
         new rubble::Screenshot(window, options);

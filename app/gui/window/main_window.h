@@ -18,6 +18,7 @@ namespace widgets {
 class Tour;
 }
 
+class FirstVisit;
 class Help;
 class KeyRules;
 class LayoutMemory;
@@ -45,6 +46,7 @@ public:
     Actions& actions() { return m_actions; }
     Help& help() { return *m_help; }
     ViewArea& area() { return *m_area; }
+    FirstVisit& firstVisit() { return *m_visit; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -85,6 +87,7 @@ private:
     QSplitter* m_splitter = nullptr;
     QStackedWidget* m_centre = nullptr;
     widgets::Tour* m_tour = nullptr;
+    FirstVisit* m_visit = nullptr;
     KeyRules* m_keys = nullptr;
     std::unique_ptr<WindowRooms> m_rooms;
     std::unique_ptr<Help> m_help;

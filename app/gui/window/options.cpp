@@ -215,6 +215,11 @@ QString completion() {
 
 }  // namespace
 
+bool Options::asksForNothing() const {
+    return path.isEmpty() && !sample && !simulate && !accuracy && !measure && screenshot.isEmpty() && chart.isEmpty() && !time &&
+           !panel && actions.empty() && view.isEmpty() && !newCaseStep && !photo && causes.isEmpty() && against.isEmpty();
+}
+
 Options parseOptions(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(description());

@@ -32,6 +32,9 @@ struct Options {
     QSize size;
     QString text;        ///< for --help and --version, or why the arguments are wrong
     bool wrong = false;  ///< text is a complaint
+
+    /// Nothing is to be opened, made, measured or drawn: somebody has just started the program.
+    bool asksForNothing() const;
 };
 
 Options parseOptions(const QStringList& arguments);

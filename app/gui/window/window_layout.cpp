@@ -19,6 +19,7 @@
 #include "app/gui/help/help.h"
 #include "app/gui/stage/dock_area.h"
 #include "app/gui/stage/view_area.h"
+#include "app/gui/window/first_visit.h"
 #include "app/gui/window/key_rules.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/mnemonics.h"
@@ -169,24 +170,25 @@ void MainWindow::buildToolBar() {
 }
 
 void MainWindow::prepareTour() {
+    auto* simulate = findChild<QToolButton*>(QStringLiteral("primary"));
     m_tour = new widgets::Tour(
-        {{&m_rooms->deck->rail(), tr("The order of work"),
-          tr("From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, "
-             "or "
-             "with a finding.")},
-         {&m_rooms->deck->stack(), tr("The panel of a stage"),
-          tr("One question per panel, its settings, and what they cost. Every change can be undone with Ctrl+Z.")},
+        {{m_centre, tr("What this is for"),
+          tr("Elements that fail vanish from the conventional view; the other one shows how they fall, hit and come to rest as "
+             "fragments.")},
+         {simulate, tr("Simulate"),
+          tr("Simulate (Ctrl+R) computes where the fragments go, and the views play what is computed meanwhile.")},
+         {m_timeline, tr("The timeline"), tr("Drag to go to any instant of the collapse; Space plays and pauses.")},
          {m_centre, tr("The views"),
-          tr("The conventional FE result and the fragments, from the same camera. Left button orbits, Shift and left pans, the "
-             "wheel "
-             "zooms. Keys 1 to 4 choose the layout.")},
-         {findChild<QToolButton*>(QStringLiteral("primary")), tr("Simulate"),
-          tr("Computes where the fragments go (Ctrl+R); the views play what is computed meanwhile. Live runs at the pace of the "
-             "collapse.")},
-         {m_timeline, tr("The timeline"),
-          tr("Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.")}},
+          tr("The left button turns the model, the wheel nears it, and a click on a fragment tells what became of it.")},
+         {&m_rooms->deck->rail(), tr("The order of work"),
+          tr("The rail leads from the file to the report, top to bottom, and marks what is up to date, stale or running.")},
+         {&m_rooms->deck->stack(), tr("The panel of a stage"),
+          tr("Each panel answers one question with few settings, and Ctrl+Z takes back every change.")},
+         {menuBar(), tr("On from here"),
+          tr("Case has New case… for a result of your own, and Help has the manual (F1) and this tour again.")}},
         this);
-    connect(&m_actions[ActionId::Tour], &QAction::triggered, m_tour, &widgets::Tour::start);
+    m_visit = new FirstVisit(*this, *m_tour);
+    connect(&m_actions[ActionId::Tour], &QAction::triggered, m_visit, &FirstVisit::begin);
 }
 
 void MainWindow::prepareKeys() {

@@ -40,7 +40,6 @@
 #include "widgets/case/site_dialog.h"
 #include "widgets/case/start_page.h"
 #include "widgets/views/status_line.h"
-#include "widgets/views/tour.h"
 
 namespace rubble {
 
@@ -519,20 +518,6 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
         }
     }
     EXPECT_EQ(window->rooms().project->start().recent().list().size(), before - 1);
-}
-
-TEST_F(Project, TheTourLeadsThroughTheWindowByKeys) {
-    window->actions()[ActionId::Tour].trigger();
-    auto* tour = window->findChild<widgets::Tour*>();
-    ASSERT_TRUE(tour->isVisible());
-    for (int stop = 0; stop < 5; ++stop) {
-        EXPECT_EQ(tour->current(), stop);
-        QTest::keyClick(tour, Qt::Key_Right);
-    }
-    EXPECT_FALSE(tour->isVisible());
-    window->actions()[ActionId::Tour].trigger();
-    QTest::keyClick(tour, Qt::Key_Escape);
-    EXPECT_FALSE(tour->isVisible());
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ protected:
     /// Minutes of work behind one click are no step of a walk.
     static bool tabu(const QString& name) {
         return name == QLatin1String("calibrate") || name == QLatin1String("computeReference") || name == QLatin1String("quit") ||
-               name == QLatin1String("sample") || name == QLatin1String("live");
+               name == QLatin1String("sample") || name == QLatin1String("live") || name == QLatin1String("tour");
     }
 
     void pressKeyOfAction() {

@@ -16,6 +16,7 @@
 #include "tests/app/gui/workbench.h"
 #include "widgets/basics/language.h"
 #include "widgets/case/new_case_wizard.h"
+#include "widgets/views/tour.h"
 
 namespace rubble {
 
@@ -142,6 +143,23 @@ TEST_F(Screens, CanBeReadWholeWithARun) {
         look(window->actions()[id].objectName(), [this] { return window; });
         // The window is another one by now.
         window->actions()[id].trigger();
+    }
+}
+
+TEST_F(Screens, TheTourCanBeReadWhole) {
+    openArch();
+    for (int stop = 0; stop < 7; ++stop) {
+        look(QStringLiteral("tour-%1").arg(stop), [this, stop] {
+            auto* tour = window->findChild<widgets::Tour*>();
+            if (!tour->isVisible()) {
+                // The window is another one in another language.
+                tour->start();
+            }
+            while (tour->current() < stop) {
+                QTest::keyClick(tour, Qt::Key_Right);
+            }
+            return window;
+        });
     }
 }
 

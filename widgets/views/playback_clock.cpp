@@ -8,7 +8,8 @@ namespace rubble::widgets {
 PlaybackClock::PlaybackClock(QObject* parent) : QObject(parent) {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(12);
-    connect(&m_timer, &QTimer::timeout, this, [this] { advance(static_cast<double>(m_wall.nsecsElapsed()) * 1e-9); });
+    connect(&m_timer, &QTimer::timeout, &m_turn, &PictureTurn::ask);
+    connect(&m_turn, &PictureTurn::due, this, [this] { advance(static_cast<double>(m_wall.nsecsElapsed()) * 1e-9); });
 }
 
 void PlaybackClock::setRange(double first, double last) {
@@ -75,6 +76,7 @@ void PlaybackClock::play(bool backwards) {
 void PlaybackClock::pause() {
     if (playing()) {
         m_timer.stop();
+        m_turn.drop();
         emit playingChanged(false);
     }
 }

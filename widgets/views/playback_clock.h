@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "widgets/views/picture_turn.h"
+
 namespace rubble::widgets {
 
 /// The one clock of the window: views and timeline follow it, none of them owns time. Plays between `first` and `last` at a rate,
@@ -16,6 +18,8 @@ class PlaybackClock : public QObject {
 public:
     explicit PlaybackClock(QObject* parent = nullptr);
 
+    /// Input goes before its ticks.
+    const PictureTurn& turn() const { return m_turn; }
     double time() const { return m_time; }  ///< s
     double first() const { return m_first; }
     double last() const { return m_last; }
@@ -51,6 +55,7 @@ private:
     std::pair<double, double> round() const;
 
     QTimer m_timer;
+    PictureTurn m_turn;
     QElapsedTimer m_wall;
     double m_time = 0.0;
     double m_first = 0.0;

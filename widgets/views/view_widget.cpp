@@ -96,9 +96,10 @@ ViewWidget::ViewWidget(QWidget* parent) : QOpenGLWidget(parent), m_window(std::m
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, [this] {
         if (m_simplified) {
-            update();
+            refresh();
         }
     });
+    connect(&m_turn, &PictureTurn::due, this, qOverload<>(&ViewWidget::update));
     connect(&m_flight, &QTimer::timeout, this, &ViewWidget::stepFlight);
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] { emit shown(m_view.time); });
 }

@@ -13,6 +13,7 @@
 #include "widgets/render/basics/view.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
+#include "widgets/views/picture_turn.h"
 
 class QRubberBand;
 
@@ -41,6 +42,8 @@ public:
     const render::View& view() const { return m_view; }
     void setView(const render::View& view);
     void setTime(double time);
+    /// What is shown may look different by now, though nobody did anything: draws once no input waits.
+    void refresh() { m_turn.ask(); }
     /// Fits the cameras of all panes to the model, keeping their directions.
     void fit();
     /// Takes the cameras of now for fitted: like those of fit() they are fitted anew where the widget changes its size, until
@@ -151,7 +154,8 @@ private:
     int m_slowShaded = 0;                   ///< pictures in a row that took too long with shaded edges
     std::array<double, 2> m_drawSeconds{};  ///< of the last two draws on the move at full detail
     render::DrawnResolution m_resolution;   ///< while simplified
-    QTimer m_rest;                          ///< runs from the last move until the views count as resting
+    PictureTurn m_turn;
+    QTimer m_rest;  ///< runs from the last move until the views count as resting
     QPointF m_pressed;
     QPointF m_grabbed;
     bool m_dragged = false;

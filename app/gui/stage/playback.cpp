@@ -44,6 +44,11 @@ Playback::Playback(Session& session, widgets::ViewWidget& view, widgets::Timelin
     connect(&m_view, &widgets::ViewWidget::shown, this, &Playback::shown);
     connect(&m_computation, &Computation::runBegun, this, &Playback::runBegun);
     connect(&m_computation, &Computation::runGrew, this, &Playback::runGrew);
+    connect(&m_growth, &widgets::PictureTurn::due, this, [this] {
+        if (const RunRecord* record = m_computation.currentRun(); m_kept.following && record != nullptr) {
+            m_clock.setTime(record->newest);
+        }
+    });
     connect(&m_computation, &Computation::runEnded, this, &Playback::runEnded);
     // Once all is shown of it.
     connect(&m_computation, &Computation::runReopened, this, &Playback::runReopened, Qt::QueuedConnection);
@@ -182,7 +187,7 @@ void Playback::runGrew(double time) {
     m_clock.setNewest(time);
     const std::shared_ptr<LivePace> pace = m_computation.livePace();
     if (m_kept.following) {
-        m_clock.setTime(time);
+        m_growth.ask();
         // A hidden window draws nothing, and must not hold the run up.
         if (!m_view.isVisible() || m_view.window()->isMinimized()) {
             pace->shown(time);

@@ -91,6 +91,7 @@ private:
     widgets::Transport& m_transport;
     Kept& m_kept;
     widgets::PlaybackClock& m_clock;
+    widgets::PictureTurn m_growth;  ///< of a run that is followed
 };
 
 }  // namespace rubble

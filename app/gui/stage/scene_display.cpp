@@ -31,7 +31,7 @@ SceneDisplay::SceneDisplay(Session& session, Playback& playback, ViewArea& area,
       m_colours(colours),
       m_kept(session.part<Kept>()) {
     connectActions();
-    connect(&m_computation, &Computation::runGrew, this, [this] { m_area.views().update(); });
+    connect(&m_computation, &Computation::runGrew, &m_area.views(), &widgets::ViewWidget::refresh);
     connect(&m_computation, &Computation::progressed, this,
             [this](const QString& what) { m_area.setActivity(what.isEmpty() ? QString() : what + QStringLiteral(" …")); });
 }

@@ -1109,6 +1109,14 @@
         <source>What this window is for, a sentence at a time: over the open case, else over the sample</source>
         <translation>此窗口的用途，每次一句：在打开的案例上，否则在示例上</translation>
     </message>
+    <message>
+        <source>Kept runs…</source>
+        <translation>保留的计算…</translation>
+    </message>
+    <message>
+        <source>The runs that are kept of all cases, with their sizes: open or remove them</source>
+        <translation>所有案例保留的计算及其大小：可打开或移除</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -13006,6 +13014,21 @@
     </message>
 </context>
 <context>
+    <name>rubble::KeptRunsDisplay</name>
+    <message>
+        <source>being written</source>
+        <translation>正在写入</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed: it is in use, or its folder cannot be changed</source>
+        <translation>无法移除 %1：正在使用，或其文件夹不可更改</translation>
+    </message>
+</context>
+<context>
     <name>rubble::MainWindow</name>
     <message>
         <source>changed</source>
@@ -19333,6 +19356,133 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::KeptRunsDialog</name>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Remove…</source>
+        <translation>移除…</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Kept runs</source>
+        <translation>保留的计算</translation>
+    </message>
+    <message>
+        <source>Kept runs of all cases</source>
+        <translation>所有案例保留的计算</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>结束时间</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Open the case and show this run in its views (Enter)</source>
+        <translation>打开案例并在视图中显示此计算（回车）</translation>
+    </message>
+    <message>
+        <source>Remove the files of the selected runs (Delete); asks before</source>
+        <translation>移除所选计算的文件（Delete）；移除前询问</translation>
+    </message>
+    <message>
+        <source>Bring back what was removed since this window opened (Ctrl+Z)</source>
+        <translation>带回此窗口打开以来移除的计算（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this window; what was removed is gone then (Esc)</source>
+        <translation>关闭此窗口；所移除的随之删除（Esc）</translation>
+    </message>
+    <message>
+        <source>%1 · shown</source>
+        <translation>%1 · 显示中</translation>
+    </message>
+    <message>
+        <source>Preferences allow %1 GiB a case.</source>
+        <translation>首选项允许每个案例 %1 GiB。</translation>
+    </message>
+    <message>
+        <source>Preferences keep no new runs.</source>
+        <translation>首选项不保留新的计算。</translation>
+    </message>
+    <message>
+        <source>No runs are kept. %1</source>
+        <translation>没有保留的计算。%1</translation>
+    </message>
+    <message>
+        <source>%1 in all; runs: %2, cases: %3. %4</source>
+        <translation>共 %1；计算 %2 次，案例 %3 个。%4</translation>
+    </message>
+    <message>
+        <source>Most has %1: %2.</source>
+        <translation>最多的是 %1：%2。</translation>
+    </message>
+    <message>
+        <source>Another program writes it.</source>
+        <translation>另一程序正在写入。</translation>
+    </message>
+    <message>
+        <source>It is in the views, so it stays.</source>
+        <translation>它正在视图中显示，因此保留。</translation>
+    </message>
+    <message>
+        <source>It is not known which case it belongs to.</source>
+        <translation>不知道它属于哪个案例。</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 已不存在。</translation>
+    </message>
+    <message>
+        <source>Selected: %1, %2</source>
+        <translation>已选：%1，%2</translation>
+    </message>
+    <message>
+        <source>Remove the run of %1 that ended %2?</source>
+        <translation>移除 %1 于 %2 结束的计算？</translation>
+    </message>
+    <message>
+        <source>Remove %1 runs?</source>
+        <translation>移除 %1 次计算？</translation>
+    </message>
+    <message>
+        <source>%1 become free. Undo brings it back as long as the list is open; the entry in the history of the case stays.</source>
+        <translation>释放 %1。列表打开期间可用“撤销”带回；案例历史中的条目保留。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::MapView</name>
     <message>
         <source>Map</source>
@@ -20506,6 +20656,14 @@ What the file fits: %2.</source>
     <message>
         <source>Where runs are kept; empty: in a folder beside the case, and with the program&apos;s own state for one that was never saved</source>
         <translation>计算保留在何处；空：在案例旁的文件夹中，从未保存过的案例则在程序的状态文件夹中</translation>
+    </message>
+    <message>
+        <source>Kept runs…</source>
+        <translation>保留的计算…</translation>
+    </message>
+    <message>
+        <source>The runs that are kept of all cases, with their sizes: open or remove them</source>
+        <translation>所有案例保留的计算及其大小：可打开或移除</translation>
     </message>
 </context>
 <context>

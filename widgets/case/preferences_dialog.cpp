@@ -142,6 +142,11 @@ void PreferencesDialog::buildWork(QFormLayout& form) {
            tr("Room for the runs of a case, cancelled ones too, from 0 (none) to %1 GiB; the oldest make room for new ones. The "
               "Run panel lists them")
                .arg(mostKeptGib));
+    auto* list = new QPushButton(tr("Kept runs…"));
+    list->setObjectName(QStringLiteral("listKeptRuns"));
+    list->setToolTip(tr("The runs that are kept of all cases, with their sizes: open or remove them"));
+    form.addRow(QString(), list);
+    connect(list, &QPushButton::clicked, this, &PreferencesDialog::keptRunsRequested);
     m_runsFolder->setObjectName(QStringLiteral("runsFolder"));
     m_runsFolder->setPlaceholderText(tr("beside each case"));
     addRow(form, tr("Folder of kept runs"), m_runsFolder,

@@ -52,6 +52,8 @@ public:
 
 signals:
     void changed(const rubble::widgets::Preferences& preferences);
+    /// The list of kept runs is wanted.
+    void keptRunsRequested();
 
 private:
     void buildLook(QFormLayout& form);

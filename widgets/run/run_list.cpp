@@ -22,14 +22,14 @@ QString shownTime(const RunEntry& run) {
     return when.isValid() ? QLocale().toString(when.toLocalTime(), QLocale::ShortFormat) : QString::fromStdString(run.when);
 }
 
-QString verdict(const RunEntry& run) {
+}  // namespace
+
+QString runVerdict(const RunEntry& run) {
     return !run.complete       ? RunList::tr("cancelled at %1 s").arg(QLocale().toString(run.endTime, 'f', 2))
            : run.breaches == 0 ? RunList::tr("sound")
            : run.breaches == 1 ? RunList::tr("1 limit passed")
                                : RunList::tr("%1 limits passed").arg(shownCount(run.breaches));
 }
-
-}  // namespace
 
 RunList::RunList(QWidget* parent)
     : QWidget(parent),
@@ -93,7 +93,7 @@ void RunList::list(int row) {
     for (std::size_t i = m_lines.size(); i-- > 0;) {
         const RunEntry& run = m_lines[i].run;
         QString text = tr("%1 · %2").arg(shownTime(run), QString::fromStdString(run.scenarioName)) + u'\n';
-        text += tr("%1 bodies · %2 · %3").arg(shownCount(run.bodies), shownDuration(run.wallSeconds), verdict(run));
+        text += tr("%1 bodies · %2 · %3").arg(shownCount(run.bodies), shownDuration(run.wallSeconds), runVerdict(run));
         if (m_lines[i].shown) {
             text += QStringLiteral(" · ") + tr("shown");
         }

@@ -4,6 +4,7 @@
 #include <QUndoView>
 
 #include "app/gui/case/inputs_display.h"
+#include "app/gui/case/kept_runs_display.h"
 #include "app/gui/case/recovery.h"
 #include "app/gui/case/scenarios_display.h"
 #include "app/gui/case/start_display.h"
@@ -24,11 +25,13 @@ ProjectDisplay::ProjectDisplay(Session& session, PanelDeck& deck, ViewArea& area
       m_inputs(new InputsDisplay(session, notices, window)),
       m_scenarios(new ScenariosDisplay(session, deck.casePanel().scenarios(), deck.run().runs(), window)),
       m_start(new StartDisplay(session, area, this)),
+      m_keptRuns(new KeptRunsDisplay(session, window, this)),
       m_history(buildHistory(session.document(), docks)) {
     m_inputs->setParent(this);
     m_scenarios->setParent(this);
     connect(m_recovery, &Recovery::recoverRequested, this, &ProjectDisplay::recoverRequested);
     connect(m_start, &StartDisplay::openRequested, this, &ProjectDisplay::openRequested);
+    connect(m_keptRuns, &KeptRunsDisplay::openRequested, this, &ProjectDisplay::openRequested);
     connect(m_start, &StartDisplay::sampleRequested, this, &ProjectDisplay::sampleRequested);
     connect(m_start, &StartDisplay::tourRequested, &actions[ActionId::Tour], &QAction::trigger);
     connectActions(session.document());
@@ -60,6 +63,7 @@ void ProjectDisplay::connectActions(Document& document) {
         }
     });
     on(ActionId::CompareScenarios, [this] { m_scenarios->compare(); });
+    on(ActionId::KeptRuns, [this] { m_keptRuns->show(); });
     const auto showState = [this, &document] {
         m_actions[ActionId::DuplicateScenario].setEnabled(!document.empty());
         m_actions[ActionId::CompareScenarios].setEnabled(document.theCase().scenarios.size() > 1);

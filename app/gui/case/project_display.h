@@ -13,6 +13,7 @@ namespace rubble {
 class Actions;
 class DockArea;
 class InputsDisplay;
+class KeptRunsDisplay;
 class PanelDeck;
 class Recovery;
 class ScenariosDisplay;
@@ -55,6 +56,7 @@ private:
     InputsDisplay* m_inputs;
     ScenariosDisplay* m_scenarios;
     StartDisplay* m_start;
+    KeptRunsDisplay* m_keptRuns;
     QDockWidget* m_history;
 };
 

@@ -125,7 +125,11 @@ QString RunHistory::runsFolder() const {
 
 QString RunHistory::makeFolder() {
     const QString folder = runsFolder();
-    if (folder.isEmpty() || (QDir().mkpath(folder) && QFileInfo(folder).isWritable())) {
+    if (folder.isEmpty()) {
+        return folder;
+    }
+    if (QDir().mkpath(folder) && QFileInfo(folder).isWritable()) {
+        noteRunFolder({folder, m_document.openPath()});
         return folder;
     }
     m_session.tell(tr("Nothing can be written into %1: this run goes with the case unless it is saved").arg(folder));

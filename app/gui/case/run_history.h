@@ -34,6 +34,10 @@ public:
     void keptAt(const QString& path);
     /// Where the runs of the open case are kept; empty: nowhere, so that they go with the case.
     QString runsFolder() const;
+    /// Where runs of cases lie for which there is no room beside them; empty: nowhere.
+    const QString& stateFolder() const { return m_folder; }
+    /// Run files have come or gone.
+    void filesChanged() { emit changed(); }
     /// Shows a kept run again; answers through Computation::runReopened() or failed().
     void show(std::size_t place);
 

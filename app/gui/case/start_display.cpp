@@ -114,7 +114,7 @@ void StartDisplay::remember() {
 void StartDisplay::follow() {
     connect(&m_document, &Document::replaced, this, &StartDisplay::noteOpened);
     connect(&m_document, &Document::titleChanged, this, [this] {
-        if (!m_document.empty() && (m_files.recent.list().empty() || m_files.recent.list().front().path != openPath())) {
+        if (!m_document.empty() && (m_files.recent.list().empty() || m_files.recent.list().front().path != m_document.openPath())) {
             noteOpened();
         }
     });
@@ -123,27 +123,17 @@ void StartDisplay::follow() {
     connect(&m_computation, &Computation::runEnded, this, &StartDisplay::takePicture);
 }
 
-QString StartDisplay::openPath() const {
-    if (m_document.empty() || !m_document.path().isEmpty()) {
-        return m_document.path();
-    }
-    // A result without a case lies where its case would, less the ending.
-    QString path = m_document.base();
-    path.chop(static_cast<qsizetype>(QStringLiteral(".rubble").size()));
-    return path;
-}
-
 void StartDisplay::noteOpened() {
-    if (!m_document.empty() && openPath() != m_passedOver) {
-        m_files.recent.add(openPath(), QString::fromStdString(m_document.theCase().title));
+    if (!m_document.empty() && m_document.openPath() != m_passedOver) {
+        m_files.recent.add(m_document.openPath(), QString::fromStdString(m_document.theCase().title));
     }
     refresh();
 }
 
 void StartDisplay::takePicture() {
-    const bool chosen = !m_document.empty() && openPath() != m_passedOver;
+    const bool chosen = !m_document.empty() && m_document.openPath() != m_passedOver;
     if (chosen && m_computation.inputs().fe != nullptr && m_area.views().isVisible()) {
-        m_files.recent.setPicture(openPath(), m_area.views().picture());
+        m_files.recent.setPicture(m_document.openPath(), m_area.views().picture());
     }
 }
 

@@ -37,8 +37,6 @@ private:
     void follow();
     void noteOpened();
     void takePicture();
-    /// The case, or the FE result that is open without one; empty if nothing is.
-    QString openPath() const;
 
     Session& m_session;
     Document& m_document;

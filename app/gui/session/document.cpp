@@ -62,6 +62,14 @@ void Document::put(const Scenario& scenario) {
     }
 }
 
+QString Document::openPath() const {
+    if (empty() || !m_path.isEmpty()) {
+        return m_path;
+    }
+    // A result without a case lies where its case would, less the ending.
+    return m_base.chopped(QStringLiteral(".rubble").size());
+}
+
 bool Document::standsOn(const Case& theCase) const {
     const auto bare = [](Case of) {
         of.photographs.clear();

@@ -28,6 +28,8 @@ public:
     const QString& path() const { return m_path; }
     /// The file that inputs are relative to: where the case lies or would lie.
     const QString& base() const { return m_base; }
+    /// The case, or the FE result that is open without one; empty if nothing is.
+    QString openPath() const;
     /// Whether a case is this one, photographs and ensemble apart: they may be edited while its files are read.
     bool standsOn(const Case& theCase) const;
     bool modified() const { return !empty() && !m_undo.isClean(); }

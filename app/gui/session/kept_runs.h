@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QDateTime>
 #include <QString>
 #include <QStringList>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/pipeline/run_entry.h"
 
@@ -32,6 +34,37 @@ DroppedRuns dropOldestRuns(const QString& folder, qint64 bytes, const QStringLis
 
 /// Removes folders of temporary runs whose program ended without doing so: killed, or with its machine.
 DroppedRuns dropDeadScratch(const QString& temporaryFolder);
+
+/// A folder with run files of one case.
+struct RunFolder {
+    QString path;
+    QString casePath;  ///< the case, or the FE result where there is none; empty: not known
+    friend bool operator==(const RunFolder&, const RunFolder&) = default;
+};
+
+/// Remembers for this user where runs are kept; folders beside cases are found by nothing else.
+void noteRunFolder(const RunFolder& folder);
+std::vector<RunFolder> notedRunFolders();
+
+/// A run file that is kept, of whatever case.
+struct KeptRunFile {
+    QString path;
+    QString casePath;  ///< empty: not known
+    qint64 bytes = 0;
+    QDateTime when;                 ///< it was last written
+    std::optional<RunEntry> entry;  ///< unset: nothing can be shown of it, or another program writes it
+    bool busy = false;              ///< another program writes it
+};
+/// By folder, the newest first. Each file is looked up in the histories beside its folder and beside its case, else read itself.
+std::vector<KeptRunFile> keptRunsIn(const std::vector<RunFolder>& folders);
+
+/// Takes a run out of all lists so that it can come back; false if another program writes it or the folder cannot be changed.
+bool setRunAside(const QString& path);
+bool bringRunBack(const QString& path);
+/// Removes for good a run that was set aside.
+void dropRunSetAside(const QString& path);
+/// Brings back what a program had set aside that ended before it could remove it.
+void bringStrayRunsBack(const QString& folder);
 
 /// The name of the lock in a folder of temporary runs.
 inline const QString scratchLock = QStringLiteral("owner.lock");

@@ -121,6 +121,7 @@ enum class ActionId {
     NextBookmark,
     Snap,
     TimeFromZero,
+    KeptRuns,
     // Evidence
     AddPhotographs,
     AddPoint,

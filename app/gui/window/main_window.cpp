@@ -205,6 +205,7 @@ void MainWindow::showPreferences() {
         dialog = new widgets::PreferencesDialog(m_session.preferences(), this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &widgets::PreferencesDialog::changed, &m_session, &Session::setPreferences);
+        connect(dialog, &widgets::PreferencesDialog::keptRunsRequested, &m_actions[ActionId::KeptRuns], &QAction::trigger);
     }
     dialog->show();
     dialog->raise();

@@ -113,6 +113,15 @@ const std::array simulationTable = {
               "",
               {},
               true},
+    ActionRow{ActionId::KeptRuns,
+              "kept_runs",
+              "Simulation",
+              QT_TRANSLATE_NOOP("actions", "Kept runs…"),
+              QT_TRANSLATE_NOOP("actions", "The runs that are kept of all cases, with their sizes: open or remove them"),
+              "",
+              {},
+              false,
+              {.line = true}},
 };
 
 }  // namespace

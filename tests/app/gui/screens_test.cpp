@@ -168,8 +168,8 @@ TEST_F(Screens, WholeDialogsCanBeReadWhole) {
     window->actions()[ActionId::DuplicateScenario].trigger();
     for (const char* language : {"en", "zh_CN"}) {
         renewed->speak(QLatin1String(language));
-        for (const ActionId id : {ActionId::Preferences, ActionId::Manual, ActionId::CompareScenarios, ActionId::ExportFigure,
-                                  ActionId::ExportMovie, ActionId::Site, ActionId::About}) {
+        for (const ActionId id : {ActionId::Preferences, ActionId::KeptRuns, ActionId::Manual, ActionId::CompareScenarios,
+                                  ActionId::ExportFigure, ActionId::ExportMovie, ActionId::Site, ActionId::About}) {
             lookAtDialogOf(id);
         }
     }

@@ -119,8 +119,29 @@ private:
         m_scatter = 1.4826 * middleOf(sizes);
         const auto kept = static_cast<std::ptrdiff_t>(m_settings.kept * static_cast<double>(sizes.size()));
         std::nth_element(sizes.begin(), sizes.begin() + kept - 1, sizes.end());
-        const double most = sizes[static_cast<std::size_t>(kept - 1)];
-        std::erase_if(m_pairs, [&](const PlanePair& each) { return std::abs(each.off) > most; });
+        trim(sizes[static_cast<std::size_t>(kept - 1)]);
+    }
+
+    static std::size_t directionOf(const PlanePair& pair) {
+        Eigen::Index axis = 0;
+        pair.normal.cwiseAbs().maxCoeff(&axis);
+        return static_cast<std::size_t>(axis);
+    }
+
+    /// Takes out what lies farther off than most pairs. Before the fit all of a few walls may lie farther off than the ground: the
+    /// nearer half of the surfaces that look one way always counts, or nothing would bring them in.
+    void trim(double most) {
+        std::array<std::vector<double>, 3> sizes;
+        for (const PlanePair& each : m_pairs) {
+            sizes[directionOf(each)].push_back(std::abs(each.off));
+        }
+        std::array<double, 3> limits{most, most, most};
+        for (std::size_t axis = 0; axis < limits.size(); ++axis) {
+            if (sizes[axis].size() >= pairsLeast) {
+                limits[axis] = std::max(most, middleOf(std::move(sizes[axis])));
+            }
+        }
+        std::erase_if(m_pairs, [&](const PlanePair& each) { return std::abs(each.off) > limits[directionOf(each)]; });
     }
 
     double rootMeanSquare() const {

@@ -13,8 +13,10 @@ struct CloudFitSettings {
     /// Points of the first cloud within it about a point of the second give the plane that it belongs on. What is out of place by
     /// more does not find its way.
     double radius = 0.0;
-    double kept = 0.8;  ///< share of the pairs that count: the others may have moved, or lie on what one cloud alone has
-    int rounds = 60;    ///< at most
+    /// Share of the pairs that count: the others may have moved, or lie on what one cloud alone has. Of the surfaces that look
+    /// along one axis half always counts.
+    double kept = 0.8;
+    int rounds = 60;  ///< at most
 };
 
 /// A rigid move that brings the second cloud onto the first, and how well it is known.

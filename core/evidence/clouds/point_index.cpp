@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
+#include <numeric>
 
 namespace rubble {
 
@@ -30,6 +31,43 @@ std::uint64_t cubeNumber(const Vec3& place, double cube) {
         return spreadBits(static_cast<std::uint64_t>(std::clamp(std::floor(place[axis] / cube) + middle, 0.0, 2.0 * middle - 1.0)));
     };
     return along(0) | along(1) << 1 | along(2) << 2;
+}
+
+/// Sorts by whole numbers byte by byte, those alone that differ; equal ones keep their order.
+/// @param keyOf  (item) an unsigned number; @param spare  room that is used again
+template <class Item, class Key>
+void sortByBytes(std::vector<Item>& items, std::vector<Item>& spare, const Key& keyOf) {
+    auto differing = keyOf(items.front());
+    differing = 0;
+    for (const Item& item : items) {
+        differing |= keyOf(item) ^ keyOf(items.front());
+    }
+    spare.resize(items.size());
+    for (unsigned shift = 0; shift < 8 * sizeof(differing); shift += 8) {
+        if ((differing >> shift & 0xFF) == 0) {
+            continue;
+        }
+        std::array<std::size_t, 257> starts{};
+        for (const Item& item : items) {
+            ++starts[(keyOf(item) >> shift & 0xFF) + 1];
+        }
+        std::partial_sum(starts.begin(), starts.end(), starts.begin());
+        for (const Item& item : items) {
+            spare[starts[keyOf(item) >> shift & 0xFF]++] = item;
+        }
+        items.swap(spare);
+    }
+}
+
+/// Numbers of points in rising order: many of them byte by byte, which takes a third of the time.
+void sortFound(std::vector<std::uint32_t>& found) {
+    constexpr std::size_t many = 400;
+    if (found.size() < many) {
+        std::sort(found.begin(), found.end());
+        return;
+    }
+    thread_local std::vector<std::uint32_t> spare;
+    sortByBytes(found, spare, [](std::uint32_t number) { return number; });
 }
 
 /// Hands each point of a ball to a caller, who decides whether it counts.
@@ -87,7 +125,10 @@ std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube) 
     for (std::uint32_t i = 0; i < numbers.size(); ++i) {
         numbers[i] = {cubeNumber(places[i], cube), i};
     }
-    std::sort(numbers.begin(), numbers.end());
+    if (!numbers.empty()) {
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> spare;
+        sortByBytes(numbers, spare, [](const std::pair<std::uint64_t, std::uint32_t>& each) { return each.first; });
+    }
     std::vector<std::uint32_t> before(places.size());
     std::vector<Vec3> ordered(places.size());
     for (std::uint32_t i = 0; i < numbers.size(); ++i) {
@@ -130,7 +171,7 @@ void PointIndex::within(const Vec3& centre, double radius, std::vector<std::uint
         }
     });
     // The tree has an order of its own; sums of reals then do not depend on it.
-    std::sort(found.begin(), found.end());
+    sortFound(found);
 }
 
 void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
@@ -155,7 +196,7 @@ void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double rad
             }
         });
     }
-    std::sort(found.begin(), found.end());
+    sortFound(found);
 }
 
 }  // namespace rubble

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <thread>
 
 #include "core/base/outline_cover.h"
 #include "io/site/clouds/cloud_place.h"
@@ -342,13 +344,17 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
         }
     }
     checkCores(compared.cores.size());
-    orderByCubes(seen.places, radius);
+    std::optional<PointIndex> second;
+    std::jthread building([&] {
+        orderByCubes(seen.places, radius);
+        second.emplace(std::move(seen.places));
+    });
     const PointIndex first(std::move(held.points));
-    const PointIndex second(std::move(seen.places));
-    compared.distances = cloudDistances(compared.cores, first, second, settings, execution);
+    building.join();
+    compared.distances = cloudDistances(compared.cores, first, *second, settings, execution);
     judgeDistances(compared, settings);
     if (request.cell > 0.0) {
-        takeVolumes(request, first, second, settings, compared, execution);
+        takeVolumes(request, first, *second, settings, compared, execution);
     }
     bringToWorld(compared, SitePlace(request.frame, request.site));
     compared.first.head.crs = request.frame.crs;

@@ -17,11 +17,13 @@
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "io/case/terrain_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/point_writer.h"
 #include "io/site/survey_file.h"
+#include "io/site/surveys/survey_registration.h"
 
 namespace rubble::cli {
 
@@ -117,23 +119,15 @@ io::CloudRequest cloudRequestFrom(const Arguments& arguments) {
 }
 
 /// Options that ask for distances, and mean nothing without another cloud.
-constexpr std::array<std::string_view, 17> distanceOptions{"--case",
-                                                           "--fit",
-                                                           "--cell",
-                                                           "--out",
-                                                           "--cores",
-                                                           "--normal-scale",
-                                                           "--projection-scale",
-                                                           "--depth",
-                                                           "--registration-error",
-                                                           "--metres",
-                                                           "--scanner",
-                                                           "--time",
-                                                           "--live-threshold",
-                                                           "--area",
-                                                           "--leave-out",
-                                                           "--fe",
-                                                           "--terrain"};
+constexpr std::array<std::string_view, 18> distanceOptions{"--case",         "--pairs",
+                                                           "--fit",          "--cell",
+                                                           "--out",          "--cores",
+                                                           "--normal-scale", "--projection-scale",
+                                                           "--depth",        "--registration-error",
+                                                           "--metres",       "--scanner",
+                                                           "--time",         "--live-threshold",
+                                                           "--area",         "--leave-out",
+                                                           "--fe",           "--terrain"};
 
 double scaleFrom(const Arguments& arguments, std::string_view option) {
     if (!arguments.has(option)) {
@@ -230,12 +224,18 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     Findings findings;
     const CaseInput stated = statedOfCloud(arguments, run.origin(), findings);
     request.placed = stated.registration;
-    if (!request.settings.registrationError && !arguments.has("--fit")) {
+    if (!request.settings.registrationError && !arguments.has("--fit") && !arguments.has("--pairs")) {
         request.settings.registrationError = stated.offsetError;
     }
     const std::optional<double> time = arguments.has("--time") ? instantFrom(arguments) : stated.instant;
     const Inputs inputs = openInputsOfRun(path, run.origin(), arguments, session, &findings);
     request.frame = inputs.frame;
+    if (const auto pairs = arguments.value("--pairs")) {
+        const PairFit fit = io::placeByPairs(
+            {request.cloud, *pairs, request.read, request.frame, request.site, io::boundsAtRest(inputs.fe->mesh())});
+        findings.append(fit.findings);
+        request.placed = fit.registration;
+    }
     request.stable = stableFrom(arguments, request.frame, request.site, 1.0, findings, session.execution());
     request.scope = stated.scope;
     if (arguments.has("--area") || arguments.has("--leave-out")) {
@@ -275,6 +275,7 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
     request.second = against;
     request.cores = arguments.value("--cores").value_or("");
     request.read = cloudRequestFrom(arguments);
+    request.pairs = arguments.value("--pairs").value_or("");
     request.metres = arguments.has("--metres");
     request.settings = distanceSettingsFrom(arguments);
     if (arguments.has("--fit")) {
@@ -344,6 +345,9 @@ Command cloudCommand() {
          {"--depth", "D", false, "of the cylinder, to each side of the core"},
          {"--registration-error", "E", false, "by which one cloud may be out of place against the other (default: not known)"},
          {"--out", "FILE", true, "write the core points with their distances as a cloud: .las or .ply, significant ones coloured"},
+         {"--pairs", "FILE", false,
+          "move one to the other first by three pairs or more: a table of survey_x,survey_y,survey_z in CLOUD (in FILE against a "
+          "run), x_m,y_m,z_m in FILE (in the case)"},
          {"--fit", "FILE|all", false,
           "fit one to the other first by what did not move: polygons of it, or all; the error of the fit is the registration "
           "error"},

@@ -108,6 +108,14 @@ Json fitJson(const CloudFit& fit) {
             {"error", fit.error}};
 }
 
+/// Lengths are in the unit of the comparison.
+Json pairsJson(const Registration& placed) {
+    const auto three = [](const Vec3& of, double by) { return Json{by * of.x(), by * of.y(), by * of.z()}; };
+    return {{"shift", three(placed.shift, 1.0)}, {"turn_deg", three(placed.turn, degreesOfRadian)},
+            {"about", three(placed.about, 1.0)}, {"pairs", placed.pairs},
+            {"rms", placed.pairsLeft},           {"error", placed.error ? Json(*placed.error) : Json()}};
+}
+
 std::string fitText(const CloudFit& fit) {
     return "fitted to what did not move: shifted by " + englishNumber(fit.distance()) + ", turned by " +
            englishNumber(degreesOfRadian * fit.angle()) + " degrees; RMS " + englishNumber(fit.before) + " before, " +
@@ -164,6 +172,10 @@ FactList distanceFacts(const io::CloudComparison& made, const CloudDistanceSetti
                                  (made.coresFrom.empty() ? "the first cloud, thinned" : made.coresFrom));
     facts.add("scales", "normal " + englishNumber(settings.normalRadius) + ", projection " +
                             englishNumber(settings.projectionRadius) + ", depth " + englishNumber(settings.depth) + unit);
+    if (made.placed) {
+        facts.add("placed by", counted(made.placed->pairs, "pair", "pairs") + ", RMS " + englishNumber(made.placed->pairsLeft) +
+                                   ", error " + englishNumber(made.placed->error.value_or(unknown)) + unit);
+    }
     if (made.fit) {
         facts.add("registration", fitText(*made.fit) + unit);
     }
@@ -208,6 +220,7 @@ Json cloudDistanceJson(const io::CloudComparison& made, const CloudDistanceSetti
     object["depth"] = settings.depth;
     const std::optional<double>& error = made.settings.registrationError;
     object["registration_error"] = error ? Json(*error) : Json();
+    object["placed"] = made.placed ? pairsJson(*made.placed) : Json();
     object["registration"] = made.fit ? fitJson(*made.fit) : Json();
     object["distance"] = {{"mean", known(totals.mean)},
                           {"median", known(totals.median)},

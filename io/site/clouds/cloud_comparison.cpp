@@ -15,6 +15,7 @@
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/clouds/cloud_system.h"
 #include "io/site/file_words.h"
+#include "io/site/point_pairs.h"
 
 namespace rubble::io {
 
@@ -47,6 +48,9 @@ public:
                           "Bring both to one system, such as the UTM zone of the place.");
         }
         takeUnit();
+        if (!m_request.pairs.empty()) {
+            placeByPairs();
+        }
         if (m_request.stable) {
             fit();
         }
@@ -121,6 +125,13 @@ private:
                     place = place.cwiseProduct(m_unit);
                 }
             }
+            if (m_made.placed && path == m_request.second) {
+                const Registration& placed = *m_made.placed;
+                const Mat3 turn = placed.rotation();
+                for (Vec3& place : places) {
+                    place = placed.about + placed.shift + turn * (place - placed.about);
+                }
+            }
             if (m_made.fit && path == m_request.second) {
                 for (Vec3& place : places) {
                     place = (*m_made.fit)(place);
@@ -132,6 +143,20 @@ private:
             m_made.findings.append(summary.findings);
         }
         return summary;
+    }
+
+    /// Moves the second cloud by places that were found in both, as surveys of a case are.
+    void placeByPairs() {
+        std::vector<PlacePair> pairs = readPlacePairs(m_request.pairs);
+        for (PlacePair& pair : pairs) {
+            if (m_request.metres) {
+                pair.surveyed = pair.surveyed.cwiseProduct(m_unit);
+                pair.placed = pair.placed.cwiseProduct(m_unit);
+            }
+        }
+        const PairFit fit = fitPairs(pairs, {});
+        m_made.placed = fit.registration;
+        m_made.findings.append(fit.findings);
     }
 
     /// Points of a cloud where nothing moved, about an origin near them.
@@ -326,8 +351,10 @@ private:
         CloudComparisonRequest cells = m_request;
         cells.cell = 0.0;
         cells.stable.reset();
+        cells.pairs.clear();
         cells.settings = volumeSettings(m_settings, m_request.cell);
         CloudComparing comparing(cells, m_execution, middlesOfCells());
+        comparing.m_made.placed = m_made.placed;
         comparing.m_made.fit = m_made.fit;
         const CloudComparison measured = comparing.compare();
         m_made.volumes = cloudVolumes(measured.distances, m_request.cell, m_settings.registrationError);
@@ -401,6 +428,9 @@ void addCellsLeft(CloudComparison& made) {
 
 CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanceSettings& settings) {
     made.settings = settings;
+    if (!made.fit && made.placed && !settings.registrationError) {
+        made.settings.registrationError = made.placed->error;
+    }
     if (!made.fit) {
         return made.settings;
     }

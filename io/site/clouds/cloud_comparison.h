@@ -14,6 +14,7 @@
 #include "core/evidence/clouds/cloud_distance.h"
 #include "core/evidence/clouds/cloud_fit.h"
 #include "core/evidence/clouds/cloud_volumes.h"
+#include "core/scenario/registration.h"
 #include "io/site/clouds/cloud_head.h"
 #include "io/site/clouds/cloud_source.h"
 
@@ -29,7 +30,8 @@ struct CloudComparisonRequest {
     std::string second;
     std::string cores;  ///< cloud of core points; empty: the points of the first, one to each cube as wide as the projection radius
     CloudRequest read;  ///< how the first is read, and the others where they say nothing themselves
-    bool metres = false;  ///< places are brought to metres first; else all lengths are in units of the files
+    std::string pairs = {};  ///< table of places in the second cloud and in the first, in numbers of the files; empty: none
+    bool metres = false;     ///< places are brought to metres first; else all lengths are in units of the files
     CloudDistanceSettings settings;
     /// What did not move, as polygons in the unit of the comparison: the second cloud is fitted to the first there. Empty:
     /// everywhere. Unset: it lies where it lies.
@@ -58,7 +60,8 @@ struct CloudComparison {
     bool againstRun = false;              ///< the second is a run, as the scan would have seen it
     int parts = 0;                        ///< strips that the cores were taken in, so that memory stays bounded
     CloudDistanceSettings settings;       ///< with the registration error that was taken
-    std::optional<CloudFit> fit;          ///< set if one cloud was fitted to the other
+    std::optional<Registration> placed;   ///< by which the second was moved first; set if there were pairs
+    std::optional<CloudFit> fit;          ///< set if one cloud was fitted to the other, after the pairs
     std::optional<CloudVolumes> volumes;  ///< set if they were asked for
     double cubicMetres = 0.0;             ///< in a cube of the unit that they are in
     Findings findings;
@@ -99,7 +102,7 @@ CloudDistanceSettings volumeSettings(CloudDistanceSettings settings, double cell
 /// Says how many cells are in no volume, and why: a counted finding.
 void addCellsLeft(CloudComparison& made);
 
-/// What the level of detection takes for the registration error: as stated, else that of the fit.
+/// What the level of detection takes for the registration error: as stated, else that of the fit, else that of the pairs.
 /// Says what speaks against the fit: counted findings.
 CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanceSettings& settings);
 

@@ -209,6 +209,57 @@ TEST_F(CloudCommand, FitsByWhatDidNotMove) {
     }
 }
 
+TEST_F(CloudCommand, TwoCloudsArePlacedByPairs) {
+    // The second cloud of one rolling ground has coordinates of its own, a kilometre off and turned by 30 degrees.
+    const double c = std::cos(0.5235987756);
+    const double s = std::sin(0.5235987756);
+    std::string first = "x,y,z\n";
+    std::string second = "x,y,z\n";
+    for (int k = 1; k <= 6'000; ++k) {
+        const double u = 16.0 * std::fmod(0.754877666 * k, 1.0);
+        const double v = 16.0 * std::fmod(0.569840291 * k, 1.0);
+        const double z = 0.3 * std::sin(0.5 * u) + 0.2 * std::cos(0.4 * v);
+        first += std::to_string(u) + ',' + std::to_string(v) + ',' + std::to_string(z) + '\n';
+        second += std::to_string(c * u - s * v + 1000.0) + ',' + std::to_string(s * u + c * v - 500.0) + ',' +
+                  std::to_string(z + 7.0) + '\n';
+    }
+    std::string pairs = "survey_x,survey_y,survey_z,x_m,y_m,z_m\n";
+    for (const auto& [u, v, z] :
+         {std::array{0.0, 0.0, 0.0}, std::array{16.0, 1.0, 0.5}, std::array{3.0, 15.0, -0.5}, std::array{12.0, 12.0, 1.0}}) {
+        // Four millimetres of error, so that the pairs have one.
+        const double off = u == 12.0 ? 0.004 : 0.0;
+        pairs += std::to_string(c * u - s * v + 1000.0) + ',' + std::to_string(s * u + c * v - 500.0) + ',' +
+                 std::to_string(z + 7.0) + ',' + std::to_string(u) + ',' + std::to_string(v) + ',' + std::to_string(z + off) + '\n';
+    }
+    std::vector<std::string> words{"cloud",
+                                   lay("first.csv", first),
+                                   "--against",
+                                   lay("second.csv", second),
+                                   "--normal-scale",
+                                   "1",
+                                   "--projection-scale",
+                                   "1",
+                                   "--depth",
+                                   "1",
+                                   "--json"};
+    EXPECT_NE(cli(words).exitCode, 0) << "they do not meet";
+    words.insert(words.end(), {"--pairs", lay("pairs.csv", pairs)});
+    const Outcome outcome = cli(words);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const nlohmann::json made = outcome.json();
+    EXPECT_EQ(made["placed"]["pairs"], 4);
+    EXPECT_NEAR(made["placed"]["turn_deg"][2], -30.0, 0.05);
+    EXPECT_NEAR(made["distance"]["median"], 0.0, 0.004);
+    EXPECT_GT(made["registration_error"], 0.0005) << "the error of the pairs is in the level of detection";
+    EXPECT_EQ(made["registration_error"], made["placed"]["error"]);
+    EXPECT_LT(made["significant"].get<double>(), 0.05 * made["with_level_of_detection"].get<double>());
+    // A fit goes on from the pairs, and its error stands.
+    words.insert(words.end(), {"--fit", "all"});
+    const nlohmann::json fitted = cli(words).json();
+    EXPECT_EQ(fitted["registration_error"], fitted["registration"]["error"]);
+    EXPECT_LT(fitted["registration"]["shift"][2].get<double>(), 0.01);
+}
+
 }  // namespace
 
 }  // namespace rubble::cli

@@ -11232,6 +11232,38 @@
         <source>leave out layers whose lines are none</source>
         <translation>请去掉其线不是边界的图层</translation>
     </message>
+    <message>
+        <source>Give the heights as they were surveyed.</source>
+        <translation>请给出测得的高程。</translation>
+    </message>
+    <message>
+        <source>Images (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>check the ends of the line, or give a greater width</source>
+        <translation>检查线的两端，或给出更大的宽度</translation>
+    </message>
+    <message>
+        <source>check where the terrain ends</source>
+        <translation>检查地形到何处为止</translation>
+    </message>
+    <message>
+        <source>none of {0} points lies within the width of the line</source>
+        <translation>{0} 个点中没有一个位于线的宽度以内</translation>
+    </message>
+    <message>
+        <source>points lie where the simulated site has no surface; they were not compared</source>
+        <translation>一些点所在之处模拟现场没有表面；未作比较</translation>
+    </message>
+    <message>
+        <source>{0} holds heights above the ground, which belong to no place</source>
+        <translation>{0} 中是离地高度，不对应任何位置</translation>
+    </message>
+    <message>
+        <source>steps are as long as the heights of the survey lie apart: {0}</source>
+        <translation>步长取为测量高程的间距：{0}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -13851,6 +13883,48 @@
         <source>survey placed by pairs</source>
         <translation>测量已按点对放置</translation>
     </message>
+    <message>
+        <source>when debris was removed</source>
+        <translation>堆积物何时被运走</translation>
+    </message>
+    <message>
+        <source>removal left out</source>
+        <translation>去掉一处运走的堆积物</translation>
+    </message>
+    <message>
+        <source>What was removed</source>
+        <translation>被运走之物</translation>
+    </message>
+    <message>
+        <source>removed debris added</source>
+        <translation>添加被运走之物</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::SurveyPairs</name>
+    <message>
+        <source>Places are picked in the model: open the FE result first.</source>
+        <translation>位置在模型中选取：请先打开有限元结果。</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::SurveySections</name>
+    <message>
+        <source>Section</source>
+        <translation>剖面</translation>
+    </message>
+    <message>
+        <source>Images (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
 </context>
 <context>
     <name>rubble::TimelineDisplay</name>
@@ -14209,6 +14283,22 @@
     <message>
         <source>filter: %1 of %2 shown</source>
         <translation>筛选：显示 %1 / %2</translation>
+    </message>
+    <message>
+        <source>along the section [m]</source>
+        <translation>沿剖面 [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>高程 [m]</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>ground (dashed)</source>
+        <translation>地面（虚线）</translation>
     </message>
 </context>
 <context>
@@ -20429,6 +20519,109 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::PlacePairsDialog</name>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Remove pair</source>
+        <translation>移除点对</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>全部移除</translation>
+    </message>
+    <message>
+        <source>Place the survey by pairs</source>
+        <translation>按点对放置测量</translation>
+    </message>
+    <message>
+        <source>Place survey</source>
+        <translation>放置测量</translation>
+    </message>
+    <message>
+        <source>Survey from above</source>
+        <translation>从上方所见的测量</translation>
+    </message>
+    <message>
+        <source>Model beside the survey</source>
+        <translation>测量旁的模型</translation>
+    </message>
+    <message>
+        <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
+        <translation>该处没有模型：请单击结构、碎块或地面。</translation>
+    </message>
+    <message>
+        <source>pair</source>
+        <translation>点对</translation>
+    </message>
+    <message>
+        <source>Δx, m</source>
+        <translation>Δx，m</translation>
+    </message>
+    <message>
+        <source>Δy, m</source>
+        <translation>Δy，m</translation>
+    </message>
+    <message>
+        <source>Δz, m</source>
+        <translation>Δz，m</translation>
+    </message>
+    <message>
+        <source>apart, m</source>
+        <translation>相距，m</translation>
+    </message>
+    <message>
+        <source>What is left of each pair</source>
+        <translation>每对的剩余量</translation>
+    </message>
+    <message>
+        <source>Where the place belongs less where the move of all pairs brings it, m</source>
+        <translation>该处应在的位置减去全部点对的移动所到的位置，m</translation>
+    </message>
+    <message>
+        <source>Take back the last click (Ctrl+Z)</source>
+        <translation>撤回上一次单击 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Nothing was surveyed there: click where the survey has heights.</source>
+        <translation>该处没有测量：请单击有高程的地方。</translation>
+    </message>
+    <message>
+        <source>Cancel leaves without placing the survey.</source>
+        <translation>“取消”离开而不放置测量。</translation>
+    </message>
+    <message>
+        <source>Moved by %1 m, turned by %2°.</source>
+        <translation>移动 %1 m，转动 %2°。</translation>
+    </message>
+    <message>
+        <source>RMS of the pairs %1 m; places known to %2 m (standard deviation).</source>
+        <translation>点对的均方根 %1 m；位置的标准差 %2 m。</translation>
+    </message>
+    <message>
+        <source>The survey has a height every %1 m: a click is no better.</source>
+        <translation>测量每 %1 m 有一个高程：单击不会更准。</translation>
+    </message>
+    <message>
+        <source>Now click the same place in the model, at the right; nodes are caught. Esc takes the click back.</source>
+        <translation>现在在右侧的模型中单击同一处；会捕捉节点。Esc 撤回单击。</translation>
+    </message>
+    <message>
+        <source>Now click the same place in the survey, at the left. Esc takes the click back.</source>
+        <translation>现在在左侧的测量中单击同一处。Esc 撤回单击。</translation>
+    </message>
+    <message>
+        <source>Click a place that did not move in the survey, then the same place in the model. Pairs: %1 of at least 3, far apart and not on a line.</source>
+        <translation>在测量中单击没有移动的一处，再在模型中单击同一处。点对：%1，至少 3 对，相距要远且不在一条线上。</translation>
+    </message>
+    <message>
+        <source>Place the survey, or add pairs: more of them show better how well it lies.</source>
+        <translation>可放置测量，或添加点对：点对越多，越能看出放置得如何。</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::PredictionBox</name>
     <message>
         <source>Said before the run, and measured</source>
@@ -20783,6 +20976,65 @@ What the file fits: %2.</source>
     <message>
         <source>Three numbers are needed in each row.</source>
         <translation>每行需要三个数值。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::RemovalBox</name>
+    <message>
+        <source>Write date and time, such as 2021-06-25 16:30</source>
+        <translation>请写日期和时间，如 2021-06-25 16:30</translation>
+    </message>
+    <message>
+        <source>What was removed</source>
+        <translation>被运走之物</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add a place whose debris rescuers took away; say first from when on it was gone</source>
+        <translation>添加救援人员运走堆积物的一处；请先说明自何时起已运走</translation>
+    </message>
+    <message>
+        <source>Draw what was removed</source>
+        <translation>绘制被运走之物</translation>
+    </message>
+    <message>
+        <source>What was removed from a file…</source>
+        <translation>从文件取被运走之物…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen place from the list</source>
+        <translation>从列表中移除所选的一处</translation>
+    </message>
+    <message>
+        <source>Gone since</source>
+        <translation>运走时间</translation>
+    </message>
+    <message>
+        <source>From when on it was gone</source>
+        <translation>自何时起已运走</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>日期和时间</translation>
+    </message>
+    <message>
+        <source>Date and time by the clock of the site, such as 2021-06-25 16:30: of the chosen place, or of the next one. Surveys taken later are compared without it. Kept in the case</source>
+        <translation>按现场时钟的日期和时间，如 2021-06-25 16:30：所选一处的，或下一处的。此后拍摄的测量比较时不计该处。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Places whose debris was removed</source>
+        <translation>堆积物被运走的各处</translation>
+    </message>
+    <message>
+        <source>%1, gone since %2, places: %3</source>
+        <translation>%1，运走时间 %2，处数：%3</translation>
     </message>
 </context>
 <context>
@@ -21610,6 +21862,69 @@ Program: %3</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::SectionDialog</name>
+    <message>
+        <source>Width of the section</source>
+        <translation>剖面宽度</translation>
+    </message>
+    <message>
+        <source>Step along the section</source>
+        <translation>沿剖面的步长</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>剖面</translation>
+    </message>
+    <message>
+        <source>Width, m</source>
+        <translation>宽度，m</translation>
+    </message>
+    <message>
+        <source>Step, m</source>
+        <translation>步长，m</translation>
+    </message>
+    <message>
+        <source>Surveyed points within half of it to either side of the line count, m</source>
+        <translation>线两侧各一半宽度内测得的点计入，m</translation>
+    </message>
+    <message>
+        <source>Along the line: what is drawn, and what areas are summed over, m</source>
+        <translation>沿线绘制和对面积求和的步长，m</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存图片…</translation>
+    </message>
+    <message>
+        <source>Of another run, survey or place: draw the section again.</source>
+        <translation>属于另一次计算、测量或位置：请重新绘制剖面。</translation>
+    </message>
+    <message>
+        <source>Cutting…</source>
+        <translation>正在剖切…</translation>
+    </message>
+    <message>
+        <source>At %1 s; %2 m long, %3 m wide.</source>
+        <translation>时刻 %1 s；长 %2 m，宽 %3 m。</translation>
+    </message>
+    <message>
+        <source>An outline has no heights: only what was simulated is cut.</source>
+        <translation>轮廓没有高程：只剖切模拟之物。</translation>
+    </message>
+    <message>
+        <source>%1: %2 heights on it, %3 of them where the simulation has a surface.</source>
+        <translation>%1：其上 %2 个高程，其中 %3 个处模拟有表面。</translation>
+    </message>
+    <message>
+        <source>Simulated less surveyed: %1 m in the mean, %2 m RMS.</source>
+        <translation>模拟减测量：平均 %1 m，均方根 %2 m。</translation>
+    </message>
+    <message>
+        <source>Area above the ground over %1 m with heights: %2 m² surveyed, %3 m² simulated.</source>
+        <translation>有高程的 %1 m 上地面以上的面积：测量 %2 m²，模拟 %3 m²。</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::SelectForm</name>
     <message>
         <source>empty: no bound</source>
@@ -22325,6 +22640,14 @@ Program: %3</source>
         <source>Standard deviation of an offset that all surveyed heights may have together, m. Without it the systematic error of volumes is not known. Kept in the case</source>
         <translation>所有测得高程可能共有的偏移的标准差，m。没有它时体积的系统误差未知。保存在案例中</translation>
     </message>
+    <message>
+        <source>Section…</source>
+        <translation>剖面…</translation>
+    </message>
+    <message>
+        <source>Draw a line on the difference map: run and survey are cut along it, drawn and measured together</source>
+        <translation>在差异图上画一条线：沿线剖切计算和测量，一起绘出并量取</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::SurveyPlace</name>
@@ -22363,10 +22686,6 @@ Program: %3</source>
     <message>
         <source>Write date and time, such as 2021-06-25 16:30</source>
         <translation>请写日期和时间，如 2021-06-25 16:30</translation>
-    </message>
-    <message>
-        <source>Place by pairs…</source>
-        <translation>按点对放置…</translation>
     </message>
     <message>
         <source>Unplace</source>
@@ -22412,6 +22731,18 @@ Program: %3</source>
         <source>Let the survey lie as its coordinates say</source>
         <translation>使测量按自身坐标放置</translation>
     </message>
+    <message>
+        <source>Pick pairs…</source>
+        <translation>选取点对…</translation>
+    </message>
+    <message>
+        <source>Pairs from a table…</source>
+        <translation>取自表的点对…</translation>
+    </message>
+    <message>
+        <source>Move the survey to where it belongs: click three places or more in it and in the model, and see at once how well they fit</source>
+        <translation>把测量移到其所在之处：在测量和模型中单击三处或更多，并立即看到其相符程度</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::SurveyView</name>
@@ -22430,6 +22761,14 @@ Program: %3</source>
     <message>
         <source>Click around what is left out; double-click or Enter closes, Backspace takes one back, Esc ends.</source>
         <translation>沿略去的部分点击；双击或 Enter 闭合，Backspace 撤回一个，Esc 结束。</translation>
+    </message>
+    <message>
+        <source>Click around what was removed; double-click or Enter closes, Backspace takes one back, Esc ends.</source>
+        <translation>沿被运走之物四周单击；双击或回车闭合，退格撤回一点，Esc 结束。</translation>
+    </message>
+    <message>
+        <source>Click where the section begins, then where it ends; Backspace takes one back, Esc ends.</source>
+        <translation>先单击剖面的起点，再单击终点；退格撤回一点，Esc 结束。</translation>
     </message>
 </context>
 <context>

@@ -134,4 +134,23 @@ SiteSection siteSection(const SiteShape& site, const SurfaceTree& tree, const Si
     return cut.conclude();
 }
 
+std::vector<Vec3> heightsBeside(const SurveyHeights& heights, const SiteSurface& ground, const SectionLine& line) {
+    std::vector<Vec3> places;
+    for (std::size_t row = 0; row < heights.ny; ++row) {
+        for (std::size_t column = 0; column < heights.nx; ++column) {
+            const double height = heights.heights[row * heights.nx + column];
+            if (!std::isfinite(height)) {
+                continue;
+            }
+            const Eigen::Vector2d place = heights.placeOf(static_cast<double>(column), static_cast<double>(row));
+            const Eigen::Vector2d at = line.onLine(place);
+            if (at.x() >= 0.0 && at.x() <= line.length() && std::abs(at.y()) <= 0.5 * line.width) {
+                const double base = heights.aboveGround ? ground.height(place.x(), place.y()) : 0.0;
+                places.emplace_back(place.x(), place.y(), base + height);
+            }
+        }
+    }
+    return places;
+}
+
 }  // namespace rubble

@@ -8,6 +8,7 @@
 #include "core/base/unknown.h"
 #include "core/evidence/clouds/surface_tree.h"
 #include "core/evidence/photographs/site_picture.h"
+#include "core/evidence/surveys/survey.h"
 #include "core/fe/site_surface.h"
 
 namespace rubble {
@@ -63,5 +64,8 @@ struct SiteSection {
 /// Throws UsageError (no length, width or step, more steps than 100,000), Cancelled.
 SiteSection siteSection(const SiteShape& site, const SurfaceTree& tree, const SiteSurface& ground, const SectionLine& line,
                         std::span<const Vec3> measured, const Execution& execution);
+
+/// Heights of a survey within the width of a line, as measured points, m, local. Those above the ground are set upon it.
+std::vector<Vec3> heightsBeside(const SurveyHeights& heights, const SiteSurface& ground, const SectionLine& line);
 
 }  // namespace rubble

@@ -200,17 +200,17 @@ TEST_F(SurveyForm, WhatIsComparedIsListedAndNoiseIsAskedFor) {
 TEST_F(SurveyForm, PolygonsAreDrawnOnTheMapByMouseAndKeys) {
     SurveyView view;
     view.resize(600, 500);
-    view.draw(ScopePart::Area);
+    view.draw(SurveyView::Draws::Area);
     EXPECT_FALSE(view.drawing()) << "there is nothing to draw on";
     view.setComparison(made());
     view.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
     view.grab();
-    std::vector<std::pair<ScopePart, OutlineRing>> drawn;
+    std::vector<std::pair<SurveyView::Draws, OutlineRing>> drawn;
     QObject::connect(&view, &SurveyView::drawn, &view,
-                     [&](ScopePart part, const OutlineRing& ring) { drawn.emplace_back(part, ring); });
+                     [&](SurveyView::Draws what, const OutlineRing& ring) { drawn.emplace_back(what, ring); });
     const std::vector<Eigen::Vector2d> corners{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
-    view.draw(ScopePart::LeftOut);
+    view.draw(SurveyView::Draws::LeftOut);
     for (const Eigen::Vector2d& corner : corners) {
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget(corner).toPoint());
     }
@@ -218,20 +218,20 @@ TEST_F(SurveyForm, PolygonsAreDrawnOnTheMapByMouseAndKeys) {
     QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget(corners.back()).toPoint());
     QTest::keyClick(&view, Qt::Key_Return);
     ASSERT_EQ(drawn.size(), 1u);
-    EXPECT_EQ(drawn.front().first, ScopePart::LeftOut);
+    EXPECT_EQ(drawn.front().first, SurveyView::Draws::LeftOut);
     ASSERT_EQ(drawn.front().second.size(), 4u);
     for (std::size_t k = 0; k < 4; ++k) {
         EXPECT_LT((drawn.front().second[k] - corners[k]).norm(), 0.05) << "a pixel is about 2 cm";
     }
     EXPECT_FALSE(view.drawing());
     // Keys alone do the same.
-    view.draw(ScopePart::Area);
+    view.draw(SurveyView::Draws::Area);
     for (const int key : {Qt::Key_Space, Qt::Key_Right, Qt::Key_Space, Qt::Key_Down, Qt::Key_Space, Qt::Key_Enter}) {
         QTest::keyClick(&view, static_cast<Qt::Key>(key), Qt::ShiftModifier);
     }
     ASSERT_EQ(drawn.size(), 2u);
     EXPECT_EQ(drawn.back().second.size(), 3u);
-    view.draw(ScopePart::Area);
+    view.draw(SurveyView::Draws::Area);
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_FALSE(view.drawing());
     // What is compared is seen on the map.

@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QSlider>
 #include <QSplitter>
 #include <QToolButton>
@@ -61,7 +60,6 @@ EvidencePage::EvidencePage(QWidget* parent)
     m_splitter->setStretchFactor(0, 1);
     m_splitter->setStretchFactor(1, 1);
     m_model->setAccessibleName(tr("Model beside the photograph"));
-    m_model->installEventFilter(this);
     m_model->hide();
     column->addWidget(m_splitter, 1);
     column->addWidget(m_survey, 1);
@@ -70,6 +68,7 @@ EvidencePage::EvidencePage(QWidget* parent)
         const QSignalBlocker blocker(m_slider);
         m_slider->setValue(static_cast<int>(std::lround(share * steps)));
     });
+    connect(m_marks, &ModelMarks::picked, this, &EvidencePage::modelClicked);
     connect(m_photo, &PhotoView::toolLeft, this, [this] { setTool(PhotoView::Tool::Look); });
     setShow(PhotoView::Show::Photograph);
     setReady(false);
@@ -230,19 +229,6 @@ void EvidencePage::showHint() {
     const QString text = m_said.isEmpty() ? m_whyNotSeen : m_said;
     m_hint->setText(text);
     m_hint->setVisible(!text.isEmpty());
-}
-
-bool EvidencePage::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_model && m_photo->tool() == PhotoView::Tool::Point) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        if (event->type() == QEvent::MouseButtonPress) {
-            m_pressed = mouse->position();
-        } else if (event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton &&
-                   (mouse->position() - m_pressed).manhattanLength() <= 3.0) {
-            emit modelClicked(mouse->position());
-        }
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace rubble::widgets

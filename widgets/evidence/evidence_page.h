@@ -57,9 +57,6 @@ signals:
     void modelClicked(const QPointF& place);
     void besideChanged(bool beside);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     QWidget* buildTools();
     void showHint();
@@ -79,7 +76,6 @@ private:
     QLabel* m_hint;
     QString m_said;
     QString m_whyNotSeen;
-    QPointF m_pressed;
 };
 
 }  // namespace rubble::widgets

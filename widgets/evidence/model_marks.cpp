@@ -12,6 +12,7 @@ namespace rubble::widgets {
 namespace {
 
 constexpr int restMilliseconds = 80;
+constexpr double clickMost = 3.0;  // px that a click may move
 
 }  // namespace
 
@@ -79,7 +80,21 @@ void ModelMarks::takePicture() {
     }
 }
 
+void ModelMarks::noteClick(QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress) {
+        m_pressed = static_cast<QMouseEvent*>(event)->position();
+    } else if (event->type() == QEvent::MouseButtonRelease) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if (mouse->button() == Qt::LeftButton && (mouse->position() - m_pressed).manhattanLength() <= clickMost) {
+            emit picked(mouse->position());
+        }
+    }
+}
+
 bool ModelMarks::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_model && m_picking) {
+        noteClick(event);
+    }
     if (watched == &m_model && event->type() == QEvent::Resize) {
         resize(m_model.size());
     } else if (watched == &m_model && m_picking && event->type() == QEvent::MouseMove) {

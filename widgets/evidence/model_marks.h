@@ -42,11 +42,16 @@ public:
     /// Where the loupe stands; unset: there is none.
     std::optional<QPointF> loupe() const;
 
+signals:
+    /// The model was clicked while points are picked, as a place in its widget.
+    void picked(const QPointF& place);
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void noteClick(QEvent* event);
     bool pictureIsNow() const;
     void takePicture();
     void paintMarks(QPainter& painter) const;
@@ -54,6 +59,7 @@ private:
     ViewWidget& m_model;
     Content m_content;
     bool m_picking = false;
+    QPointF m_pressed;
     std::optional<QPointF> m_mouse;  ///< over the model while points are picked
     QImage m_picture;                ///< what the loupe shows larger
     render::View m_pictureOf;

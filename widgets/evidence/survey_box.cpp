@@ -19,6 +19,7 @@
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/evidence/surveys/removal_box.h"
 
 namespace rubble::widgets {
 
@@ -95,6 +96,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_cell(new NumberField(tr("Cells of the survey comparison"))),
       m_least(new NumberField(tr("Least height of debris"))),
       m_place(new SurveyPlace),
+      m_removals(new RemovalBox),
       m_fit(new QComboBox),
       m_showsFallen(new QComboBox),
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
@@ -107,6 +109,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_compare(new QPushButton(tr("Compare with survey"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_save(new QPushButton(tr("Save difference map…"))),
+      m_section(new QPushButton(tr("Section…"))),
       m_whyNot(new QLabel),
       m_notice(new Notice),
       m_findings(new FindingList),
@@ -236,6 +239,7 @@ void SurveyBox::buildScope() {
     m_scope->setToolTip(
         tr("Cells that are compared lie within an area of interest, if there is one, and in nothing that is left out"));
     column->addWidget(m_scope);
+    column->addWidget(m_removals);
     connect(m_scope, &QListWidget::currentRowChanged, this, [this](int row) { m_removeScope->setEnabled(row >= 0); });
     connect(m_removeScope, &QToolButton::clicked, this, [this] {
         const int areas = static_cast<int>(m_content.scope.area.polygons.size());
@@ -286,8 +290,13 @@ void SurveyBox::buildResults() {
     m_words->setObjectName(QStringLiteral("muted"));
     m_words->setWordWrap(true);
     column->addWidget(m_words);
-    column->addWidget(m_save);
+    auto* uses = new QHBoxLayout;
+    uses->addWidget(m_save, 1);
+    uses->addWidget(m_section);
+    column->addLayout(uses);
     m_save->setToolTip(tr("Save the difference map as GeoTIFF or as a picture"));
+    m_section->setToolTip(tr("Draw a line on the difference map: run and survey are cut along it, drawn and measured together"));
+    connect(m_section, &QPushButton::clicked, this, &SurveyBox::sectionRequested);
     column->addWidget(m_findings);
 }
 
@@ -319,6 +328,7 @@ void SurveyBox::setContent(const Content& content) {
     m_offsetError->setNumber(content.errors.offset);
     m_place->setStated(content.stated, content.chosen >= 0);
     showScope();
+    m_removals->setRemovals(content.removals, content.available);
     m_showing = false;
     const bool some = content.chosen >= 0;
     m_add->setEnabled(content.available);
@@ -337,7 +347,7 @@ void SurveyBox::setContent(const Content& content) {
 
 void SurveyBox::showResults() {
     const SurveyComparison* made = m_content.comparison.get();
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_figures, m_runOut, m_words, m_save}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_figures, m_runOut, m_words, m_save, m_section}) {
         widget->setVisible(made != nullptr);
     }
     if (!m_content.complaint.isEmpty()) {
@@ -350,6 +360,7 @@ void SurveyBox::showResults() {
     if (made == nullptr) {
         return;
     }
+    m_section->setEnabled(!m_content.stale);
     m_figures->setRowCount(0);
     addRow(*m_figures, {tr("area, m²"), shown(made->survey.area, 0), shown(made->simulated.area, 0)});
     if (!made->isFootprint) {

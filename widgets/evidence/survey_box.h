@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/evidence/surveys/survey_comparison.h"
+#include "core/scenario/removal.h"
 #include "widgets/evidence/survey_place.h"
 
 class QCheckBox;
@@ -20,6 +21,7 @@ namespace rubble::widgets {
 class FindingList;
 class Notice;
 class NumberField;
+class RemovalBox;
 
 /// Surveys of the real debris: which of them, how it is held against the simulated debris, and what comes of it.
 class SurveyBox : public QWidget {
@@ -43,8 +45,9 @@ public:
         SurveyScope scope;                ///< what of the chosen survey is compared
         Errors errors;
         SurveyPlace::Stated stated;
-        QString noComparison;  ///< why none can be made; empty: it can
-        QString complaint;     ///< what went wrong with the last one
+        std::vector<Removal> removals;  ///< of the case
+        QString noComparison;           ///< why none can be made; empty: it can
+        QString complaint;              ///< what went wrong with the last one
         bool comparing = false;
         bool stale = false;  ///< the comparison is of another run or of other settings
         Findings findings;
@@ -55,6 +58,7 @@ public:
     SurveySettings settings() const;
     void setSettings(const SurveySettings& settings);
     SurveyPlace& place() { return *m_place; }
+    RemovalBox& removals() { return *m_removals; }
 
 signals:
     void addRequested();
@@ -71,6 +75,8 @@ signals:
     void scopeRemoved(rubble::ScopePart part, int polygon);
     void noiseChosen(const Errors& errors);
     void saveRequested();
+    /// A line is to be drawn on the difference map.
+    void sectionRequested();
 
 private:
     void buildFields();
@@ -88,6 +94,7 @@ private:
     NumberField* m_cell;
     NumberField* m_least;
     SurveyPlace* m_place;
+    RemovalBox* m_removals;
     QComboBox* m_fit;
     QComboBox* m_showsFallen;
     QCheckBox* m_withFallen;
@@ -100,6 +107,7 @@ private:
     QPushButton* m_compare;
     QPushButton* m_cancel;
     QPushButton* m_save;
+    QPushButton* m_section;
     QLabel* m_whyNot;
     Notice* m_notice;
     FindingList* m_findings;

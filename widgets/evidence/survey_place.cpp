@@ -44,7 +44,8 @@ SurveyPlace::SurveyPlace(QWidget* parent)
       m_instant(new NumberField(tr("Instant that the survey shows"))),
       m_said(new QLabel(tr("Write date and time, such as 2021-06-25 16:30"))),
       m_placed(new QLabel),
-      m_pairs(new QPushButton(tr("Place by pairs…"))),
+      m_pick(new QPushButton(tr("Pick pairs…"))),
+      m_pairs(new QPushButton(tr("Pairs from a table…"))),
       m_unplace(new QPushButton(tr("Unplace"))) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
@@ -68,6 +69,10 @@ SurveyPlace::SurveyPlace(QWidget* parent)
     m_placed->setWordWrap(true);
     m_placed->setObjectName(QStringLiteral("muted"));
     form->addRow(m_placed);
+    form->addRow(m_pick);
+    m_pick->setToolTip(
+        tr("Move the survey to where it belongs: click three places or more in it and in the model, and see at once how well they "
+           "fit"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_pairs, 1);
     buttons->addWidget(m_unplace);
@@ -79,6 +84,7 @@ SurveyPlace::SurveyPlace(QWidget* parent)
     connect(m_taken, &QLineEdit::editingFinished, this, &SurveyPlace::takeTime);
     connect(m_before, &QCheckBox::toggled, this, &SurveyPlace::send);
     connect(m_instant, &NumberField::edited, this, &SurveyPlace::send);
+    connect(m_pick, &QPushButton::clicked, this, &SurveyPlace::pickRequested);
     connect(m_pairs, &QPushButton::clicked, this, &SurveyPlace::pairsRequested);
     connect(m_unplace, &QPushButton::clicked, this, &SurveyPlace::unplaceRequested);
 }
@@ -93,7 +99,7 @@ void SurveyPlace::setStated(const Stated& stated, bool some) {
     m_placed->setVisible(some);
     m_said->setVisible(false);
     m_showing = false;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_taken, m_before, m_pairs}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_taken, m_before, m_pick, m_pairs}) {
         widget->setEnabled(some);
     }
     m_instant->setEnabled(some && !stated.before);

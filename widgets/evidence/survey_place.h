@@ -35,6 +35,8 @@ public:
 signals:
     /// When it was taken and what it shows were changed; the registration never is here.
     void edited(const rubble::widgets::SurveyPlace::Stated& stated);
+    /// Pairs are to be clicked, or taken from a table.
+    void pickRequested();
     void pairsRequested();
     void unplaceRequested();
 
@@ -49,6 +51,7 @@ private:
     NumberField* m_instant;
     QLabel* m_said;
     QLabel* m_placed;
+    QPushButton* m_pick;
     QPushButton* m_pairs;
     QPushButton* m_unplace;
 };

@@ -43,9 +43,15 @@ void SurveyView::setScope(const SurveyScope& scope) {
     }
 }
 
-void SurveyView::draw(std::optional<ScopePart> part) {
-    const bool ends = m_drawing && !part;
-    m_drawing = m_comparison != nullptr ? part : std::nullopt;
+void SurveyView::setMarked(const Outline& removed, const std::optional<SectionLine>& section) {
+    m_removed = removed;
+    m_section = section;
+    update();
+}
+
+void SurveyView::draw(std::optional<Draws> what) {
+    const bool ends = m_drawing && !what;
+    m_drawing = m_comparison != nullptr ? what : std::nullopt;
     m_corners.clear();
     m_cross = rect().center();
     setCursor(m_drawing ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -108,8 +114,46 @@ void SurveyView::paintEvent(QPaintEvent*) {
     painter.save();
     painter.setClipRect(m_field.frame);
     figures::drawScope(painter, m_field, m_scope, scopeWidth);
+    paintMarked(painter);
     painter.restore();
     paintDrawing(painter);
+}
+
+void SurveyView::paintMarked(QPainter& painter) const {
+    const auto& palette = figures::palette(currentTheme());
+    painter.setPen(QPen(palette.text, scopeWidth, Qt::DashDotLine));
+    painter.setBrush(QBrush(palette.text, Qt::FDiagPattern));
+    for (const OutlinePolygon& polygon : m_removed.polygons) {
+        for (const OutlineRing& ring : polygon) {
+            QPolygonF corners;
+            for (const Eigen::Vector2d& corner : ring) {
+                corners << m_field.toPicture(corner);
+            }
+            painter.drawPolygon(corners);
+        }
+    }
+    if (m_section) {
+        const QPointF from = m_field.toPicture(m_section->from);
+        const QPointF to = m_field.toPicture(m_section->to);
+        painter.setPen(QPen(palette.text, scopeWidth));
+        painter.drawLine(from, to);
+        painter.setBrush(palette.window);
+        painter.drawEllipse(from, besideCorner, besideCorner);
+    }
+}
+
+QString SurveyView::drawingHint() const {
+    switch (*m_drawing) {
+        case Draws::Area:
+            return tr("Click around what is compared; double-click or Enter closes, Backspace takes one back, Esc ends.");
+        case Draws::LeftOut:
+            return tr("Click around what is left out; double-click or Enter closes, Backspace takes one back, Esc ends.");
+        case Draws::Removed:
+            return tr("Click around what was removed; double-click or Enter closes, Backspace takes one back, Esc ends.");
+        case Draws::Section:
+            break;
+    }
+    return tr("Click where the section begins, then where it ends; Backspace takes one back, Esc ends.");
 }
 
 void SurveyView::paintDrawing(QPainter& painter) const {
@@ -117,7 +161,7 @@ void SurveyView::paintDrawing(QPainter& painter) const {
         return;
     }
     const auto& palette = figures::palette(currentTheme());
-    painter.setPen(QPen(palette.text, 1.5, *m_drawing == ScopePart::Area ? Qt::SolidLine : Qt::DotLine));
+    painter.setPen(QPen(palette.text, 1.5, *m_drawing == Draws::LeftOut ? Qt::DotLine : Qt::SolidLine));
     painter.setBrush(Qt::NoBrush);
     QPolygonF line;
     for (const Eigen::Vector2d& corner : m_corners) {
@@ -128,10 +172,7 @@ void SurveyView::paintDrawing(QPainter& painter) const {
     painter.drawPolyline(line);
     painter.drawLine(m_cross - QPointF(6.0, 0.0), m_cross + QPointF(6.0, 0.0));
     painter.drawLine(m_cross - QPointF(0.0, 6.0), m_cross + QPointF(0.0, 6.0));
-    const QString hint =
-        *m_drawing == ScopePart::Area
-            ? tr("Click around what is compared; double-click or Enter closes, Backspace takes one back, Esc ends.")
-            : tr("Click around what is left out; double-click or Enter closes, Backspace takes one back, Esc ends.");
+    const QString hint = drawingHint();
     const QRect box =
         painter.fontMetrics().boundingRect(rect().adjusted(12, 8, -12, -8), Qt::TextWordWrap, hint).adjusted(-6, -3, 6, 3);
     painter.fillRect(box, palette.window);
@@ -146,16 +187,20 @@ void SurveyView::addCorner(const QPointF& at) {
     }
     m_cross = at;
     update();
+    if (m_drawing == Draws::Section && m_corners.size() == 2) {
+        close();
+    }
 }
 
 void SurveyView::close() {
-    if (m_corners.size() < 3) {
+    const std::size_t least = m_drawing == Draws::Section ? 2 : 3;
+    if (!m_drawing || m_corners.size() < least) {
         return;
     }
-    const ScopePart part = *m_drawing;
+    const Draws what = *m_drawing;
     const OutlineRing ring = m_corners;
     draw(std::nullopt);
-    emit drawn(part, ring);
+    emit drawn(what, ring);
 }
 
 void SurveyView::mousePressEvent(QMouseEvent* event) {

@@ -1,8 +1,3 @@
-#include <QFont>
-#include <QFontMetrics>
-#include <QImage>
-#include <QPainter>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -23,21 +18,17 @@
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
 #include "io/site/cause_evidence.h"
-#include "io/site/clouds/run_distance.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/measured_points.h"
+#include "io/site/surveys/run_section.h"
 #include "widgets/figures/figure_file.h"
-#include "widgets/figures/palette.h"
-#include "widgets/figures/report/report_chart.h"
+#include "widgets/figures/report/section_picture.h"
 
 namespace rubble::cli {
 
 namespace {
 
 constexpr std::array<const char*, 5> sectionThings{"nothing", "debris", "fallen_structure", "structure", "ground"};
-/// Points that a picture shows at most, evenly along the line.
-constexpr std::size_t pointsDrawn = 1500;
-
 /// The line of --line, m, local.
 SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
     const std::string text = arguments.value("--line").value_or("");
@@ -58,15 +49,7 @@ SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
     return line;
 }
 
-/// A section and how it came to be.
-struct MadeSection {
-    SiteSection section;
-    double time = 0.0;
-    Findings findings;
-    double zero = 0.0;  ///< m, height of the local zero in the system of the case
-};
-
-std::vector<Vec3> measuredFrom(const Arguments& arguments, const MapSubject& subject, const Site& site, MadeSection& made,
+std::vector<Vec3> measuredFrom(const Arguments& arguments, const MapSubject& subject, const Site& site, Findings& findings,
                                const Execution& execution) {
     std::vector<Vec3> all;
     const std::string casePath = caseOfEvidence(arguments);
@@ -79,43 +62,28 @@ std::vector<Vec3> measuredFrom(const Arguments& arguments, const MapSubject& sub
             checkShowsDebris(*stated);
             request.placed = stated->registration;
         }
-        const std::vector<Vec3> places = io::readMeasuredPoints(request, made.findings, execution);
+        const std::vector<Vec3> places = io::readMeasuredPoints(request, findings, execution);
         all.insert(all.end(), places.begin(), places.end());
     }
     return all;
 }
 
-MadeSection makeSection(const Arguments& arguments, const MapSubject& subject, const Execution& execution) {
-    MadeSection made;
+io::RunSection makeSection(const Arguments& arguments, const MapSubject& subject, const Execution& execution) {
     const Site& at = subject.run->origin().site;
     const io::SitePlace place(subject.inputs.frame, at);
     const SectionLine line = lineFrom(arguments, place);
-    const std::vector<Vec3> measured = measuredFrom(arguments, subject, at, made, execution);
+    Findings findings;
+    const std::vector<Vec3> measured = measuredFrom(arguments, subject, at, findings, execution);
     ScannedSite site = scannedSite(*subject.run, subject.inputs, instantFrom(arguments),
                                    parseLength(arguments, "--live-threshold", 1.0, true), execution);
-    Aabb around;
-    for (const Eigen::Vector2d& end : {line.from, line.to}) {
-        around.extend(Vec3(end.x() - line.width, end.y() - line.width, 0.0));
-        around.extend(Vec3(end.x() + line.width, end.y() + line.width, 0.0));
-    }
-    io::addCoarseGround(made.findings, addGround(site.shape, site.ground, around, io::scannedTriangles));
-    const SurfaceTree tree(site.shape.points, site.shape.triangles);
-    made.section = siteSection(site.shape, tree, site.ground, line, measured, execution);
-    made.time = site.shape.time;
+    io::RunSection made = io::cutRun(std::move(site.shape), site.ground, line, measured, execution);
+    findings.append(made.findings);
+    made.findings = std::move(findings);
     made.zero = place.transform().height;
-    const auto missing = static_cast<std::int64_t>(made.section.points.size()) - made.section.compared;
-    if (missing > 0) {
-        made.findings.add({"section.no_surface", "points lie where the simulated site has no surface; they were not compared", {}},
-                          {"section.no_surface.remedy", "check where the terrain ends", {}}, {}, missing);
-    }
-    if (arguments.has("--points") && made.section.points.empty()) {
-        made.findings.add({"section.no_points", "none of {0} points lies within the width of the line", {measured.size()}},
-                          {"section.no_points.remedy", "check the ends of the line, or give a greater width", {}});
-    }
     return made;
 }
 
-TextTable stepTable(const MadeSection& made) {
+TextTable stepTable(const io::RunSection& made) {
     TextTable table({{"along [m]", "along_m"},
                      {"ground [m]", "ground_m"},
                      {"simulated [m]", "simulated_m"},
@@ -131,76 +99,23 @@ TextTable stepTable(const MadeSection& made) {
     return table;
 }
 
-/// A line for the heights that are there; where there are none it ends and begins anew.
-void addProfile(std::vector<figures::ChartSeries>& series, const QColor& colour, bool dashed, const MadeSection& made,
-                double SectionStep::* height) {
-    figures::ChartSeries line;
-    line.colour = colour;
-    line.dashed = dashed;
-    for (const SectionStep& step : made.section.steps) {
-        if (std::isfinite(step.*height)) {
-            line.points.push_back({step.along, step.*height + made.zero, {}});
-        } else if (!line.points.empty()) {
-            series.push_back(line);
-            line.points.clear();
-        }
-    }
-    if (!line.points.empty()) {
-        series.push_back(std::move(line));
-    }
-}
-
-void drawSection(const std::string& path, const MadeSection& made, const Arguments& arguments, const std::string& metadata) {
+void drawSection(const std::string& path, const io::RunSection& made, const Arguments& arguments, const std::string& metadata) {
     quietQt();
     figures::ensureGuiApplication();
-    QSize pixels(1600, 900);
+    figures::SectionPictureStyle style;
     if (const auto size = arguments.value("--size")) {
-        pixels = parsePictureSize(*size);
+        style.pixels = parsePictureSize(*size);
     }
-    const figures::Palette& colours = figures::palette(render::Theme::Print);
-    figures::ReportChart chart;
-    chart.xTitle = QStringLiteral("along the section [m]");
-    chart.yTitle = QStringLiteral("height [m]");
-    chart.fromZero = false;
-    // What was measured lies below the lines, which it would hide.
-    figures::ChartSeries measured;
-    measured.colour = colours.muted;
-    measured.line = false;
-    const std::size_t stride = made.section.points.size() / pointsDrawn + 1;
-    for (std::size_t p = 0; p < made.section.points.size(); p += stride) {
-        measured.points.push_back({made.section.points[p].along, made.section.points[p].place.z() + made.zero, {}});
-    }
-    if (!measured.points.empty()) {
-        chart.series.push_back(std::move(measured));
-    }
-    addProfile(chart.series, colours.text, true, made, &SectionStep::ground);
-    addProfile(chart.series, colours.fragment, false, made, &SectionStep::simulated);
-    QImage image(pixels, QImage::Format_RGB32);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const double text = 0.028 * pixels.height();
-    chart.paint(painter, QRectF(text, 2.5 * text, pixels.width() - 2.0 * text, pixels.height() - 3.5 * text), text);
-    QFont font = painter.font();
-    font.setPixelSize(static_cast<int>(text));
-    painter.setFont(font);
-    double at = 6.0 * text;
-    for (const auto& [name, colour] :
-         {std::pair(QStringLiteral("simulated"), colours.fragment), std::pair(QStringLiteral("measured"), colours.muted),
-          std::pair(QStringLiteral("ground (dashed)"), colours.text)}) {
-        painter.setPen(colour);
-        painter.drawText(QPointF(at, 2.0 * text), name);
-        at += painter.fontMetrics().horizontalAdvance(name) + 2.0 * text;
-    }
-    painter.end();
-    figures::writePng(path, image, metadata);
+    style.textPixels = 0.028 * style.pixels.height();
+    style.zero = made.zero;
+    figures::writePng(path, figures::sectionPicture(made.section, style), metadata);
 }
 
 Json sectionNumber(double number) {
     return std::isfinite(number) ? Json(number) : Json();
 }
 
-Json sectionJson(const MadeSection& made, const io::SitePlace& place) {
+Json sectionJson(const io::RunSection& made, const io::SitePlace& place) {
     const SiteSection& section = made.section;
     const Eigen::Vector2d from = place.planToWorld(section.line.from);
     const Eigen::Vector2d to = place.planToWorld(section.line.to);
@@ -218,7 +133,7 @@ Json sectionJson(const MadeSection& made, const io::SitePlace& place) {
             {"simulated_area_m2", section.simulatedArea}};
 }
 
-void printSection(std::ostream& out, const MadeSection& made) {
+void printSection(std::ostream& out, const io::RunSection& made) {
     const SiteSection& section = made.section;
     FactList facts;
     facts.add("time", englishNumber(made.time) + " s");
@@ -250,7 +165,7 @@ ExitCode section(const Arguments& arguments, Session& session) {
     lineFrom(arguments, io::SitePlace(Frame(), Site()));
     instantFrom(arguments);
     const MapSubject subject = openMapSubject(arguments, session);
-    const MadeSection made = makeSection(arguments, subject, session.execution());
+    const io::RunSection made = makeSection(arguments, subject, session.execution());
     for (const std::string& path : files) {
         const std::string provenance = io::provenanceText(*subject.run);
         drawSection(path, made, arguments, provenance);

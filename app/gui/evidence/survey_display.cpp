@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "app/gui/evidence/survey_pairs.h"
+#include "app/gui/evidence/survey_sections.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
@@ -24,10 +26,24 @@
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_place.h"
 #include "widgets/evidence/survey_view.h"
+#include "widgets/evidence/surveys/removal_box.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
 
 namespace rubble {
+
+namespace {
+
+/// All places whose debris was removed at any time.
+Outline removedPlaces(const Case& theCase) {
+    Outline all;
+    for (const Removal& removal : theCase.removals) {
+        all.polygons.insert(all.polygons.end(), removal.area.polygons.begin(), removal.area.polygons.end());
+    }
+    return all;
+}
+
+}  // namespace
 
 bool SurveyWork::Compared::operator==(const Compared& other) const {
     return survey == other.survey && run == other.run && settings.cell == other.settings.cell &&
@@ -96,7 +112,17 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
       m_computation(session.computation()),
       m_deck(deck),
       m_page(page),
-      m_work(session.part<SurveyWork>()) {
+      m_work(session.part<SurveyWork>()),
+      m_sections(new SurveySections(session, page, this)) {
+    m_pairs = new SurveyPairs(
+        session, page,
+        [this](const std::string& id, const PairFit& fit) {
+            choose(id);
+            if (current() != nullptr && current()->id == id) {
+                edit([&](CaseInput& input) { input.registration = fit.registration; }, [] { return tr("survey placed by pairs"); });
+            }
+        },
+        this);
     connect(&actions[ActionId::AddSurvey], &QAction::triggered, this, &SurveyDisplay::chooseFile);
     connect(&actions[ActionId::CompareSurvey], &QAction::triggered, this, [this] {
         m_deck.choose(PanelDeck::Evidence);
@@ -117,7 +143,10 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
         m_work.chosen = survey;
         refresh();
     });
-    connect(&box, &widgets::SurveyBox::scopeDrawRequested, this, &SurveyDisplay::drawScope);
+    connect(&box, &widgets::SurveyBox::scopeDrawRequested, this, [this](ScopePart part) {
+        draw(part == ScopePart::Area ? widgets::SurveyView::Draws::Area : widgets::SurveyView::Draws::LeftOut);
+    });
+    connect(&box, &widgets::SurveyBox::sectionRequested, this, [this] { draw(widgets::SurveyView::Draws::Section); });
     connect(&box, &widgets::SurveyBox::scopeFileRequested, this, &SurveyDisplay::chooseScope);
     connect(&box, &widgets::SurveyBox::scopeRemoved, this, [this](ScopePart part, int polygon) {
         edit(
@@ -139,10 +168,8 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
             [] { return tr("noise of the survey"); });
     });
     connectPlace();
-    connect(&page.survey(), &widgets::SurveyView::drawn, this, [this](ScopePart part, const OutlineRing& ring) {
-        edit([&](CaseInput& input) { input.scope.part(part).polygons.push_back({ring}); },
-             [part] { return part == ScopePart::Area ? tr("area of interest drawn") : tr("left-out polygon drawn"); });
-    });
+    connectRemovals();
+    connectMap();
     connect(&m_work, &SurveyWork::changed, this, &SurveyDisplay::refresh);
     connect(&m_work, &SurveyWork::compared, this, [this] { m_page.showSurvey(true); });
     connect(&m_document, &Document::inputsAccepted, this, &SurveyDisplay::refresh);
@@ -155,6 +182,65 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     m_page.showSurvey(m_work.shown && m_work.answer.result() != nullptr);
 }
 
+void SurveyDisplay::connectMap() {
+    connect(&m_page.survey(), &widgets::SurveyView::drawn, this, &SurveyDisplay::take);
+    connect(m_sections, &SurveySections::changed, this,
+            [this] { m_page.survey().setMarked(removedPlaces(m_document.theCase()), m_sections->line()); });
+}
+
+void SurveyDisplay::take(widgets::SurveyView::Draws what, const OutlineRing& ring) {
+    using Draws = widgets::SurveyView::Draws;
+    if (what == Draws::Section) {
+        if (const CaseInput* survey = current(); survey != nullptr && m_work.answer.result() != nullptr && !stale()) {
+            m_sections->cut(ring, *survey, m_work.answer.result());
+        }
+    } else if (what == Draws::Removed) {
+        addRemoval({"drawn", m_removedSince, {{{ring}}}});
+    } else {
+        const ScopePart part = what == Draws::Area ? ScopePart::Area : ScopePart::LeftOut;
+        edit([&](CaseInput& input) { input.scope.part(part).polygons.push_back({ring}); },
+             [part] { return part == ScopePart::Area ? tr("area of interest drawn") : tr("left-out polygon drawn"); });
+    }
+}
+
+void SurveyDisplay::connectRemovals() {
+    widgets::RemovalBox& box = m_deck.evidence().survey().removals();
+    connect(&box, &widgets::RemovalBox::drawRequested, this, [this](const std::string& since) {
+        m_removedSince = since;
+        draw(widgets::SurveyView::Draws::Removed);
+    });
+    connect(&box, &widgets::RemovalBox::fileRequested, this, &SurveyDisplay::chooseRemoval);
+    connect(&box, &widgets::RemovalBox::timeChosen, this, [this](int removal, const std::string& since) {
+        editRemovals([&](std::vector<Removal>& all) { all.at(static_cast<std::size_t>(removal)).time = since; },
+                     [] { return tr("when debris was removed"); });
+    });
+    connect(&box, &widgets::RemovalBox::removeRequested, this, [this](int removal) {
+        editRemovals([&](std::vector<Removal>& all) { all.erase(all.begin() + removal); }, [] { return tr("removal left out"); });
+    });
+}
+
+void SurveyDisplay::editRemovals(const std::function<void(std::vector<Removal>&)>& change, const widgets::Wording& what) {
+    std::vector<Removal> removals = m_document.theCase().removals;
+    change(removals);
+    m_document.setRemovals(std::move(removals), what);
+}
+
+void SurveyDisplay::addRemoval(Removal removal) {
+    editRemovals([&](std::vector<Removal>& all) { all.push_back(std::move(removal)); }, [] { return tr("removed debris added"); });
+}
+
+void SurveyDisplay::chooseRemoval(const std::string& since) {
+    const QString path = QFileDialog::getOpenFileName(m_page.window(), tr("What was removed"),
+                                                      QFileInfo(m_document.base()).absolutePath(), polygonFiles());
+    if (!path.isEmpty()) {
+        addRemovalOf(since, path);
+    }
+}
+
+void SurveyDisplay::addRemovalOf(const std::string& since, const QString& path) {
+    readPolygons(path, [&](Outline read) { addRemoval({QFileInfo(path).fileName().toStdString(), since, std::move(read)}); });
+}
+
 void SurveyDisplay::connectPlace() {
     widgets::SurveyPlace& place = m_deck.evidence().survey().place();
     connect(&place, &widgets::SurveyPlace::edited, this, [this](const widgets::SurveyPlace::Stated& stated) {
@@ -165,6 +251,11 @@ void SurveyDisplay::connectPlace() {
                 input.instant = stated.instant;
             },
             [] { return tr("when the survey was taken"); });
+    });
+    connect(&place, &widgets::SurveyPlace::pickRequested, this, [this] {
+        if (const CaseInput* survey = current(); survey != nullptr) {
+            m_pairs->pick(*survey);
+        }
     });
     connect(&place, &widgets::SurveyPlace::pairsRequested, this, &SurveyDisplay::choosePairs);
     connect(&place, &widgets::SurveyPlace::unplaceRequested, this,
@@ -289,35 +380,32 @@ void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
     edit([&](CaseInput& input) { input.showsFallen = shows; }, [] { return tr("what the survey shows"); });
 }
 
-void SurveyDisplay::drawScope(ScopePart part) {
+void SurveyDisplay::draw(widgets::SurveyView::Draws what) {
     if (comparison() == nullptr) {
         m_session.tell(tr("Compare once, then draw on the difference map."));
         return;
     }
     m_page.showSurvey(true);
-    m_page.survey().draw(part);
+    m_page.survey().draw(what);
+}
+
+QString SurveyDisplay::polygonFiles() {
+    return tr("Polygons (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)");
 }
 
 void SurveyDisplay::chooseScope(ScopePart part) {
-    const QString path = QFileDialog::getOpenFileName(
-        m_page.window(), part == ScopePart::Area ? tr("Area of interest") : tr("What is left out"),
-        QFileInfo(m_document.base()).absolutePath(), tr("Polygons (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(m_page.window(), part == ScopePart::Area ? tr("Area of interest") : tr("What is left out"),
+                                     QFileInfo(m_document.base()).absolutePath(), polygonFiles());
     if (!path.isEmpty()) {
         addScope(part, path);
     }
 }
 
-void SurveyDisplay::addScope(ScopePart part, const QString& path) {
+void SurveyDisplay::readPolygons(const QString& path, const std::function<void(Outline)>& take) {
     try {
         Findings said;
-        const Outline read =
-            io::readScope(path.toStdString(), m_document.theCase().frame, m_document.theCase().site, said, Execution());
-        edit(
-            [&](CaseInput& input) {
-                std::vector<OutlinePolygon>& polygons = input.scope.part(part).polygons;
-                polygons.insert(polygons.end(), read.polygons.begin(), read.polygons.end());
-            },
-            [part] { return part == ScopePart::Area ? tr("area of interest added") : tr("left-out polygons added"); });
+        take(io::readScope(path.toStdString(), m_document.theCase().frame, m_document.theCase().site, said, Execution()));
         if (!said.empty()) {
             m_session.tell(widgets::worded(said.list().front().what));
         }
@@ -325,6 +413,17 @@ void SurveyDisplay::addScope(ScopePart part, const QString& path) {
         const auto failure = failureOf(std::current_exception());
         m_session.tell(failure->inOneLine());
     }
+}
+
+void SurveyDisplay::addScope(ScopePart part, const QString& path) {
+    readPolygons(path, [&](const Outline& read) {
+        edit(
+            [&](CaseInput& input) {
+                std::vector<OutlinePolygon>& polygons = input.scope.part(part).polygons;
+                polygons.insert(polygons.end(), read.polygons.begin(), read.polygons.end());
+            },
+            [part] { return part == ScopePart::Area ? tr("area of interest added") : tr("left-out polygons added"); });
+    });
 }
 
 std::shared_ptr<const SurveyComparison> SurveyDisplay::comparison() const {
@@ -398,6 +497,7 @@ void SurveyDisplay::saveTo(const QString& path) {
 void SurveyDisplay::refresh() {
     widgets::SurveyBox::Content content;
     content.available = !m_document.empty();
+    content.removals = m_document.theCase().removals;
     const auto all = surveys();
     for (const CaseInput* survey : all) {
         content.names << QFileInfo(QString::fromStdString(survey->path)).fileName();
@@ -429,6 +529,8 @@ void SurveyDisplay::refresh() {
     m_deck.evidence().survey().setContent(content);
     m_page.setSurvey(content.comparison);
     m_page.survey().setScope(content.scope);
+    m_page.survey().setMarked(removedPlaces(m_document.theCase()), m_sections->line());
+    m_sections->setStale(content.comparison == nullptr || stale());
     emit changed();
 }
 

@@ -15,6 +15,7 @@
 #include "io/run/run_file.h"
 #include "io/site/survey_file.h"
 #include "widgets/basics/wording.h"
+#include "widgets/evidence/survey_view.h"
 
 namespace rubble {
 
@@ -23,6 +24,8 @@ class Computation;
 class Document;
 class PanelDeck;
 class Session;
+class SurveyPairs;
+class SurveySections;
 namespace widgets {
 class EvidencePage;
 }
@@ -100,6 +103,11 @@ public:
     bool stale() const;
     /// Places the current survey by the pairs of a table, as one undoable command.
     void placeByPairs(const QString& path);
+    SurveyPairs& picking() { return *m_pairs; }
+    SurveySections& sections() { return *m_sections; }
+    /// Adds a place whose debris was gone from a time on, as one undoable command; one of a file likewise.
+    void addRemoval(Removal removal);
+    void addRemovalOf(const std::string& since, const QString& path);
 
 signals:
     /// What the box shows has changed.
@@ -109,11 +117,19 @@ private:
     std::vector<const CaseInput*> surveys() const;
     SurveyWork::Compared comparedNow(const CaseInput& survey, const RunRecord& record) const;
     void connectPlace();
+    void connectRemovals();
+    void connectMap();
+    void draw(widgets::SurveyView::Draws what);
+    void take(widgets::SurveyView::Draws what, const OutlineRing& ring);
+    void editRemovals(const std::function<void(std::vector<Removal>&)>& change, const widgets::Wording& what);
+    void chooseRemoval(const std::string& since);
     void choosePairs();
     void remove();
     void setShowsFallen(std::optional<bool> shows);
-    void drawScope(ScopePart part);
     void chooseScope(ScopePart part);
+    /// Reads polygons of a file and hands them over; what goes wrong is told.
+    void readPolygons(const QString& path, const std::function<void(Outline)>& take);
+    static QString polygonFiles();
     /// Changes what the case says of the current survey, as one undoable command.
     void edit(const std::function<void(CaseInput&)>& change, const widgets::Wording& what);
     void save();
@@ -124,6 +140,9 @@ private:
     PanelDeck& m_deck;
     widgets::EvidencePage& m_page;
     SurveyWork& m_work;
+    std::string m_removedSince;  ///< of what is being drawn
+    SurveyPairs* m_pairs;
+    SurveySections* m_sections;
 };
 
 }  // namespace rubble

@@ -73,6 +73,7 @@ QString Document::openPath() const {
 bool Document::standsOn(const Case& theCase) const {
     const auto bare = [](Case of) {
         of.photographs.clear();
+        of.removals.clear();
         of.ensemble = {};
         std::erase_if(of.inputs, [](const CaseInput& input) {
             return input.role == InputRole::Photograph || input.role == InputRole::Survey;
@@ -128,6 +129,20 @@ void Document::setSurveys(std::vector<CaseInput> inputs, const widgets::Wording&
         };
     };
     m_undo.push(new StepCommand(what, way(std::move(inputs)), way(m_case.inputs)));
+}
+
+void Document::setRemovals(std::vector<Removal> removals, const widgets::Wording& what) {
+    std::stable_sort(removals.begin(), removals.end(), [](const Removal& a, const Removal& b) { return a.time < b.time; });
+    if (empty() || removals == m_case.removals) {
+        return;
+    }
+    const auto way = [this](std::vector<Removal> to) {
+        return [this, to = std::move(to)] {
+            m_case.removals = to;
+            emit surveysChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(std::move(removals)), way(m_case.removals)));
 }
 
 void Document::setSite(const Site& site, const std::string& crs, const std::vector<std::optional<Vec3>>& offsets,

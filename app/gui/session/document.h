@@ -30,7 +30,7 @@ public:
     const QString& base() const { return m_base; }
     /// The case, or the FE result that is open without one; empty if nothing is.
     QString openPath() const;
-    /// Whether a case is this one, photographs and ensemble apart: they may be edited while its files are read.
+    /// Whether a case is this one, evidence and ensemble apart: they may be edited while its files are read.
     bool standsOn(const Case& theCase) const;
     bool modified() const { return !empty() && !m_undo.isClean(); }
     QUndoStack& undoStack() { return m_undo; }
@@ -53,6 +53,8 @@ public:
     void setInputs(std::vector<CaseInput> inputs, const widgets::Wording& what);
     /// Other surveys among the input files as one undoable command; no result depends on them.
     void setSurveys(std::vector<CaseInput> inputs, const widgets::Wording& what);
+    /// Other places whose debris was removed, put into the order of their times, as one undoable command.
+    void setRemovals(std::vector<Removal> removals, const widgets::Wording& what);
     /// How the case lies in the world as one undoable command: terrain and surroundings are read anew.
     /// @param offsets  of the meshes of surroundings, in the order of the inputs
     void setSite(const Site& site, const std::string& crs, const std::vector<std::optional<Vec3>>& offsets,

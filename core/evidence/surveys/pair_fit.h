@@ -14,6 +14,7 @@ struct PlacePair {
     std::string name;
     Vec3 surveyed = Vec3::Zero();  ///< m, local, where the survey has it as its coordinates say
     Vec3 placed = Vec3::Zero();    ///< m, local, where it belongs
+    friend bool operator==(const PlacePair&, const PlacePair&) = default;
 };
 
 /// The rigid move of least squares that brings surveyed places to where they belong.

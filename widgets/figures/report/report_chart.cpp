@@ -17,7 +17,7 @@ namespace {
 class ChartSheet {
 public:
     ChartSheet(const ReportChart& chart, const QRectF& area, double text)
-        : m_chart(chart), m_text(text), m_left(area.left()), m_palette(palette(render::Theme::Print)) {
+        : m_chart(chart), m_text(text), m_left(area.left()), m_palette(palette(chart.theme)) {
         m_font.setPixelSize(std::max(5, static_cast<int>(std::lround(text))));
         findRange();
         const QFontMetricsF metrics(m_font);

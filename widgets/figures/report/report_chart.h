@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/render/basics/view.h"
+
 class QPainter;
 class QRectF;
 
@@ -27,7 +29,7 @@ struct ChartSeries {
     std::vector<Point> points;
 };
 
-/// A plain chart for print: axes with units, direct labels, a band.
+/// A plain chart, for print unless a theme is given: axes with units, direct labels, a band.
 struct ReportChart {
     QString xTitle, yTitle;  ///< with unit
     bool logX = false;
@@ -35,6 +37,7 @@ struct ReportChart {
     std::vector<ChartSeries> series;
     double band = std::numeric_limits<double>::quiet_NaN();  ///< from 0 up to here; NaN: none
     QString bandName;
+    render::Theme theme = render::Theme::Print;
 
     void paint(QPainter& painter, const QRectF& area, double textHeight) const;
 };

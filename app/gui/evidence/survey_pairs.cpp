@@ -1,0 +1,67 @@
+#include "app/gui/evidence/survey_pairs.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "app/gui/session/session.h"
+#include "core/base/error.h"
+#include "io/case/case_file.h"
+#include "io/case/terrain_reader.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/surveys/place_pairs_dialog.h"
+#include "widgets/views/view_widget.h"
+
+namespace rubble {
+
+SurveyPairs::SurveyPairs(Session& session, widgets::EvidencePage& page, Placed placed, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_page(page),
+      m_placed(std::move(placed)) {
+    connect(&m_document, &Document::replaced, this, [this] { m_worker.cancel(); });
+}
+
+void SurveyPairs::pick(const CaseInput& survey) {
+    const Inputs& inputs = m_computation.inputs();
+    if (inputs.fe == nullptr) {
+        m_session.tell(tr("Places are picked in the model: open the FE result first."));
+        return;
+    }
+    m_session.tell(tr("Reading %1").arg(QFileInfo(QString::fromStdString(survey.path)).fileName()));
+    auto read = std::make_shared<io::SurveyInput>();
+    m_worker.start({Worker::Kind::Open,
+                    [read, path = io::inputPath(m_document.base().toStdString(), survey), frame = inputs.frame,
+                     site = m_document.theCase().site](const Execution& execution) {
+                        *read = io::readSurvey(path, frame, site, Aabb(), execution, {.holds = io::SurveyRequest::Holds::Heights});
+                        if (read->survey.heights.aboveGround) {
+                            throw UsageError(
+                                {"pairs.above_ground", "{0} holds heights above the ground, which belong to no place", {path}},
+                                {"pairs.above_ground.remedy", "Give the heights as they were surveyed.", {}});
+                        }
+                    },
+                    [this, read, id = survey.id](const std::exception_ptr& thrown) {
+                        if (const auto failure = failureOf(thrown)) {
+                            m_session.tell(failure->inOneLine());
+                        } else if (thrown == nullptr) {
+                            ask(id, *read);
+                        }
+                    }});
+}
+
+void SurveyPairs::ask(const std::string& id, io::SurveyInput& read) {
+    const Inputs& inputs = m_computation.inputs();
+    if (inputs.fe == nullptr) {
+        return;
+    }
+    widgets::PlacePairsDialog dialog(std::move(read.survey.heights), QString::fromStdString(read.survey.name),
+                                     io::boundsAtRest(inputs.fe->mesh()), m_page.window());
+    dialog.resize(m_page.window()->size() * 0.92);
+    dialog.setModel(m_page.model().data(), m_page.model().view());
+    if (dialog.exec() == QDialog::Accepted && dialog.fit()) {
+        m_placed(id, *dialog.fit());
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,162 @@
+#include "app/gui/evidence/survey_sections.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <utility>
+
+#include "app/gui/session/session.h"
+#include "io/case/case_file.h"
+#include "io/exports/exports.h"
+#include "io/site/clouds/height_source.h"
+#include "io/site/site_place.h"
+#include "io/site/surveys/measured_points.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/surveys/section_dialog.h"
+#include "widgets/figures/figure_file.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double fallenFrom = 1.0;  // m that live structure has moved by
+
+/// Shorter steps than heights lie apart would leave most of them, and of the areas, empty.
+void takeStep(SectionLine& line, const SurveyHeights& heights, Findings& findings) {
+    if (line.step < heights.spacing()) {
+        line.step = heights.spacing();
+        findings.add({"section.step", "steps are as long as the heights of the survey lie apart: {0}", {{line.step, "m"}}},
+                     {"section.step.remedy", "none is needed", {}});
+    }
+}
+
+}  // namespace
+
+SurveySections::SurveySections(Session& session, widgets::EvidencePage& page, QObject* parent)
+    : QObject(parent), m_session(session), m_document(session.document()), m_computation(session.computation()), m_page(page) {
+    connect(&m_document, &Document::replaced, this, [this] {
+        m_worker.cancel();
+        m_order.reset();
+        m_section = nullptr;
+        show();
+    });
+}
+
+std::optional<SectionLine> SurveySections::line() const {
+    return m_order ? std::optional(m_order->line) : std::nullopt;
+}
+
+void SurveySections::cut(const OutlineRing& ends, const CaseInput& survey, std::shared_ptr<const SurveyWork::Made> made) {
+    m_order = Order{{ends.front(), ends.back()}, survey, std::move(made)};
+    cutAgain();
+    m_dialog->show();
+    m_dialog->raise();
+}
+
+void SurveySections::cutAgain() {
+    const RunRecord* record = m_computation.currentRun();
+    if (!m_order || record == nullptr || record->reader == nullptr) {
+        return;
+    }
+    if (m_dialog == nullptr) {
+        m_dialog = new widgets::SectionDialog(m_page.window());
+        m_dialog->resize(900, 560);
+        connect(m_dialog, &widgets::SectionDialog::changed, this, &SurveySections::cutAgain);
+        connect(m_dialog, &widgets::SectionDialog::saveRequested, this, &SurveySections::save);
+        connect(m_dialog, &QDialog::finished, this, [this] {
+            m_order.reset();
+            m_section = nullptr;
+            emit changed();
+        });
+    }
+    m_order->line.width = m_dialog->width();
+    m_order->line.step = m_dialog->step();
+    m_section = nullptr;
+    m_stale = false;
+    auto outcome = std::make_shared<io::RunSection>();
+    m_worker.start({Worker::Kind::Study,
+                    [outcome, order = *m_order, run = EvidenceRun(m_computation.inputs(), record), site = m_document.theCase().site,
+                     frame = m_computation.inputs().frame,
+                     path = io::inputPath(m_document.base().toStdString(), m_order->survey)](const Execution& execution) mutable {
+                        MappedRun mapped = run.mapped();
+                        const SiteSurface ground = groundOf(mapped);
+                        // The ground is added where the line goes, with all of its nodes.
+                        mapped.terrain = nullptr;
+                        SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
+                        const Survey& survey = order.made->input.survey;
+                        Findings findings;
+                        std::vector<Vec3> measured;
+                        if (!survey.isFootprint && io::holdsCloud(path)) {
+                            measured =
+                                io::readMeasuredPoints({path, {}, frame, site, order.survey.registration}, findings, execution);
+                        } else if (!survey.isFootprint) {
+                            measured = heightsBeside(survey.heights, ground, order.line);
+                            takeStep(order.line, survey.heights, findings);
+                        }
+                        *outcome = io::cutRun(std::move(shape), ground, order.line, measured, execution);
+                        findings.append(outcome->findings);
+                        outcome->findings = std::move(findings);
+                        outcome->zero = io::SitePlace(frame, site).transform().height;
+                    },
+                    [this, outcome](const std::exception_ptr& thrown) {
+                        if (thrown == nullptr) {
+                            m_section = outcome;
+                        }
+                        const auto failure = failureOf(thrown);
+                        show(failure ? failure->inOneLine() : QString());
+                    }});
+    show();
+}
+
+void SurveySections::setStale(bool stale) {
+    if (stale != m_stale) {
+        m_stale = stale;
+        show();
+    }
+}
+
+void SurveySections::show(const QString& complaint) {
+    if (m_dialog != nullptr) {
+        widgets::SectionDialog::Content content;
+        if (m_section != nullptr) {
+            content.section = std::shared_ptr<const SiteSection>(m_section, &m_section->section);
+            content.time = m_section->time;
+            content.zero = m_section->zero;
+            content.findings = m_section->findings;
+        }
+        if (m_order && !m_order->made->input.survey.isFootprint) {
+            content.survey = QFileInfo(QString::fromStdString(m_order->survey.path)).fileName();
+        }
+        content.complaint = complaint;
+        content.cutting = m_order && m_section == nullptr && complaint.isEmpty();
+        content.stale = m_stale;
+        m_dialog->setContent(content);
+    }
+    emit changed();
+}
+
+void SurveySections::save() {
+    const QString path = QFileDialog::getSaveFileName(m_dialog, tr("Section"),
+                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/section.png"),
+                                                      tr("Images (*.png)"));
+    if (!path.isEmpty()) {
+        saveTo(path);
+    }
+}
+
+void SurveySections::saveTo(const QString& path) {
+    const RunRecord* record = m_computation.currentRun();
+    if (m_section == nullptr || m_stale || record == nullptr || record->reader == nullptr) {
+        return;
+    }
+    try {
+        const std::string provenance = io::provenanceText(*record->reader);
+        figures::writePng(path.toStdString(), figures::sectionPicture(m_section->section, m_dialog->printed()), provenance);
+        io::writeProvenance(path.toStdString(), provenance);
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.tell(failure->inOneLine());
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/base/finding.h"
+#include "core/evidence/site_section.h"
+
+namespace rubble::io {
+
+/// A section through what a run leaves on a site.
+struct RunSection {
+    SiteSection section;
+    double time = 0.0;  ///< s, of what is cut
+    double zero = 0.0;  ///< m, height of the local zero in the system of the case
+    Findings findings;  ///< terrain taken coarser, points without a surface or beside the line
+};
+
+/// Adds the ground about a line to a site and cuts both. @param site  without ground; @param measured  m, local
+/// Throws as siteSection().
+RunSection cutRun(SiteShape site, const SiteSurface& ground, const SectionLine& line, std::span<const Vec3> measured,
+                  const Execution& execution);
+
+}  // namespace rubble::io

@@ -1,0 +1,221 @@
+#include <QAction>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QToolButton>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "app/gui/case/file_commands.h"
+#include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/survey_pairs.h"
+#include "app/gui/evidence/survey_sections.h"
+#include "io/case/case_file.h"
+#include "tests/app/gui/workbench.h"
+#include "tests/support/temporary_folder.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/photo_view.h"
+#include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/survey_view.h"
+#include "widgets/evidence/surveys/place_pairs_dialog.h"
+#include "widgets/evidence/surveys/removal_box.h"
+#include "widgets/evidence/surveys/section_dialog.h"
+#include "widgets/views/view_widget.h"
+
+namespace rubble {
+
+namespace {
+
+class SurveyPlaces : public FreshWorkbench {
+protected:
+    /// An ESRI ASCII grid of heights every metre around the arch.
+    QString heights(const char* name, const std::function<double(double, double)>& height) {
+        const std::string path = m_folder / name;
+        std::ofstream out(path);
+        out << "ncols 120\nnrows 60\nxllcorner -60\nyllcorner -30\ncellsize 1\nNODATA_value -9999\n";
+        for (int row = 59; row >= 0; --row) {
+            for (int column = 0; column < 120; ++column) {
+                out << height(column - 59.5, row - 29.5) << ' ';
+            }
+            out << '\n';
+        }
+        return QString::fromStdString(path);
+    }
+    static double pile(double x, double y) { return std::abs(x) < 15.0 && std::abs(y) < 5.0 ? 1.0 : 0.0; }
+    SurveyDisplay& surveys() { return *window->rooms().survey; }
+    widgets::SurveyBox& box() { return window->rooms().deck->evidence().survey(); }
+    void compared() {
+        openArch();
+        makeCheap();
+        simulateToEnd();
+        ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+        surveys().add(heights("after.asc", pile));
+        compare();
+    }
+    void compare() {
+        surveys().compare();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !surveys().busy(); }, patience));
+        ASSERT_NE(surveys().comparison(), nullptr);
+    }
+    void drawOnMap(const std::vector<Eigen::Vector2d>& corners) {
+        auto& view = *window->findChild<widgets::SurveyView*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.isVisible(); }, patience));
+        view.grab();
+        for (const Eigen::Vector2d& corner : corners) {
+            QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget(corner).toPoint());
+        }
+        if (view.drawing()) {
+            QTest::keyClick(&view, Qt::Key_Return);
+        }
+    }
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(SurveyPlaces, PairsAreClickedInSurveyAndModelAndTheirResidualsStandAtOnce) {
+    openArch();
+    surveys().add(heights("after.asc", pile));
+    const auto pushed = [&](const char* text) {
+        for (auto* each : box().findChildren<QPushButton*>()) {
+            if (each->text() == QString::fromUtf8(text)) {
+                return each;
+            }
+        }
+        return static_cast<QPushButton*>(nullptr);
+    };
+    bool asked = false;
+    whenAsked([&](QDialog& opened) {
+        asked = true;
+        auto& dialog = dynamic_cast<widgets::PlacePairsDialog&>(opened);
+        auto* place = dialog.findChild<QPushButton*>();
+        for (auto* each : dialog.findChildren<QPushButton*>()) {
+            place = each->text() == QStringLiteral("Place survey") ? each : place;
+        }
+        // The first click by mouse in both views.
+        widgets::PhotoView& plan = dialog.survey();
+        QTest::mouseClick(&plan, Qt::LeftButton, {}, plan.toWidget({60.0, 30.0}).toPoint());
+        ASSERT_TRUE(plan.content().pending);
+        QTest::keyClick(&plan, Qt::Key_Escape);
+        EXPECT_FALSE(plan.content().pending) << "Esc takes back what was begun";
+        QTest::mouseClick(&plan, Qt::LeftButton, {}, plan.toWidget({60.0, 30.0}).toPoint());
+        dialog.model().picture();
+        std::optional<QPoint> there;
+        for (int y = 20; y < dialog.model().height() - 20 && !there; y += 3) {
+            for (int x = 20; x < dialog.model().width() - 20 && !there; x += 3) {
+                if (dialog.model().hitAt(QPointF(x, y))) {
+                    there = QPoint(x, y);
+                }
+            }
+        }
+        ASSERT_TRUE(there);
+        QTest::mouseClick(&dialog.model(), Qt::LeftButton, {}, *there);
+        EXPECT_EQ(dialog.pairs().size(), 1u);
+        QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier);
+        EXPECT_TRUE(dialog.pairs().empty());
+        EXPECT_TRUE(plan.content().pending) << "only the last click is taken back";
+        dialog.clear();
+        // Places that the survey has 2 m too far east and 1 m too high: pixel centres, so heights are those of the file.
+        for (const auto& [column, row] : {std::pair(30, 10), std::pair(90, 12), std::pair(50, 50), std::pair(60, 30)}) {
+            EXPECT_FALSE(dialog.fit() && dialog.pairs().size() < 3);
+            dialog.placeSurveyed({column + 0.5, row + 0.5});
+            const double x = column - 59.5;
+            const double y = 29.5 - row;
+            dialog.placeModel(Vec3(x - 2.0, y, pile(x, y) - 1.0));
+        }
+        ASSERT_TRUE(dialog.fit());
+        EXPECT_NEAR(dialog.fit()->registration.pairsLeft, 0.0, 1e-9);
+        EXPECT_TRUE(place->isEnabled());
+        const auto* table = dialog.findChild<QTableWidget*>();
+        ASSERT_EQ(table->rowCount(), 4);
+        EXPECT_EQ(table->item(0, 4)->text(), QStringLiteral("0.000"));
+        // One that fits badly is told at once, and can be taken back.
+        dialog.placeSurveyed({20.5, 40.5});
+        dialog.placeModel(Vec3(20.0, 20.0, 0.0));
+        EXPECT_GT(dialog.fit()->registration.pairsLeft, 1.0);
+        EXPECT_FALSE(dialog.fit()->findings.empty());
+        dialog.undo();
+        dialog.undo();
+        EXPECT_NEAR(dialog.fit()->registration.pairsLeft, 0.0, 1e-9);
+        QTest::keyClick(&plan, Qt::Key_Escape);
+        EXPECT_TRUE(dialog.isVisible()) << "pairs that were picked are not lost by Esc";
+        QTest::mouseClick(place, Qt::LeftButton);
+    });
+    QTest::mouseClick(pushed("Pick pairs…"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().theCase().inputs.back().registration.has_value(); }, patience));
+    EXPECT_TRUE(asked);
+    const Registration& placed = *session->document().theCase().inputs.back().registration;
+    EXPECT_EQ(placed.pairs, 4);
+    EXPECT_LT((placed(Vec3(0.0, 0.0, 1.0)) - Vec3(-2.0, 0.0, 0.0)).norm(), 1e-6);
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_FALSE(session->document().theCase().inputs.back().registration);
+}
+
+TEST_F(SurveyPlaces, WhatWasRemovedIsDrawnWithItsTimeAndLeavesLaterSurveysOut) {
+    compared();
+    const double all = surveys().comparison()->survey.area;
+    widgets::RemovalBox& removals = box().removals();
+    auto* since = removals.findChild<QLineEdit*>();
+    auto* add = removals.findChildren<QToolButton*>().front();
+    EXPECT_FALSE(add->isEnabled()) << "a removal has a time";
+    QTest::keyClicks(since, QStringLiteral("2021-06-26 12:00"));
+    EXPECT_TRUE(add->isEnabled());
+    add->menu()->actions().front()->trigger();
+    drawOnMap({{0.0, -6.0}, {16.0, -6.0}, {16.0, 6.0}, {0.0, 6.0}});
+    ASSERT_EQ(session->document().theCase().removals.size(), 1u);
+    EXPECT_EQ(session->document().theCase().removals.front().time, "2021-06-26 12:00:00");
+    EXPECT_EQ(removals.findChild<QListWidget*>()->count(), 1);
+    // When the survey was taken is not known: it counts, and that is a finding.
+    compare();
+    EXPECT_NEAR(surveys().comparison()->survey.area, all, 1.0);
+    emit box().place().edited({"2021-06-27 08:00:00", false, std::nullopt, std::nullopt});
+    EXPECT_TRUE(surveys().stale());
+    compare();
+    EXPECT_NEAR(surveys().comparison()->survey.area, 0.5 * all, 15.0);
+    // A survey of before shows it still.
+    removals.findChild<QListWidget*>()->setCurrentRow(0);
+    emit removals.timeChosen(0, "2021-06-28 12:00:00");
+    compare();
+    EXPECT_NEAR(surveys().comparison()->survey.area, all, 1.0);
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    EXPECT_EQ(io::loadCase(m_folder / "case.rubble").removals, session->document().theCase().removals);
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_EQ(session->document().theCase().removals.front().time, "2021-06-26 12:00:00");
+    emit removals.removeRequested(0);
+    EXPECT_TRUE(session->document().theCase().removals.empty());
+}
+
+TEST_F(SurveyPlaces, ASectionIsDrawnCutMeasuredAndSaved) {
+    compared();
+    emit box().sectionRequested();
+    drawOnMap({{-12.0, 0.0}, {12.0, 0.0}});
+    SurveySections& sections = surveys().sections();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !sections.busy() && sections.section() != nullptr; }, 60'000));
+    const SiteSection& cut = sections.section()->section;
+    EXPECT_NEAR(cut.line.length(), 24.0, 0.5);
+    // One or two rows of heights within the width, a metre apart.
+    EXPECT_GE(cut.points.size(), 22u);
+    EXPECT_LE(cut.points.size(), 50u);
+    EXPECT_NEAR(cut.measuredArea, 24.0, 2.5) << "a metre high over 24 m";
+    ASSERT_NE(sections.dialog(), nullptr);
+    EXPECT_TRUE(sections.dialog()->isVisible());
+    sections.saveTo(QString::fromStdString(m_folder / "section.png"));
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "section.png"));
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "section.png.provenance.json"));
+    // Other settings make map and section stale: it is not saved.
+    for (auto* each : box().findChildren<QComboBox*>()) {
+        if (each->accessibleName() == QStringLiteral("Registration of the survey")) {
+            each->setCurrentIndex(1);
+        }
+    }
+    sections.saveTo(QString::fromStdString(m_folder / "stale.png"));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.png"));
+    sections.dialog()->reject();
+    EXPECT_FALSE(sections.line()) << "the line goes with its profile";
+}
+
+}  // namespace
+
+}  // namespace rubble

@@ -1,0 +1,146 @@
+#include "widgets/evidence/surveys/section_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/wording.h"
+
+namespace rubble::widgets {
+
+/// Draws the profile as large as there is room.
+class SectionView : public QWidget {
+public:
+    explicit SectionView(QWidget* parent = nullptr) : QWidget(parent) { setMinimumSize(480, 240); }
+
+    void setSection(std::shared_ptr<const SiteSection> section, double zero) {
+        m_section = std::move(section);
+        m_zero = zero;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.fillRect(rect(), tints().panel);
+        if (m_section == nullptr) {
+            return;
+        }
+        figures::SectionPictureStyle style;
+        style.pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+        style.textPixels = 1.2 * devicePixelRatioF() * fontMetrics().ascent();
+        style.theme = currentTheme();
+        style.zero = m_zero;
+        QImage picture = figures::sectionPicture(*m_section, style);
+        picture.setDevicePixelRatio(devicePixelRatioF());
+        painter.drawImage(QPoint(0, 0), picture);
+    }
+
+private:
+    std::shared_ptr<const SiteSection> m_section;
+    double m_zero = 0.0;
+};
+
+SectionDialog::SectionDialog(QWidget* parent)
+    : QDialog(parent),
+      m_view(new SectionView),
+      m_width(new NumberField(tr("Width of the section"))),
+      m_step(new NumberField(tr("Step along the section"))),
+      m_measures(new QLabel),
+      m_notice(new Notice),
+      m_findings(new FindingList) {
+    setWindowTitle(tr("Section"));
+    auto* column = new QVBoxLayout(this);
+    auto* row = new QHBoxLayout;
+    const SectionLine usual;
+    for (const auto& [label, field, number] :
+         {std::tuple(tr("Width, m"), m_width, usual.width), std::tuple(tr("Step, m"), m_step, usual.step)}) {
+        row->addWidget(new QLabel(label));
+        field->setRange(0.01, 1000.0);
+        field->setNumber(number);
+        field->setMaximumWidth(90);
+        row->addWidget(field);
+        connect(field, &NumberField::edited, this, &SectionDialog::changed);
+    }
+    m_width->setToolTip(tr("Surveyed points within half of it to either side of the line count, m"));
+    m_step->setToolTip(tr("Along the line: what is drawn, and what areas are summed over, m"));
+    row->addStretch();
+    column->addLayout(row);
+    column->addWidget(m_view, 1);
+    m_measures->setWordWrap(true);
+    m_measures->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(m_measures);
+    column->addWidget(m_notice);
+    column->addWidget(m_findings);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    m_save = buttons->addButton(tr("Save picture…"), QDialogButtonBox::ActionRole);
+    // Enter in a field takes its number.
+    m_save->setAutoDefault(false);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
+    connect(m_save, &QPushButton::clicked, this, &SectionDialog::saveRequested);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    column->addWidget(buttons);
+    setContent({});
+}
+
+double SectionDialog::width() const {
+    return m_width->number().value_or(SectionLine().width);
+}
+
+double SectionDialog::step() const {
+    return m_step->number().value_or(SectionLine().step);
+}
+
+figures::SectionPictureStyle SectionDialog::printed() const {
+    figures::SectionPictureStyle style;
+    style.zero = m_content.zero;
+    return style;
+}
+
+void SectionDialog::setContent(const Content& content) {
+    m_content = content;
+    m_view->setSection(content.section, content.zero);
+    m_measures->setText(measures());
+    m_findings->set(content.findings);
+    if (!content.complaint.isEmpty()) {
+        m_notice->set(Notice::Kind::Error, content.complaint);
+    } else if (content.stale && !content.cutting) {
+        m_notice->set(Notice::Kind::Finding, tr("Of another run, survey or place: draw the section again."));
+    } else {
+        m_notice->set(Notice::Kind::Note, {});
+    }
+    m_save->setEnabled(content.section != nullptr && !content.cutting && !content.stale);
+}
+
+QString SectionDialog::measures() const {
+    if (m_content.cutting || m_content.section == nullptr) {
+        return m_content.cutting ? tr("Cutting…") : QString();
+    }
+    const SiteSection& section = *m_content.section;
+    QStringList words{
+        tr("At %1 s; %2 m long, %3 m wide.")
+            .arg(shownNumber(m_content.time, 4), shownNumber(section.line.length()), shownNumber(section.line.width))};
+    if (m_content.survey.isEmpty()) {
+        words << tr("An outline has no heights: only what was simulated is cut.");
+    } else {
+        words << tr("%1: %2 heights on it, %3 of them where the simulation has a surface.")
+                     .arg(m_content.survey, shownCount(static_cast<std::int64_t>(section.points.size())),
+                          shownCount(section.compared));
+    }
+    if (section.compared > 0) {
+        words
+            << tr("Simulated less surveyed: %1 m in the mean, %2 m RMS.").arg(shownNumber(section.mean), shownNumber(section.rms));
+        words << tr("Area above the ground over %1 m with heights: %2 m² surveyed, %3 m² simulated.")
+                     .arg(shownNumber(section.covered), shownNumber(section.measuredArea), shownNumber(section.simulatedArea));
+    }
+    return words.join(QLatin1Char(' '));
+}
+
+}  // namespace rubble::widgets

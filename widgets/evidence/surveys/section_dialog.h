@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QDialog>
+#include <memory>
+#include <optional>
+
+#include "core/base/finding.h"
+#include "core/evidence/site_section.h"
+#include "widgets/figures/report/section_picture.h"
+
+class QLabel;
+class QPushButton;
+
+namespace rubble::widgets {
+
+class FindingList;
+class Notice;
+class NumberField;
+class SectionView;
+
+/// The profile of a section through what was simulated and surveyed, with what is measured along it. Stays open beside the window.
+class SectionDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SectionDialog(QWidget* parent = nullptr);
+
+    struct Content {
+        std::shared_ptr<const SiteSection> section;  ///< null: none yet
+        double time = 0.0;                           ///< s
+        double zero = 0.0;                           ///< m, height of the local zero
+        QString survey;                              ///< what was measured, for people
+        Findings findings;
+        QString complaint;  ///< what went wrong with the last one
+        bool cutting = false;
+        bool stale = false;  ///< it is of another run, survey or place
+    };
+    void setContent(const Content& content);
+    const Content& content() const { return m_content; }
+    double width() const;
+    double step() const;
+    /// How the picture is drawn that is saved.
+    figures::SectionPictureStyle printed() const;
+
+signals:
+    /// Another width or step is wanted.
+    void changed();
+    void saveRequested();
+
+private:
+    QString measures() const;
+
+    Content m_content;
+    SectionView* m_view;
+    NumberField* m_width;
+    NumberField* m_step;
+    QLabel* m_measures;
+    Notice* m_notice;
+    FindingList* m_findings;
+    QPushButton* m_save;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+
+#include "core/evidence/site_section.h"
+#include "widgets/render/basics/view.h"
+
+namespace rubble::figures {
+
+/// How the profile of a section is drawn.
+struct SectionPictureStyle {
+    QSize pixels{1600, 900};
+    double textPixels = 25.0;  ///< height of the text
+    render::Theme theme = render::Theme::Print;
+    double zero = 0.0;  ///< m, height of the local zero in the system of the case
+};
+
+/// Heights along a section: measured points below, the ground dashed, the simulated surface in full, with a key. Lines end where
+/// there is no height. Call ensureGuiApplication() first.
+QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& style);
+
+}  // namespace rubble::figures

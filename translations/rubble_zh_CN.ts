@@ -21033,8 +21033,8 @@ What the file fits: %2.</source>
         <translation>堆积物被运走的各处</translation>
     </message>
     <message>
-        <source>%1, gone since %2, places: %3</source>
-        <translation>%1，运走时间 %2，处数：%3</translation>
+        <source>since %1: %2, places: %3</source>
+        <translation>自 %1 起：%2，处数：%3</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,7 @@ void SurveyPairs::pick(const CaseInput& survey) {
                         if (const auto failure = failureOf(thrown)) {
                             m_session.tell(failure->inOneLine());
                         } else if (thrown == nullptr) {
+                            m_session.tell({});
                             ask(id, *read);
                         }
                     }});

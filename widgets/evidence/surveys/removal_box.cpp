@@ -51,6 +51,8 @@ RemovalBox::RemovalBox(QWidget* parent)
     m_said->setWordWrap(true);
     column->addWidget(m_said);
     m_list->setAccessibleName(tr("Places whose debris was removed"));
+    // A narrow panel cuts long names; a bar would lie over the only row.
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     column->addWidget(m_list);
     connect(m_since, &QLineEdit::textEdited, this, &RemovalBox::showState);
     connect(m_since, &QLineEdit::editingFinished, this, &RemovalBox::takeTime);
@@ -79,9 +81,10 @@ void RemovalBox::setRemovals(const std::vector<Removal>& removals, bool some) {
         m_removals = removals;
         m_list->clear();
         for (const Removal& removal : removals) {
-            m_list->addItem(tr("%1, gone since %2, places: %3")
-                                .arg(QString::fromStdString(removal.name), QString::fromStdString(removal.time))
+            m_list->addItem(tr("since %1: %2, places: %3")
+                                .arg(QString::fromStdString(removal.time), QString::fromStdString(removal.name))
                                 .arg(removal.area.polygons.size()));
+            m_list->item(m_list->count() - 1)->setToolTip(m_list->item(m_list->count() - 1)->text());
         }
         m_showing = false;
     }

@@ -11743,8 +11743,8 @@
         <translation>单元属于其中时即为失效的部件（块、材料），按名称或编号，以分号分隔。留空：单元移入时按名称识别。</translation>
     </message>
     <message>
-        <source>Parts alive at the end of the FE result without a path to a support. released: they go on as rigid bodies. held: they stay where they are.</source>
-        <translation>有限元结果结束时仍存活但没有路径通向支座的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
+        <source>Parts alive at the end of the FE result without a path to a support, which the engine does not carry yet (loose_structure). released: they go on as rigid bodies. held: they stay where they are.</source>
+        <translation>有限元结果结束时仍存活、没有路径通向支座且尚未由引擎带动（loose_structure）的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
     </message>
     <message>
         <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load. Automatic: 4, or 16 where the engine moves loose structure.</source>
@@ -12023,8 +12023,8 @@
         <translation>松脱的结构</translation>
     </message>
     <message>
-        <source>Who moves live structure without a path to a support. fe: the FE result, until its elements die or it ends. at_once: the engine, from when it comes loose; what the FE result kills is born where the engine has it.</source>
-        <translation>没有路径通向支座的未失效结构由谁移动。fe：有限元结果，直到其单元失效或结果结束。at_once：引擎，从其松脱起；有限元结果令其失效的单元在引擎所在之处产生。</translation>
+        <source>Who moves live structure without a path to a support. at_once: the engine, from when it comes loose; what the FE result kills is born where the engine has it. fe: the FE result, until its elements die or it ends; quicker, but debris is born inside debris.</source>
+        <translation>没有路径通向支座的未失效结构由谁移动。at_once：引擎，从其松脱起；有限元结果令其失效的单元在引擎所在之处产生。fe：有限元结果，直到其单元失效或结果结束；更快，但碎块产生于已有堆积物之中。</translation>
     </message>
     <message>
         <source>Another seed gives other bumps and hollows of the same height and spacing. Repeats count on from it.</source>

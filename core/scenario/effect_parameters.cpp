@@ -77,11 +77,12 @@ void addSteelAndStone(ParameterRows& table) {
         .number("break_up_speed", "m/s", 0, 1000, RUBBLE_AT(effects.breakUpSpeed), "Break-up speed",
                 "Impulse over mass of a hit above which a cluster of stone or masonry falls apart. An assumption.")
         .choice("live_islands", {"released", "held"}, RUBBLE_AT(effects.islands), "Fallen live structure",
-                "Parts alive at the end of the FE result without a path to a support. released: they go on as rigid bodies. held: "
-                "they stay where they are.")
+                "Parts alive at the end of the FE result without a path to a support, which the engine does not carry yet "
+                "(loose_structure). released: they go on as rigid bodies. held: they stay where they are.")
         .choice("loose_structure", {"fe", "at_once"}, RUBBLE_AT(effects.loose), "Loose structure",
-                "Who moves live structure without a path to a support. fe: the FE result, until its elements die or it ends. "
-                "at_once: the engine, from when it comes loose; what the FE result kills is born where the engine has it.");
+                "Who moves live structure without a path to a support. at_once: the engine, from when it comes loose; what the FE "
+                "result kills is born where the engine has it. fe: the FE result, until its elements die or it ends; quicker, but "
+                "debris is born inside debris.");
 }
 
 void addMaterials(ParameterRows& table) {

@@ -121,7 +121,7 @@ struct EffectSettings {
     double tieElongation = 0.15;       ///< of the length of the tie, at which it breaks
     double breakUpSpeed = 6.0;         ///< m/s, impulse per mass above which a cluster of stone or masonry breaks up
     LiveIslandPolicy islands = LiveIslandPolicy::Released;
-    LooseStructurePolicy loose = LooseStructurePolicy::Fe;
+    LooseStructurePolicy loose = LooseStructurePolicy::AtOnce;
     double terrainRoughness = 0.0;   ///< m, mean height of obstacles that the raster does not hold
     double roughnessSpacing = 0.25;  ///< m, between them
     std::int64_t roughnessSeed = 1;

@@ -310,6 +310,7 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
     auto result = std::make_shared<SimulationResult>();
     result->stepTimes.meanMs = 2.345;
     result->bulkingFactor = 1.62;
+    result->substeps = 4;
     RunPanel::Outcome outcome;
     outcome.result = result;
     const auto told = [&](const QString& text) {
@@ -321,7 +322,6 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
         return false;
     };
     outcome.solver = SolverKind::SoftStep;
-    outcome.substeps = 4;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step, bulking of the pile 1.62")));
     outcome.solver = SolverKind::Bullet;

@@ -15,11 +15,11 @@ namespace rubble::widgets {
 namespace {
 
 /// The solver with its cost and its effect on the pile.
-QString solverLine(SolverKind solver, int substeps, const SimulationResult& result) {
+QString solverLine(SolverKind solver, const SimulationResult& result) {
     const QString cost = RunPanel::tr("mean %1 ms per step").arg(shownNumber(result.stepTimes.meanMs, 2));
     const QString pile = RunPanel::tr("bulking of the pile %1").arg(shownNumber(result.bulkingFactor));
     return solver == SolverKind::SoftStep
-               ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(substeps).arg(cost, pile)
+               ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(result.substeps).arg(cost, pile)
                : RunPanel::tr("Solver: bullet, %1, %2").arg(cost, pile);
 }
 
@@ -130,7 +130,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     const SimulationResult& r = *outcome.result;
     const auto sum = static_cast<double>(std::max<std::int64_t>(1, r.births.births));
     const auto pair = [](double a, double b) { return QStringLiteral("%1, %2").arg(shownNumber(a, 2), shownNumber(b, 2)); };
-    m_solver->setText(solverLine(outcome.solver, outcome.substeps, r));
+    m_solver->setText(solverLine(outcome.solver, r));
     m_bodies->setText(shownCount(r.bodiesPeak));
     m_awake->setText(shownCount(r.awakePeak));
     m_asleep->setText(shownShare(r.asleepAtEnd));

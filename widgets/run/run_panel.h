@@ -24,7 +24,6 @@ public:
     struct Outcome {
         std::shared_ptr<const SimulationResult> result;
         SolverKind solver = SolverKind::SoftStep;
-        int substeps = 0;
         double wallSeconds = 0.0;
         double liveMean = 0.0;   ///< FPS; 0: was not live
         double liveWorst = 0.0;  ///< FPS

@@ -72,6 +72,7 @@ std::vector<Predictions> predictAll(const AccuracyReport& report, const std::str
     for (const AccuracyPoint& point : report.points) {
         KnownPoint open = openPoint(scene, machine, point.cost.threads, point.scenario, point.fragments, point.bodies);
         open.span = report.span;
+        open.carries = open.carries && report.comesLoose;
         const std::vector<KnownPoint> others = pointsBut(open, known);
         Predictions& predictions = all.emplace_back();
         for (std::size_t w = 0; w < predictedCount; ++w) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/analysis/accuracy/study_tasks.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
 #include "io/run/study_files.h"
@@ -22,6 +23,18 @@ std::vector<KnownPoint> keptPoints(const Digest& scene) {
         // No folder for what can be made again: there are no points.
         return {};
     }
+}
+
+/// As the run will take it. Before there are clusters it is taken as it is asked for, which is the dearer one.
+Scenario settledBefore(const Forecast::Question& question) {
+    if (question.components == nullptr || question.clustering == nullptr) {
+        return question.scenario;
+    }
+    Results results;
+    results.components = question.components;
+    results.fragments = question.fragments;
+    results.clustering = question.clustering;
+    return settledBy(question.inputs, question.scenario, results);
 }
 
 }  // namespace
@@ -45,6 +58,8 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     }
     KnownPoint open = openPoint(scene, machine, threads, question.scenario, static_cast<std::int64_t>(question.fragments->size()),
                                 question.bodies);
+    const Scenario settled = settledBefore(question);
+    open.carries = settled.effects.loose != LooseStructurePolicy::Fe;
     open.span = collapseSpan(*question.fragments, question.inputs.fe->times().back());
     Answer answer{question.scenario, question.bodies, {}, false};
     for (const Predicted what : shownFigures) {
@@ -53,8 +68,8 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
             if (!speed.measured || speed.threads != threads) {
                 speed = {measureMachineSpeed(execution), threads};
             }
-            prediction = crudeWallSeconds(*question.fragments, question.bodies, question.inputs.fe->times().back(),
-                                          question.scenario, *speed.measured);
+            prediction = crudeWallSeconds(*question.fragments, question.bodies, question.inputs.fe->times().back(), settled,
+                                          *speed.measured);
         }
         answer.figures.push_back({what, std::move(prediction), std::nullopt});
     }

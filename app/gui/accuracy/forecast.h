@@ -23,6 +23,8 @@ public:
         Scenario scenario;
         std::shared_ptr<const FragmentSet> fragments;
         std::int64_t bodies = 0;
+        std::shared_ptr<const Components> components;  ///< null: not known yet
+        std::shared_ptr<const Clustering> clustering;  ///< likewise
     };
     /// The answer with what it was asked for.
     struct Answer {

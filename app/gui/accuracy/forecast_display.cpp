@@ -43,7 +43,8 @@ void ForecastDisplay::ask() {
     const auto bodies = m_grid.bodies();
     m_kept.answer.reset();
     if (m_computation.inputs().fe != nullptr && results.fragments != nullptr && !results.fragments->list.empty() && bodies) {
-        m_forecast.ask({m_computation.inputs(), m_document.scenario(), results.fragments, *bodies});
+        m_forecast.ask(
+            {m_computation.inputs(), m_document.scenario(), results.fragments, *bodies, results.components, results.clustering});
     }
     show();
 }

@@ -27,7 +27,6 @@ widgets::RunPanel::Outcome outcomeOf(const RunRecord& record) {
     outcome.result = record.outcome;
     outcome.wallSeconds = record.wallSeconds;
     outcome.solver = record.scenario.simulation.solver;
-    outcome.substeps = substepsOf(record.scenario);
     outcome.fpsTarget = record.scenario.grid.fpsTarget;
     return outcome;
 }

@@ -57,6 +57,9 @@ public:
         report.instant = m_options.study.instant;
         report.elements = static_cast<std::int64_t>(m_inputs.fe->mesh().elementCount());
         report.span = collapseSpan(*m_base.results.fragments, m_inputs.fe->times().back());
+        Scenario carried = m_base.scenario;
+        carried.effects.loose = LooseStructurePolicy::AtOnce;
+        report.comesLoose = settledBy(m_inputs, carried, m_base.results).effects.loose != LooseStructurePolicy::Fe;
         report.reference.setting = std::string(referenceSetting);
         report.reference.scenario = reference;
         report.points.resize(settings.size());

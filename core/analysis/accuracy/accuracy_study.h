@@ -72,6 +72,7 @@ struct AccuracyReport {
     DebrisInstant instant = DebrisInstant::AtRest;
     std::int64_t elements = 0;
     double span = 0.0;                 ///< s, from the first birth to the last FE state
+    bool comesLoose = false;           ///< structure does, before the FE result ends
     AccuracyPoint reference;           ///< its difference is that from itself
     std::optional<RepeatFloor> floor;  ///< of the repeats that are done; unset without the reference
     FloorSpread spread;

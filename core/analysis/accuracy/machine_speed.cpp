@@ -35,7 +35,7 @@ MachineSpeed measureMachineSpeed(const Execution& execution) {
         course.births.push_back(cluster.handOverTime);
     }
     const double span = std::max(result.endTime - result.firstTime, 1e-9);
-    return {wall / RunTimeLeft(std::move(course)).work(), static_cast<double>(result.steps) / span};
+    return {wall / RunTimeLeft(std::move(course)).work(), static_cast<double>(result.steps) / span, result.substeps};
 }
 
 Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, double feEnd, const Scenario& scenario,
@@ -57,7 +57,10 @@ Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, d
     for (std::int64_t i = 0; i < bodies; ++i) {
         course.births.push_back(births[static_cast<std::size_t>(i) * births.size() / static_cast<std::size_t>(bodies)]);
     }
-    const double steps = scenario.simulation.stepRate ? *scenario.simulation.stepRate / speed.stepRate : 1.0;
+    double steps = scenario.simulation.stepRate ? *scenario.simulation.stepRate / speed.stepRate : 1.0;
+    if (scenario.simulation.solver == SolverKind::SoftStep) {
+        steps *= static_cast<double>(substepsOf(scenario)) / speed.substeps;
+    }
     prediction.known = true;
     prediction.fromSpeed = true;
     prediction.value = RunTimeLeft(std::move(course)).work() * speed.secondsPerWork * std::max(0.25, steps);

@@ -13,6 +13,7 @@ namespace rubble {
 struct MachineSpeed {
     double secondsPerWork = 0.0;  ///< s of wall time for a body second (RunTimeLeft::work())
     double stepRate = 0.0;        ///< 1/s, that the pile was simulated with
+    int substeps = 0;             ///< of a step, likewise
 };
 
 /// Simulates the pile on as many threads as the execution grants. Throws Cancelled.
@@ -21,6 +22,7 @@ MachineSpeed measureMachineSpeed(const Execution& execution);
 /// Wall time of a run that nothing like it was simulated before: from its bodies, their births and the speed of the machine, with
 /// an interval as wide as that is crude.
 /// @param bodies  that carry the fragments
+/// @param scenario  settled, as a run takes it (settledScenario())
 Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, double feEnd, const Scenario& scenario,
                             const MachineSpeed& speed);
 

@@ -110,6 +110,11 @@ bool onCurve(Predicted what, const KnownPoint& open, const Calibration* calibrat
 
 /// From the curve of the machine: between what the worst second of the worst pile and the best of a typical one give.
 Prediction fromCurve(Predicted what, const KnownPoint& open, const Calibration& calibration) {
+    if (open.carries) {
+        return notKnown(
+            "prediction.carries_loose",
+            "this machine was calibrated with fragments alone; here whole spans are simulated as well (loose_structure)");
+    }
     if (calibration.disturbed()) {
         return notKnown("prediction.calibration_disturbed", "this machine was busy with other work when it was calibrated");
     }
@@ -161,6 +166,7 @@ KnownPoint openPoint(const Digest& scene, const std::string& machine, int thread
     point.fragments = fragments;
     point.bodies = bodies;
     point.settle = scenario.simulation.settleTime;
+    point.carries = scenario.effects.loose != LooseStructurePolicy::Fe;
     point.values.fill(unknown);
     for (const Parameter& row : parameterTable()) {
         if (row.stage < Stage::Fragments || row.keyed() || left.contains(row.key)) {
@@ -178,6 +184,7 @@ KnownPoint openPoint(const StudyTask& task, const std::string& machine, int thre
     KnownPoint point =
         openPoint(sceneDigest(task.reference, DebrisInstant::AtRest), machine, threads, task.scenario, task.fragments, task.bodies);
     point.span = task.span;
+    point.carries = task.carries;
     return point;
 }
 
@@ -194,6 +201,7 @@ KnownPoint knownPoint(const AccuracyPoint& point, const AccuracyReport& report) 
                                  point.scenario, point.fragments, point.bodies);
     known.setting = point.setting;
     known.span = report.span;
+    known.carries = known.carries && report.comesLoose;
     const auto set = [&known](Predicted what, double value) { known.values[static_cast<std::size_t>(what)] = value; };
     // What was timed beside other work says what the other work was.
     if (!point.cost.disturbed()) {

@@ -30,6 +30,7 @@ struct KnownPoint {
     std::int64_t bodies = 0;
     double span = 0.0;                            ///< s, from the first birth to the last FE state; 0: not known
     double settle = 0.0;                          ///< s, at most after that
+    bool carries = false;                         ///< the engine moves loose structure as well
     std::array<double, predictedCount> values{};  ///< NaN: not known
 
     double of(Predicted what) const { return values[static_cast<std::size_t>(what)]; }

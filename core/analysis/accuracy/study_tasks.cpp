@@ -5,8 +5,14 @@
 
 #include "core/analysis/accuracy/accuracy_settings.h"
 #include "core/base/error.h"
+#include "core/simulation/effects/decisions.h"
 
 namespace rubble {
+
+Scenario settledBy(const Inputs& inputs, const Scenario& scenario, const Results& results) {
+    return settledScenario(
+        {*inputs.fe, *results.components, *results.fragments, *results.clustering, inputs.terrain.get(), scenario});
+}
 
 double collapseSpan(const FragmentSet& fragments, double feEnd) {
     double first = feEnd;
@@ -28,6 +34,7 @@ StudyTask studyTask(const Inputs& inputs, const Scenario& scenario, const Result
         task.bodies = static_cast<std::int64_t>(results->clustering->list.size());
         task.fragments = static_cast<std::int64_t>(results->fragments->size());
         task.span = collapseSpan(*results->fragments, feEnd);
+        task.carries = settledBy(inputs, scenario, *results).effects.loose != LooseStructurePolicy::Fe;
     }
     return task;
 }

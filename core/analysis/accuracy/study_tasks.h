@@ -20,11 +20,15 @@ struct StudyTask {
     WorldOrigin reference;       ///< of the same scene
     std::int64_t fragments = 0;  ///< likewise
     double span = 0.0;           ///< s, from the first birth to the last FE state
+    bool carries = false;        ///< the engine moves loose structure as well
     double collapse = 0.0;       ///< s, all that is simulated: FE result and settling
 };
 
 /// @param results  of its scene, up to the clusters; null: they are not known, and nothing is said of bodies and span
 StudyTask studyTask(const Inputs& inputs, const Scenario& scenario, const Results* results, WorldOrigin origin, std::string name);
+
+/// The scenario as a run of these clusters takes it (settledScenario()).
+Scenario settledBy(const Inputs& inputs, const Scenario& scenario, const Results& results);
 
 /// From the first birth to the end of the FE result, s; 0 without fragments.
 double collapseSpan(const FragmentSet& fragments, double feEnd);

@@ -112,9 +112,14 @@ OrientedBox boxIn(const Pose& frame, OrientedBox box) {
 }
 
 CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings) {
+    // Thin bricks are made thicker before they are joined: the least thickness goes by an element's length, not a whole span's.
+    std::vector<OrientedBox> thick;
+    for (const OrientedBox& brick : bricks) {
+        thick.push_back(boxPart(brick, settings).box);
+    }
     CollisionShape parts;
-    for (const OrientedBox& box : joinedBricks(bricks, {})) {
-        parts.push_back(boxPart(box, settings));
+    for (const OrientedBox& box : joinedBricks(thick, {})) {
+        parts.push_back({box, {}, 0.0});
     }
     return parts;
 }

@@ -503,6 +503,7 @@ void Collapse::finish() {
     m_result.endTime = m_time;
     m_result.stepRate = m_stepRate.perSecond;
     m_result.stepRateReason = m_stepRate.reason;
+    m_result.substeps = substepsOf(m_description.scenario);
     m_result.fragments = m_outcomes.fragments();
     m_result.stepTimes = m_clock.times();
     reportCosts();

@@ -23,6 +23,7 @@ struct SimulationResult {
     std::int64_t steps = 0;
     double stepRate = 0.0;   ///< 1/s, at least
     Message stepRateReason;  ///< why so many
+    int substeps = 0;        ///< of a step, soft-step solver
     double firstTime = 0.0;  ///< s, first hand-over
     double feEndTime = 0.0;  ///< s, last FE state
     double endTime = 0.0;    ///< s, the end

@@ -30,9 +30,10 @@ TEST(MachineSpeed, IsMeasuredInAboutASecond) {
 }
 
 TEST(CrudePrediction, GrowsWithBodiesAndWithTheTimeThatTheyMove) {
-    const MachineSpeed speed{1e-3, 60.0};
+    const MachineSpeed speed{1e-3, 60.0, 4};
     Scenario scenario;
     scenario.simulation.settleTime = 1.0;
+    scenario.effects.loose = LooseStructurePolicy::Fe;
     const FragmentSet early = bornAt({0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0});
     const Prediction few = crudeWallSeconds(early, 100, 2.0, scenario, speed);
     const Prediction many = crudeWallSeconds(early, 1000, 2.0, scenario, speed);
@@ -45,10 +46,13 @@ TEST(CrudePrediction, GrowsWithBodiesAndWithTheTimeThatTheyMove) {
     EXPECT_GT(few.high, 2.0 * few.value);
     scenario.simulation.stepRate = 240.0;
     EXPECT_NEAR(crudeWallSeconds(early, 100, 2.0, scenario, speed).value, 4.0 * few.value, 1e-9);
+    scenario.simulation.stepRate.reset();
+    scenario.effects.loose = LooseStructurePolicy::AtOnce;
+    EXPECT_NEAR(crudeWallSeconds(early, 100, 2.0, scenario, speed).value, 4.0 * few.value, 1e-9) << "16 substeps for 4";
 }
 
 TEST(CrudePrediction, OfNothingIsNotKnown) {
-    const Prediction none = crudeWallSeconds({}, 100, 2.0, {}, {1e-3, 60.0});
+    const Prediction none = crudeWallSeconds({}, 100, 2.0, {}, {1e-3, 60.0, 4});
     EXPECT_FALSE(none.known);
     EXPECT_FALSE(none.reason.empty());
 }

@@ -155,6 +155,11 @@ TEST(Prediction, LiveRatesOfAnUnknownSceneComeFromTheCalibration) {
     EXPECT_LT(wall.low, 10.0 * 24.0 / (2e5 / 3000.0));
     EXPECT_GT(wall.high, 20.0 * 24.0 / (1e5 / 3000.0));
     EXPECT_FALSE(predict(Predicted::MassMap, lasting, {}, &calibration).known) << "of debris it says nothing";
+    KnownPoint carrying = lasting;
+    carrying.carries = true;
+    for (const Predicted what : {Predicted::Fps, Predicted::WallSeconds}) {
+        EXPECT_EQ(predict(what, carrying, {}, &calibration).reason.id, "prediction.carries_loose") << "calibrated without spans";
+    }
     calibration.othersShare = 0.3;
     EXPECT_EQ(predict(Predicted::Fps, open(3000), {}, &calibration).reason.id, "prediction.calibration_disturbed");
     calibration.othersShare = 0.02;

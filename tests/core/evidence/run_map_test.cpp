@@ -77,6 +77,9 @@ TEST_F(MapOfARun, LiveStructureThatFellHasLayersAndALedgerLineOfItsOwn) {
 }
 
 TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {
+    scenario.effects.loose = LooseStructurePolicy::Fe;
+    results = rubble::run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution());
+    mapped = {inputs.fe.get(), &trajectory, results.fragments, results.simulation, nullptr, scenario};
     const RunMap end = mapAt(std::nullopt);
     ASSERT_EQ(trajectory.islands().size(), 1u);
     const TrajectoryFrame frame = frameAtTime(trajectory, end.map.time);

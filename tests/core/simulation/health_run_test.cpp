@@ -47,6 +47,7 @@ protected:
 
     void SetUp() override {
         scenario.simulation.settleTime = 2.0;
+        scenario.effects.loose = LooseStructurePolicy::Fe;  // bodies of fragments alone
         scenario.fragments.birthWindow = 0.0;
         scenario.simulation.solver = SolverKind::Bullet;
         for (const EffectKind kind : {EffectKind::AirDrag, EffectKind::Ties, EffectKind::BreakUp}) {

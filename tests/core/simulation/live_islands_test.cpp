@@ -197,7 +197,9 @@ scenes::Block falling(const std::string& name, const Vec3& low, const Vec3& size
 
 TEST(IslandBodies, ThousandsOfElementsMakeOneBodyOfFewBoxes) {
     const auto fe = scenes::makeScene({falling("deck", Vec3(0, 0, 50), Vec3(100, 20, 1), {100, 20, 2})}, 4, 0.1);
-    const Made made(fe);
+    Scenario cells;
+    cells.simulation.shape = ClusterShape::OrientedBox;
+    const Made made(fe, cells);
     ASSERT_EQ(made.bodies.size(), 1u);
     const IslandBody& body = made.bodies.front();
     EXPECT_EQ(body.elements.size(), 4000u);
@@ -210,6 +212,15 @@ TEST(IslandBodies, ThousandsOfElementsMakeOneBodyOfFewBoxes) {
         volume += part.box.volume();
     }
     EXPECT_NEAR(volume, 2000.0, 1.0) << "boxes of a regular slab fill it and nothing else";
+    const Made bricks(fe);
+    ASSERT_EQ(bricks.bodies.size(), 1u);
+    EXPECT_LE(bricks.bodies.front().shape.size(), 8u);
+    double joined = 0.0;
+    for (const ConvexPart& part : bricks.bodies.front().shape) {
+        joined += part.box.volume();
+        EXPECT_LT(2.0 * part.box.halfExtents.minCoeff(), 1.01) << "no box is thicker than the slab, however long it is";
+    }
+    EXPECT_NEAR(joined, 2000.0, 1.0);
     const Vec3 sides(100, 20, 1);
     const double mass = body.motion.mass;
     EXPECT_NEAR(body.inertia.maxCoeff(), mass * (sides.x() * sides.x() + sides.y() * sides.y()) / 12.0, 1e-6 * mass * 1e4);

@@ -153,6 +153,7 @@ double workOf(const SimulationResult& result, EffectKind kind) {
 
 Collapsing wallOntoMovingPieces() {
     Collapsing c{"WallOntoMovingPieces", [] { return scenes::collapsingWall(6, 4); }, scenarioFor(3.0)};
+    c.scenario.effects.loose = LooseStructurePolicy::Fe;
     c.shows = [](const SimulationResult& r) {
         EXPECT_GT(r.births.piecePushWork, 0.0);
         EXPECT_GT(r.asleepAtEnd, 0.5);
@@ -270,6 +271,7 @@ Collapsing releasedIslands() {
                      return scenes::makeScene({slab, dying}, 6, 0.1);
                  },
                  scenarioFor(3.0)};
+    c.scenario.effects.loose = LooseStructurePolicy::Fe;
     c.shows = [](const SimulationResult& r) { EXPECT_EQ(r.islands.released, 1); };
     return c;
 }

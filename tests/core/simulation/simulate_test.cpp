@@ -70,6 +70,7 @@ TEST_F(Simulate, TakesABodyOverFromTheFeResultAndLetsItFall) {
 }
 
 TEST_F(Simulate, LedgerClosesAtEveryHandOver) {
+    scenario.effects.loose = LooseStructurePolicy::Fe;  // fragments alone
     const SimulationResult result = simulateScene(scenes::collapsingWall());
     EXPECT_GT(result.bodiesPeak, 3);
     for (const double error : {result.ledger.mass, result.ledger.momentum, result.ledger.angularMomentum, result.ledger.bodyMass,
@@ -215,6 +216,7 @@ TEST_F(Simulate, RemovesBodiesWhoseElementsComeBack) {
 }
 
 TEST_F(Simulate, RefusesWhatIsNoBody) {
+    scenario.effects.loose = LooseStructurePolicy::Fe;  // fragments alone
     for (int damage = 0; damage < 4; ++damage) {
         RunDescription description = test::describe(scenes::collapsingWall(), scenario);
         auto clustering = std::make_shared<Clustering>(*description.clustering);

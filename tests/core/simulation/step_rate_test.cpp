@@ -26,8 +26,9 @@ double rateOf(double side, Scenario scenario = {}, int cells = 3) {
     const Inputs inputs{scenes::makeScene({wall, beam}, 4, 0.1), {}};
     scenario.grid.oneBodyPerFragment = true;
     const Results results = run(inputs, scenario, Stage::Clusters, {}, nullptr, Execution());
-    return stepRateOf(describeRun(inputs, scenario, results),
-                      decideEffects({*inputs.fe, *results.components, *results.fragments, *results.clustering, nullptr, scenario}));
+    const EffectScene scene{*inputs.fe, *results.components, *results.fragments, *results.clustering, nullptr, scenario};
+    const Scenario settled = settledScenario(scene);
+    return stepRateOf(describeRun(inputs, settled, results), decideEffects(scene));
 }
 
 TEST(StepRate, FallsWithTheRootOfTheSize) {

@@ -136,6 +136,7 @@ TEST(Decisions, SidewaysSpeedWidensTheReach) {
     const double reach = 2.0 / standardGravity * std::sqrt(4.0 + 2.0 * standardGravity * 10.5);
     for (const double past : {-0.01, 0.01}) {
         Scene scene = oneCube();
+        scene.scenario.effects.loose = LooseStructurePolicy::Fe;
         scene.blocks[0].velocity = {0, 2, 0};
         scene.blocks.push_back(block("tower", {1.0 + reach + past, 0, 0}, {1, 1, 20}));
         EXPECT_EQ(scene.on(EffectKind::StructureContact), past < 0.0) << past;

@@ -5045,6 +5045,10 @@
         <translation>标定时本机正忙于其他工作</translation>
     </message>
     <message>
+        <source>this machine was calibrated with fragments alone; here whole spans are simulated as well (loose_structure)</source>
+        <translation>本机仅以碎块标定，而这里还要模拟整跨（loose_structure）</translation>
+    </message>
+    <message>
         <source>three finite numbers</source>
         <translation>三个有限数值</translation>
     </message>

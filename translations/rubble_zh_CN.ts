@@ -21345,6 +21345,10 @@ Program: %3</source>
         <translation>求解器：Bullet，%1，%2</translation>
     </message>
     <message>
+        <source>Solver: soft-step, %1, %2</source>
+        <translation>求解器：软步法，%1，%2</translation>
+    </message>
+    <message>
         <source>Run</source>
         <translation>计算</translation>
     </message>

@@ -350,6 +350,7 @@ struct Members<SimulationResult> {
         visit("bodies_peak", r.bodiesPeak);
         visit.added("awake_peak", r.awakePeak);
         visit("steps", r.steps);
+        visit.added("substeps", r.substeps);
         visit("first_time", r.firstTime);
         visit("fe_end_time", r.feEndTime);
         visit("end_time", r.endTime);

@@ -324,6 +324,9 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
     outcome.solver = SolverKind::SoftStep;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step, bulking of the pile 1.62")));
+    result->substeps = 0;
+    panel.setOutcome(outcome);
+    EXPECT_TRUE(told(QStringLiteral("soft-step, mean 2.3 ms per step")));
     outcome.solver = SolverKind::Bullet;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));

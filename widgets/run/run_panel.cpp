@@ -18,9 +18,12 @@ namespace {
 QString solverLine(SolverKind solver, const SimulationResult& result) {
     const QString cost = RunPanel::tr("mean %1 ms per step").arg(shownNumber(result.stepTimes.meanMs, 2));
     const QString pile = RunPanel::tr("bulking of the pile %1").arg(shownNumber(result.bulkingFactor));
-    return solver == SolverKind::SoftStep
-               ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(result.substeps).arg(cost, pile)
-               : RunPanel::tr("Solver: bullet, %1, %2").arg(cost, pile);
+    if (solver == SolverKind::Bullet) {
+        return RunPanel::tr("Solver: bullet, %1, %2").arg(cost, pile);
+    }
+    // Files of earlier versions do not tell the substeps.
+    return result.substeps > 0 ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(result.substeps).arg(cost, pile)
+                               : RunPanel::tr("Solver: soft-step, %1, %2").arg(cost, pile);
 }
 
 }  // namespace

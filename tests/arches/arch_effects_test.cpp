@@ -10,8 +10,9 @@ namespace {
 using Manifest = std::array<std::string, effectCount>;
 
 /// "on: reason", in the order of the effects.
-Manifest manifestOf(const arches::Arch& arch) {
+Manifest manifestOf(const arches::Arch& arch, LooseStructurePolicy loose) {
     Scenario scenario;
+    scenario.effects.loose = loose;
     scenario.fragments.birthWindow = 0.0;
     const Sizing sizing = sizeBasicGrid(arch.fragments, arch.mesh(), arch.components, scenario.grid, Execution());
     const Clustering clusters = makeClusters(arch.fragments, arch.mesh(), sizing.grid, scenario.grid, Execution());
@@ -26,7 +27,7 @@ Manifest manifestOf(const arches::Arch& arch) {
 // Numbers are printed to four digits, so that only a change of the tests or of what they look at shows.
 TEST(ArchEffects, TheManifestOfTheStoneArch) {
     EXPECT_EQ(
-        manifestOf(arches::mergedStoneArch()),
+        manifestOf(arches::mergedStoneArch(), LooseStructurePolicy::Fe),
         (Manifest{"ground on: level ground at 0 m carries the debris; there is no terrain", "terrain off: the case has no terrain",
                   "structure_contact on: element 28,641 (spandrel walls 1) is active within the ballistic reach of the fragment of "
                   "element 60,229 (arch ring 1)",
@@ -41,7 +42,7 @@ TEST(ArchEffects, TheManifestOfTheStoneArch) {
 
 TEST(ArchEffects, TheManifestOfTheConcreteArch) {
     EXPECT_EQ(
-        manifestOf(arches::rcArch()),
+        manifestOf(arches::rcArch(), LooseStructurePolicy::Fe),
         (Manifest{
             "ground on: level ground at 0 m carries the debris; there is no terrain", "terrain off: the case has no terrain",
             "structure_contact on: element 8,946 (spandrel columns 1) is active within the ballistic reach of the fragment "
@@ -53,6 +54,20 @@ TEST(ArchEffects, TheManifestOfTheConcreteArch) {
             "17,435 (deck slab)), below 17",
             "ties off: no component is marked as reinforced (component[NAME].reinforced)",
             "break_up off: no cluster of two or more fragments is of stone or masonry without reinforcement"}));
+}
+
+TEST(ArchEffects, SpansThatTheEngineMovesMeetDebrisAndWhatStands) {
+    for (const arches::Arch* arch : {&arches::mergedStoneArch(), &arches::rcArch()}) {
+        const Manifest fe = manifestOf(*arch, LooseStructurePolicy::Fe);
+        const Manifest carried = manifestOf(*arch, LooseStructurePolicy::AtOnce);
+        for (const EffectKind kind : {EffectKind::StructureContact, EffectKind::FragmentContact}) {
+            const std::string& line = carried[static_cast<std::size_t>(kind)];
+            EXPECT_NE(line.find(" on: the engine moves loose structure"), std::string::npos) << line;
+        }
+        for (const EffectKind kind : {EffectKind::Ground, EffectKind::Terrain, EffectKind::Water, EffectKind::Ties}) {
+            EXPECT_EQ(carried[static_cast<std::size_t>(kind)], fe[static_cast<std::size_t>(kind)]);
+        }
+    }
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void expectSound(const SimulationResult& result, const MemoryTrajectory& traject
     EXPECT_EQ(result.findings.count("simulation.body_refused"), 0);
     EXPECT_GT(result.births.occupied, 0);
     const auto last = trajectory.frame(trajectory.frameCount() - 1);
-    EXPECT_EQ(static_cast<std::int64_t>(last->bodies()), result.births.births + result.islands.released);
+    EXPECT_EQ(static_cast<std::int64_t>(last->bodies()), result.births.births + result.islands.released + result.carried.bodies);
     for (const FragmentOutcome& fragment : result.fragments) {
         EXPECT_TRUE(fragment.finalPosition.allFinite());
         EXPECT_TRUE(std::isfinite(fragment.impactSpeed));

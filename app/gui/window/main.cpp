@@ -9,6 +9,7 @@
 #include "app/gui/case/new_case.h"
 #include "app/gui/session/session.h"
 #include "app/gui/session/settings.h"
+#include "app/gui/window/event_loop.h"
 #include "app/gui/window/first_visit.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/options.h"
@@ -95,7 +96,7 @@ int main(int argc, char** argv) {
         rubble::SpeedMeasure measure(window, options);
         QObject::connect(&measure, &rubble::SpeedMeasure::finished, &application, &QCoreApplication::exit);
         window.show();
-        return QApplication::exec();
+        return rubble::runEventLoop();
     }
     window.show();
     if (options.accuracy) {
@@ -125,5 +126,5 @@ int main(int argc, char** argv) {
             }
         });
     }
-    return QApplication::exec();
+    return rubble::runEventLoop();
 }

@@ -110,7 +110,7 @@ TEST_F(SurveyRun, TakesHeightsOfADebrisMapAboveTheGround) {
 }
 
 TEST_F(SurveyRun, SaysThatLooseStructureWasHeldInTheAir) {
-    run({"--set", "live_islands=held"}, "0.5");
+    run({"--set", "live_islands=held", "--set", "loose_structure=fe"}, "0.5");
     const std::string outline = m_folder / "outline.gpkg";
     ASSERT_EQ(cli({"map", m_out, "--live", "off", "--out", outline}).exitCode, 0);
     const nlohmann::json made = cli({"survey", m_out, "--survey", outline, "--survey-live", "on", "--json"}).json();

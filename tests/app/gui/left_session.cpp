@@ -1,9 +1,8 @@
 #include "tests/app/gui/left_session.h"
 
-#include <QApplication>
-
 #include "app/gui/session/computation.h"
 #include "app/gui/session/session.h"
+#include "app/gui/window/event_loop.h"
 #include "app/gui/window/main_window.h"
 
 namespace rubble {
@@ -18,7 +17,7 @@ int leaveSession(const QStringList& words) {
         session.document().setParameter(setting.section(u'=', 0, 0), setting.section(u'=', 1).toDouble());
     });
     window.open(words.value(0));
-    return QApplication::exec();
+    return runEventLoop();
 }
 
 }  // namespace rubble

@@ -95,7 +95,13 @@ TEST_F(PlaceOfSurvey, OneOfBeforeTheCollapseShowsNoInstant) {
 }
 
 TEST_F(PlaceOfSurvey, ARegistrationCanBeTakenOut) {
-    QPushButton* unplace = place.findChildren<QPushButton*>()[1];
+    QPushButton* unplace = nullptr;
+    for (QPushButton* button : place.findChildren<QPushButton*>()) {
+        if (button->text() == QStringLiteral("Unplace")) {
+            unplace = button;
+        }
+    }
+    ASSERT_NE(unplace, nullptr);
     EXPECT_FALSE(unplace->isEnabled());
     SurveyPlace::Stated stated;
     stated.registration.emplace().pairs = 4;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/gui/session/session.h"
+#include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
 #include "io/site/clouds/height_source.h"

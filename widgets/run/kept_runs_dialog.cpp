@@ -73,7 +73,7 @@ KeptRunsDialog::KeptRunsDialog(QWidget* parent)
     column->addWidget(m_details);
     buildButtons(*column);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &KeptRunsDialog::choose);
-    connect(m_table, &QTableWidget::itemActivated, this, &KeptRunsDialog::open);
+    connect(m_table, &QTableWidget::itemActivated, this, &KeptRunsDialog::openChosen);
     setUndo(0);
     fill();
 }
@@ -98,7 +98,7 @@ void KeptRunsDialog::buildButtons(QVBoxLayout& column) {
         // Enter in the table opens the run there.
         button->setAutoDefault(false);
     }
-    connect(m_open, &QPushButton::clicked, this, &KeptRunsDialog::open);
+    connect(m_open, &QPushButton::clicked, this, &KeptRunsDialog::openChosen);
     connect(m_remove, &QPushButton::clicked, this, &KeptRunsDialog::remove);
     connect(m_undo, &QPushButton::clicked, this, &KeptRunsDialog::undoRequested);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
@@ -192,7 +192,7 @@ void KeptRunsDialog::choose() {
     m_details->setText(why.isEmpty() ? what : what + u'\n' + why);
 }
 
-void KeptRunsDialog::open() {
+void KeptRunsDialog::openChosen() {
     if (m_open->isEnabled()) {
         emit openRequested(chosen().front()->path);
     }

@@ -7,6 +7,7 @@
 class QLabel;
 class QPushButton;
 class QTableWidget;
+class QVBoxLayout;
 
 namespace rubble::widgets {
 
@@ -43,11 +44,11 @@ signals:
     void undoRequested();
 
 private:
-    void buildButtons(class QVBoxLayout& column);
+    void buildButtons(QVBoxLayout& column);
     void fill();
     void say();
     void choose();
-    void open();
+    void openChosen();
     void remove();
     std::vector<const KeptRunLine*> chosen() const;
 

@@ -88,6 +88,9 @@ void ShadeTexture::follow(const GroundShade& shade, const SceneColours& colours)
     const auto roughness = static_cast<float>(m_roughness);
     auto* out = static_cast<std::uint8_t*>(m_image->GetScalarPointer());
     const std::size_t columns = shade.columns();
+    if (columns == 0) {
+        return;
+    }
     for (std::size_t c = 0; c < m_uneven.size(); ++c) {
         // What lies beyond takes the colour of the rim, which is in full light.
         const bool rim = c < columns || c + columns >= m_uneven.size() || c % columns == 0 || c % columns == columns - 1;
@@ -98,7 +101,8 @@ void ShadeTexture::follow(const GroundShade& shade, const SceneColours& colours)
             out += 4;
             continue;
         }
-        out[0] = out[1] = out[2] = static_cast<std::uint8_t>(255.0F * (1.0F - dark) * (1.0F - roughness * m_uneven[c]) + 0.5F);
+        out[0] = out[1] = out[2] =
+            static_cast<std::uint8_t>(std::lround(255.0F * (1.0F - dark) * (1.0F - roughness * m_uneven[c])));
         out += 3;
     }
     m_image->Modified();

@@ -30,7 +30,7 @@ constexpr std::size_t grain = 96;
 constexpr std::size_t laneGrain = 12;
 /// Contacts that are worth a strip of their own.
 constexpr std::size_t stripContacts = 512;
-/// Steps without strips after one in which the threads did not run at the same time.
+/// Steps on one thread after one in which the threads did not run at the same time.
 constexpr int stepsAlone = 32;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
@@ -58,9 +58,7 @@ void SoftSolver::forEachColour(int passes, Pass pass) {
     if (m_strips.size() == 1) {
         for (int i = 0; i < passes; ++i) {
             for (const Colour& colour : m_strips[0].colours) {
-                const std::size_t count = colour.last - colour.first;
-                m_pool.loop(count, colour.inOrder ? count : laneGrain,
-                            [&](std::size_t from, std::size_t to) { pass(i, m_scene, colour.first + from, colour.first + to); });
+                pass(i, m_scene, colour.first, colour.last);
             }
         }
         return;
@@ -119,9 +117,11 @@ void SoftSolver::solveStrip(Strip& own, int passes, Pass pass) {
     }
 }
 
-/// One for a while, where the threads did not run at the same time.
+/// One for a while, where the threads did not run at the same time: who waits for a thread whose core others have waits in every
+/// loop anew, so all loops are this thread's alone as long.
 std::size_t SoftSolver::stripCount() {
     m_alone = m_givenUp.exchange(false) ? stepsAlone : std::max(0, m_alone - 1);
+    m_pool.workAlone(m_alone > 0);
     return m_alone > 0 ? 1 : std::clamp<std::size_t>(contacts.size() / stripContacts, 1, m_pool.threads());
 }
 
@@ -209,7 +209,6 @@ void SoftSolver::arrange() {
         colour.inside = m_groups.size();
         put(section[half], section[sections]);
         colour.last = m_groups.size();
-        colour.inOrder = lastInOrder && part % colours + 1 == colours;
         meets[part % colours] |= colour.inside > colour.first;
         m_strips[part / colours].colours.push_back(colour);
     }

@@ -152,7 +152,6 @@ private:
     /// Groups of lanes of one colour in one strip; those at its borders come first.
     struct Colour {
         std::size_t first = 0, inside = 0, last = 0;
-        bool inOrder = false;
         bool meets = false;  ///< some strip has such a group
     };
     /// A strip of the site and the thread that solves it.
@@ -198,7 +197,7 @@ private:
     ContactStrips m_cut;
     std::vector<Strip> m_strips;
     std::atomic<bool> m_givenUp{false};  ///< the threads do not run at the same time, in this step
-    int m_alone = 0;                     ///< steps for which the site is not cut
+    int m_alone = 0;                     ///< steps for which this thread does all
     std::vector<double> m_fastest;       ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
     std::vector<char> m_back;               ///< [groups] contacts and points have what the passes made

@@ -57,7 +57,7 @@ public:
     /// The parts are the same for any number of threads. A single part runs on the calling thread. `work` must not throw.
     template <class Work>
     void loop(std::size_t count, std::size_t grain, Work&& work) {
-        if (m_workers.empty() || count <= grain) {
+        if (m_workers.empty() || m_alone || count <= grain) {
             for (std::size_t first = 0; first < count; first += grain) {
                 work(first, std::min(first + grain, count));
             }
@@ -67,11 +67,14 @@ public:
     }
 
     std::size_t threads() const { return m_shares.size(); }
+    /// From the next loop on the calling thread does all parts, or no longer. Not while it needs others in together().
+    void workAlone(bool alone) { m_alone = alone; }
     /// Calls work(i) for [0, count) at the same time, so that they may wait for each other; returns when all are done.
     /// @param count  at most threads()
     template <class Work>
     void together(std::size_t count, Work&& work) {
         assert(count <= threads());
+        assert(count <= 1 || !m_alone);
         // Who has a part takes no other one before it is done, and none is done before the others have begun or need not be waited
         // for.
         loop(count, 1, [&](std::size_t first, std::size_t) { work(first); });
@@ -89,6 +92,7 @@ private:
     /// First part of a thread's share.
     std::size_t shareBegin(std::size_t thread) const { return m_parts * thread / m_shares.size(); }
 
+    bool m_alone = false;
     // Of the loop at hand. They stay as they are until the last part that somebody took is done, so who has a part may read them.
     std::function<void(std::size_t, std::size_t)> m_work;
     std::size_t m_count = 0;

@@ -45,7 +45,9 @@ double overlapOf(const OrientedBox& a, const OrientedBox& b) {
     return least;
 }
 
-OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes) {
+OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes, const std::vector<std::size_t>& owners) {
+    const auto ownerOf = [&](std::size_t i) { return owners.empty() ? i : owners[i]; };
+    const std::size_t bodies = owners.empty() ? boxes.size() : std::ranges::max(owners) + 1;
     std::vector<Vec3> bounds;
     bounds.reserve(boxes.size());
     for (const OrientedBox& box : boxes) {
@@ -57,18 +59,22 @@ OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes) {
     }
     const auto low = [&](std::size_t i) { return boxes[i].centre.x() - bounds[i].x(); };
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return low(i) < low(j); });
-    std::vector<double> deepest(boxes.size(), 0.0), share(boxes.size(), 0.0);
+    // Negative: the body has no box.
+    std::vector<double> deepest(bodies, -1.0), share(bodies, 0.0);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        deepest[ownerOf(i)] = 0.0;
+    }
     for (std::size_t m = 0; m < order.size(); ++m) {
         const std::size_t i = order[m];
         for (std::size_t n = m + 1; n < order.size() && low(order[n]) < boxes[i].centre.x() + bounds[i].x(); ++n) {
             const std::size_t j = order[n];
             const Vec3 apart = (boxes[i].centre - boxes[j].centre).cwiseAbs() - bounds[i] - bounds[j];
-            if (apart.maxCoeff() >= 0.0) {
+            if (apart.maxCoeff() >= 0.0 || ownerOf(i) == ownerOf(j)) {
                 continue;
             }
             const double depth = overlapOf(boxes[i], boxes[j]);
             const double side = 2.0 * std::min(boxes[i].halfExtents.minCoeff(), boxes[j].halfExtents.minCoeff());
-            for (const std::size_t k : {i, j}) {
+            for (const std::size_t k : {ownerOf(i), ownerOf(j)}) {
                 deepest[k] = std::max(deepest[k], depth);
                 share[k] = std::max(share[k], depth / side);
             }
@@ -78,6 +84,7 @@ OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes) {
     if (boxes.empty()) {
         return measure;
     }
+    std::erase(deepest, -1.0);
     measure.deepest = *std::max_element(deepest.begin(), deepest.end());
     measure.deepestShare = *std::max_element(share.begin(), share.end());
     measure.beyondFive = std::count_if(share.begin(), share.end(), [](double s) { return s > 0.05; });

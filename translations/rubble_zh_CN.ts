@@ -3181,8 +3181,8 @@
         <translation>某失效单元部分角点的速度未知</translation>
     </message>
     <message>
-        <source>The velocity of {0} elements of released islands is not known</source>
-        <translation>释放的孤立部分中 {0} 个单元的速度未知</translation>
+        <source>The velocity of elements of released islands is not known</source>
+        <translation>释放的孤立部分中有单元的速度未知</translation>
     </message>
     <message>
         <source>Their elements keep what they were: copy the files that the deck includes beside it.</source>
@@ -5509,8 +5509,8 @@
         <translation>{0} 是 Ansys 的{1}，其各组不是随时间变化的状态</translation>
     </message>
     <message>
-        <source>{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})</source>
-        <translation>{0} 个未失效的孤立部分在有限元结果结束时释放，可能落在站立的结构上（到 {1} 为止）</translation>
+        <source>live structure that is released at the end of the FE result can fall on what stands (islands: {0}, by {1})</source>
+        <translation>有限元结果结束时释放的存活结构可能落在仍立着的部分上（孤立部分 {0} 个，重叠 {1}）</translation>
     </message>
     <message>
         <source>the engine moves loose structure, which can fall on what stands</source>
@@ -5521,12 +5521,12 @@
         <translation>松脱结构由引擎移动，可能遇到堆积物</translation>
     </message>
     <message>
-        <source>{0} islands of live structure are released at the end of the FE result and can meet other bodies</source>
-        <translation>{0} 个未失效的孤立部分在有限元结果结束时释放，可能与其他刚体相遇</translation>
+        <source>live structure that is released at the end of the FE result can meet other bodies (islands: {0})</source>
+        <translation>有限元结果结束时释放的存活结构可能与其他刚体相遇（孤立部分 {0} 个）</translation>
     </message>
     <message>
-        <source>{0} islands of live structure have no finite place, mass or inertia and are held where they are</source>
-        <translation>{0} 个未失效的孤立部分没有有限的位置、质量或惯量，固定于原处</translation>
+        <source>Islands of live structure without a finite place, mass or inertia are held where they are</source>
+        <translation>没有有限的位置、质量或惯量的存活孤立部分固定于原处</translation>
     </message>
     <message>
         <source>{0} lie in one plane, which leaves the focal length open.</source>
@@ -5537,8 +5537,8 @@
         <translation>{0}位于一条直线上：其周围的任何相机所见相同。</translation>
     </message>
     <message>
-        <source>{0} loose pieces of the structure ({1} elements) are alive at the end and are held where they are</source>
-        <translation>结构的 {0} 个松散部分（{1} 个单元）在结束时存活，固定于原处</translation>
+        <source>Loose structure that is alive at the end is held where it is (islands: {0}, elements: {1})</source>
+        <translation>结束时仍存活的松散结构固定于原处（孤立部分 {0} 个，单元 {1} 个）</translation>
     </message>
     <message>
         <source>{0} names the file {1}, which is not there</source>
@@ -11267,6 +11267,26 @@
     <message>
         <source>steps are as long as the heights of the survey lie apart: {0}</source>
         <translation>步长取为测量高程的间距：{0}</translation>
+    </message>
+    <message>
+        <source>The bodies that {0} allow are fragments alone. The engine moves loose structure beside them (loose_structure), {1} of {2} elements at one time (at {3}), which takes from that rate</source>
+        <translation>{0} 所允许的刚体只计碎块。引擎在其之外还移动松脱结构（loose_structure），同一时刻 {2} 个单元中的 {1} 个（{3} 时），这会降低该帧率</translation>
+    </message>
+    <message>
+        <source>The bodies that {0} allow are fragments alone. The engine moved loose structure beside them (loose_structure), {1} of {2} elements in all, and simulated at {3} times real time while fragments were born</source>
+        <translation>{0} 所允许的刚体只计碎块。引擎在其之外还移动了松脱结构（loose_structure），共 {2} 个单元中的 {1} 个，碎块产生期间的模拟速度为实时的 {3} 倍</translation>
+    </message>
+    <message>
+        <source>Take loose_structure = fe where the rate matters more than where the debris lies, or play the finished run</source>
+        <translation>若帧率比堆积物的位置更重要，请取 loose_structure = fe，或播放完成的计算</translation>
+    </message>
+    <message>
+        <source>live_islands = held holds what comes loose where the FE result ends, and nothing else: what the engine carries by then (loose_structure = at_once) goes on moving</source>
+        <translation>live_islands = held 只固定有限元结果结束时才松脱的部分：引擎此时已带动的部分（loose_structure = at_once）继续运动</translation>
+    </message>
+    <message>
+        <source>Take loose_structure = fe to hold all of it where the FE result leaves it</source>
+        <translation>若要全部固定于有限元结果留下的位置，请取 loose_structure = fe</translation>
     </message>
 </context>
 <context>

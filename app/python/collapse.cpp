@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/analysis/accuracy/loose_beside.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 
@@ -40,6 +41,27 @@ void Collapse::set(const std::string& key, const std::string& text) {
                          {"python.import_setting.remedy", "Give it to rubble.open() in settings.", {}});
     }
     m_opened.scenario = std::move(changed);
+    m_beside.reset();
+}
+
+Findings Collapse::findings() const {
+    Findings all = io::allFindings(m_opened, m_results);
+    std::optional<Finding> beside = m_beside;
+    if (m_results.simulation != nullptr) {
+        beside = looseBesideCaution(m_results.sizing->fpsTarget, *m_results.simulation, m_opened.inputs.fe->mesh().elementCount());
+    }
+    if (beside) {
+        all.add(beside->what, beside->remedy);
+    }
+    return all;
+}
+
+void Collapse::lookBeside(const Execution& execution) {
+    const std::optional<LooseAtOnce> beside = looseBeside(m_opened.inputs, m_opened.scenario, execution);
+    m_beside.reset();
+    if (beside) {
+        m_beside = looseBesideCaution(m_opened.scenario.grid.fpsTarget, *beside, m_opened.inputs.fe->mesh().elementCount());
+    }
 }
 
 const Results& Collapse::upTo(Stage last, const Execution& execution) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,15 @@ public:
     std::vector<std::string> scenarios() const;
     const Scenario& scenario() const { return m_opened.scenario; }
     /// Of opening and of every stage that has run.
-    Findings findings() const { return io::allFindings(m_opened, m_results); }
+    Findings findings() const;
+    /// Looks for what moves beside the fragments and is not among the bodies that a frame rate allows, to be said among the
+    /// findings. Throws Cancelled.
+    void lookBeside(const Execution& execution);
 
 private:
     io::OpenedCase m_opened;
     Results m_results;
+    std::optional<Finding> m_beside;
 };
 
 }  // namespace rubble::python

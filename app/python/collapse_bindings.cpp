@@ -191,9 +191,14 @@ void addCollapse(py::module_& module) {
         .def(
             "size",
             [](Collapse& collapse, py::object progress) {
-                return part(collapse, Stage::Sizing, &Results::sizing, std::move(progress));
+                return watched(std::move(progress), [&](const Execution& execution) {
+                    const auto sizing = std::const_pointer_cast<Sizing>(collapse.upTo(Stage::Sizing, execution).sizing);
+                    collapse.lookBeside(execution);
+                    return sizing;
+                });
             },
-            py::arg("progress") = py::none(), "Searches the Basic Grid")
+            py::arg("progress") = py::none(),
+            "Searches the Basic Grid. The bodies that a frame rate allows are fragments alone: findings say what moves beside them")
         .def(
             "cluster",
             [](Collapse& collapse, py::object progress) {

@@ -50,13 +50,17 @@ void visitLooseIslands(const FeResult& fe, const Activity& activity, const SiteS
     }
 }
 
+void reportLooking(const FeResult& fe, std::size_t state, const Execution& execution) {
+    const double done = static_cast<double>(fe.stateCount() - state) / static_cast<double>(fe.stateCount());
+    execution.report({"fe.loose_progress", "looking for loose structure", {}}, done);
+}
+
 std::vector<std::vector<LiveIsland>> islandsOfStates(const FeResult& fe, const Activity& activity, const SiteSurface& ground,
                                                      const Execution& execution) {
     std::vector<std::vector<LiveIsland>> islands(fe.stateCount());
     visitLooseIslands(fe, activity, ground, [&](std::size_t k, std::vector<LiveIsland> loose) {
         islands[k] = std::move(loose);
-        const double done = static_cast<double>(fe.stateCount() - k) / static_cast<double>(fe.stateCount());
-        execution.report({"fe.loose_progress", "looking for loose structure", {}}, done);
+        reportLooking(fe, k, execution);
         return true;
     });
     return islands;
@@ -251,6 +255,25 @@ bool comesLoose(const FeResult& fe, const Activity& activity, const SiteSurface&
         return !found;
     });
     return found;
+}
+
+LooseAtOnce mostLooseAtOnce(const FeResult& fe, const Activity& activity, const SiteSurface& ground, const Execution& execution) {
+    LooseAtOnce most;
+    visitLooseIslands(fe, activity, ground, [&](std::size_t k, const std::vector<LiveIsland>& loose) {
+        LooseAtOnce here{fe.times()[k], 0, 0};
+        for (const LiveIsland& island : loose) {
+            const auto living =
+                k + 1 < fe.stateCount()
+                    ? std::ranges::count_if(island.elements, [&](ElementIndex e) { return activity.active(k + 1, e); })
+                    : 0;
+            here.islands += living > 0;
+            here.elements += living;
+        }
+        most = here.elements > most.elements ? here : most;
+        reportLooking(fe, k, execution);
+        return true;
+    });
+    return most;
 }
 
 LooseStructure looseStructure(const FeResult& fe, const Activity& activity, const SiteSurface& ground, const Execution& execution) {

@@ -54,6 +54,16 @@ LooseStructure looseStructure(const FeResult& fe, const Activity& activity, cons
 /// it needs.
 bool comesLoose(const FeResult& fe, const Activity& activity, const SiteSurface& ground);
 
+/// The state at which most elements are loose and live on to the next: what an engine that moves them has to move at one time.
+struct LooseAtOnce {
+    double time = 0.0;          ///< s
+    std::int64_t islands = 0;   ///< that live on there, in whole or in part
+    std::int64_t elements = 0;  ///< of those; 0: nothing ever comes loose that lives on
+};
+
+/// As comesLoose(), but counted. Reads each FE state once and keeps none. Throws Cancelled.
+LooseAtOnce mostLooseAtOnce(const FeResult& fe, const Activity& activity, const SiteSurface& ground, const Execution& execution);
+
 /// One island for people: how much of it there was and how long until it died.
 struct IslandFate {
     std::uint32_t island = 0;  ///< index in LooseStructure

@@ -87,7 +87,8 @@ void printCalibration(std::ostream& out, const Calibration& calibration, const s
     printHeading(out, "Frames per second of " + englishNumber(1.0 / calibration.target) +
                           " s of collapse each: typical pile in the mean, worst pile in its worst second");
     pointTable(calibration).print(out);
-    printHeading(out, "Most bodies for " + englishNumber(calibration.target) + " FPS");
+    printHeading(out, "Most bodies for " + englishNumber(calibration.target) +
+                          " FPS, fragments alone: loose structure that the engine moves (loose_structure) comes on top");
     FactList most;
     for (const PileKind pile : piles) {
         for (const auto& [load, name] : loads) {

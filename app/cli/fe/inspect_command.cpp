@@ -13,6 +13,7 @@
 #include "core/fe/audit.h"
 #include "core/fe/unit_evidence.h"
 #include "core/fragments/lifetimes.h"
+#include "core/pipeline/loose_scene.h"
 
 namespace rubble::cli {
 
@@ -66,9 +67,8 @@ struct LooseReport {
 
 LooseReport looseReport(const io::OpenedCase& subject, const Components& components, const Execution& execution) {
     const FeResult& fe = *subject.inputs.fe;
-    const SiteSurface ground{true, subject.scenario.simulation.groundHeight, subject.inputs.terrain};
     const Activity activity = activityUnder(fe.activity(), subject.scenario.fragments.revival);
-    LooseReport report{looseStructure(fe, activity, ground, execution), {}};
+    LooseReport report{looseScene(subject.inputs, subject.scenario, execution), {}};
     report.account = accountOf(report.structure, fe, activity, components);
     return report;
 }

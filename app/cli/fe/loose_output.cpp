@@ -92,7 +92,7 @@ void printLoose(std::ostream& out, const LooseStructure& loose, const LooseAccou
         return;
     }
     const auto count = static_cast<std::int64_t>(loose.islands.size());
-    printHeading(out, "Loose structure: " + englishInteger(count) + " islands without a path to a support");
+    printHeading(out, "Loose structure: " + counted(count, "island", "islands") + " without a path to a support");
     FactList facts;
     if (account.dead > 0) {
         const double share = 100.0 * static_cast<double>(account.deadLoose) / static_cast<double>(account.dead);

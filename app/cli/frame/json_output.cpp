@@ -20,6 +20,13 @@ Json findingsJson(const Findings& findings) {
     return list;
 }
 
+Json findingsJson(Findings findings, const std::optional<Finding>& more) {
+    if (more) {
+        findings.add(more->what, more->remedy, more->example, more->count);
+    }
+    return findingsJson(findings);
+}
+
 void addSizingJson(Json& object, const Sizing& sizing) {
     object["grid"]["l"] = sizing.grid.l;
     object["grid"]["w"] = sizing.grid.w;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "app/cli/frame/session.h"
 #include "core/base/finding.h"
 #include "core/clusters/sizing.h"
@@ -15,6 +17,8 @@ void printJson(Session& session, const Json& object);
 
 /// [{id, count, what, example, remedy}]
 Json findingsJson(const Findings& findings);
+/// The same with one more; unset: none.
+Json findingsJson(Findings findings, const std::optional<Finding>& more);
 
 /// Adds the keys that size and run share: grid, multiple, bounds, stopped_by, clamped_by and what belongs to them.
 void addSizingJson(Json& object, const Sizing& sizing);

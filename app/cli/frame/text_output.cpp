@@ -99,7 +99,7 @@ std::string stoppedText(const Sizing& sizing) {
 }  // namespace
 
 void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fragments, const Components& components,
-                 const Mesh& mesh) {
+                 const Mesh& mesh, const std::optional<Finding>& caution) {
     printHeading(out, "Basic Grid");
     boundsTable(sizing, fragments, components, mesh).print(out);
     FactList facts;
@@ -109,6 +109,10 @@ void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fra
               englishNumber(sizing.grid.l) + ", " + englishNumber(sizing.grid.w) + ", " + englishNumber(sizing.grid.h) + " m");
     facts.add("common multiple", englishNumber(sizing.commonMultiple) + " d");
     facts.add("stopped by", stoppedText(sizing));
+    if (caution) {
+        facts.add("but", englishText(caution->what));
+        facts.add("remedy", englishText(caution->remedy));
+    }
     facts.print(out);
 }
 

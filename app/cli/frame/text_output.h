@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -33,8 +34,9 @@ void printFindings(std::ostream& out, const Findings& findings);
 TextTable boundsTable(const Sizing& sizing, const FragmentSet& fragments, const Components& components, const Mesh& mesh);
 
 /// The search in words: what was counted and what stopped it.
+/// @param caution  what its bodies and its frame rate leave out; unset: nothing
 void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fragments, const Components& components,
-                 const Mesh& mesh);
+                 const Mesh& mesh, const std::optional<Finding>& caution);
 
 /// "1 limit", "2 limits".
 std::string counted(std::int64_t number, const char* one, const char* many);

@@ -6,6 +6,7 @@
 #include "app/cli/frame/health_output.h"
 #include "app/cli/frame/text_output.h"
 #include "app/cli/run/effects_output.h"
+#include "core/analysis/accuracy/loose_beside.h"
 #include "core/base/message.h"
 
 namespace rubble::cli {
@@ -101,7 +102,7 @@ void addCarried(FactList& facts, const CarriedStructure& carried) {
         return;
     }
     facts.add("carried structure",
-              englishInteger(carried.islands) + " islands with " + englishInteger(carried.elements) + " elements, " +
+              counted(carried.islands, "island", "islands") + " with " + counted(carried.elements, "element", "elements") + ", " +
                   tonnesText(carried.mass) + ", went to the engine when they came loose, as " + englishInteger(carried.bodies) +
                   " bodies in all" +
                   (carried.refused > 0 ? "; " + englishInteger(carried.refused) + " could not be handed over" : std::string()));
@@ -116,7 +117,7 @@ void addCarried(FactList& facts, const CarriedStructure& carried) {
 
 /// Apart from the fragments: live structure is not what the FE analysis deleted.
 void addIslands(FactList& facts, const LiveIslands& islands) {
-    facts.add("live islands", englishInteger(islands.islands) + " with " + englishInteger(islands.elements) + " elements, " +
+    facts.add("live islands", englishInteger(islands.islands) + " with " + counted(islands.elements, "element", "elements") + ", " +
                                   tonnesText(islands.mass) + "; " + englishInteger(islands.moving) +
                                   " elements were still moving at the FE end");
     if (islands.released > 0) {
@@ -398,6 +399,10 @@ std::string terrainText(const io::TerrainInput& terrain) {
 
 }  // namespace
 
+std::optional<Finding> RunReport::beside() const {
+    return looseBesideCaution(results.sizing->fpsTarget, *results.simulation, subject.inputs.fe->mesh().elementCount());
+}
+
 Json RunReport::json() const {
     const SimulationResult& run = *results.simulation;
     Json object;
@@ -418,7 +423,7 @@ Json RunReport::json() const {
     object["tainted"] = taint.tainted();
     object["cautions"] = cautionsJson(runCautions(standingOf(run, results.fragments->size(), taint.acknowledgement.has_value())));
     object["acknowledged"] = acknowledgedJson(taint);
-    object["warnings"] = findingsJson(findings);
+    object["warnings"] = findingsJson(findings, beside());
     object["trajectory_hash"] = run.trajectoryHash.hex();
     object["scenario"] = subject.scenarioName;
     object["fe"] = {{"path", subject.fePath}, {"sha256", subject.inputs.fe->contents().sha256}};
@@ -441,7 +446,7 @@ void RunReport::print(std::ostream& out) const {
     } else {
         printFragments(out, *results.fragments, *results.components);
     }
-    printSizing(out, *results.sizing, *results.fragments, *results.components, subject.inputs.fe->mesh());
+    printSizing(out, *results.sizing, *results.fragments, *results.components, subject.inputs.fe->mesh(), beside());
     printClusters(out, *results.clustering);
     printRun(out, *results.simulation, results.wallSeconds);
     printHealth(out, *results.simulation, taint);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct RunReport {
     Json json() const;
     /// Tables for people: fragments, Basic Grid, clusters, run, health, ledger, findings, files.
     void print(std::ostream& out) const;
+
+private:
+    /// What the bodies and the frame rate of its sizing leave out.
+    std::optional<Finding> beside() const;
 };
 
 /// One row for each row of the ledger.

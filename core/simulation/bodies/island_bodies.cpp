@@ -206,14 +206,14 @@ std::optional<IslandBody> IslandMaker::make(const LiveIsland& island, Findings& 
     if (!sound) {
         findings.add(
             {"simulation.island_refused",
-             "{0} islands of live structure have no finite place, mass or inertia and are held where they are",
+             "Islands of live structure without a finite place, mass or inertia are held where they are",
              {}},
             {"simulation.island_refused.remedy", "look at the named element in the FE file; check density and coordinates", {}},
             place);
         return std::nullopt;
     }
     if (m_withoutVelocity > 0) {
-        findings.add({"simulation.island_no_velocity", "The velocity of {0} elements of released islands is not known", {}},
+        findings.add({"simulation.island_no_velocity", "The velocity of elements of released islands is not known", {}},
                      {"simulation.island_no_velocity.remedy",
                       "They were active at a single state of a result without velocities and are released at rest.",
                       {}},

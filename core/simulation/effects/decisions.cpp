@@ -270,7 +270,7 @@ Verdict Decider::structureContact() const {
     if (best.gap >= -touching && released > touching) {
         return {true,
                 {"effect.structure_contact.islands",
-                 "{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})",
+                 "live structure that is released at the end of the FE result can fall on what stands (islands: {0}, by {1})",
                  {m_live.released.size(), {released, "m"}}},
                 -released,
                 -touching};
@@ -337,7 +337,7 @@ Verdict Decider::fragmentContact() const {
     if (best.gap >= -touching && releasedMeet(columns)) {
         return {true,
                 {"effect.fragment_contact.islands",
-                 "{0} islands of live structure are released at the end of the FE result and can meet other bodies",
+                 "live structure that is released at the end of the FE result can meet other bodies (islands: {0})",
                  {m_live.released.size()}}};
     }
     if (columns.size() < 2) {

@@ -154,7 +154,7 @@ LiveIslands Islands::outcome(const RigidWorld& world, Findings& findings) {
                                      [&](const Body& body) { return world.birthDepth(body.id) > occupiedShare; });
     if (m_count.held() > 0) {
         findings.add({"simulation.live_islands",
-                      "{0} loose pieces of the structure ({1} elements) are alive at the end and are held where they are",
+                      "Loose structure that is alive at the end is held where it is (islands: {0}, elements: {1})",
                       {m_count.held(), m_count.elements - m_count.releasedElements}},
                      {"simulation.live_islands.remedy", "read them as debris that the FE analysis did not delete", {}}, "",
                      m_count.held());

@@ -101,6 +101,10 @@ TEST_F(Run, TellsOfLooseStructureThatTheEngineCarries) {
     EXPECT_NEAR(reader->islandLedger()[0].bodies.mass, 2000.0, 1e-6);
     const Outcome told = cli({"run", m_path, "--set", "settle_time=0.5", "--tables"});
     EXPECT_EQ(told.exitCode, 0) << told.err;
+    EXPECT_THAT(told.out, HasSubstr("1 island with 1 element, 2 t"));
+    EXPECT_THAT(told.out, HasSubstr("fragments alone. The engine moved loose structure beside them (loose_structure), 1 of 9"));
+    EXPECT_THAT(run()["warnings"].dump(), HasSubstr("sizing.loose_beside.run"));
+    EXPECT_THAT(run({"--set", "loose_structure=fe"})["warnings"].dump(), testing::Not(HasSubstr("sizing.loose_beside")));
     for (const char* part : {"1 loose island, 2 t", "carried structure", "born from islands", "left of islands", "islands at [s]",
                              "islands against FE", "losses of islands"}) {
         EXPECT_THAT(told.out, HasSubstr(part));

@@ -48,6 +48,23 @@ TEST_F(Size, JsonHasTheDocumentedKeys) {
     EXPECT_LE(object["clusters"], smallDead);
 }
 
+TEST_F(Size, SaysWhatMovesBesideTheBodiesThatAreAllowed) {
+    const nlohmann::json object = size({});
+    // Both blocks of three fall; at 0.1 s one cube of the six lives on for good.
+    EXPECT_GT(object["loose_beside"]["elements"], 0);
+    EXPECT_LE(object["loose_beside"]["elements"], 6);
+    EXPECT_GE(object["loose_beside"]["islands"], 1);
+    EXPECT_LE(object["loose_beside"]["time_s"], 0.5);
+    EXPECT_THAT(object["warnings"].dump(), HasSubstr("sizing.loose_beside"));
+    const Outcome told = cli({"size", m_path});
+    EXPECT_THAT(told.out, HasSubstr("fragments alone"));
+    EXPECT_THAT(told.out, HasSubstr("loose_structure = fe"));
+    const nlohmann::json byFe = size({"--set", "loose_structure=fe"});
+    EXPECT_TRUE(byFe["loose_beside"].is_null());
+    EXPECT_THAT(byFe["warnings"].dump(), testing::Not(HasSubstr("sizing.loose_beside")));
+    EXPECT_THAT(cli({"size", m_path, "--set", "loose_structure=fe"}).out, testing::Not(HasSubstr("fragments alone")));
+}
+
 TEST_F(Size, TheMultipleCanBeSetByHand) {
     const nlohmann::json object = size({"--set", "multiple=2"});
     EXPECT_EQ(object["stopped_by"], "user");

@@ -120,6 +120,13 @@ class Runs(unittest.TestCase):
         sizing = opened.size()
         self.assertEqual(sizing.clusters, told["clusters"])
         self.assertEqual(list(sizing.grid), [told["grid"][axis] for axis in "lwh"])
+        beside = [row for row in told["warnings"] if row["id"] == "sizing.loose_beside"]
+        self.assertEqual(len(beside), 1, "the bodies allowed are fragments alone")
+        self.assertIn(beside[0], opened.findings)
+        opened.set("loose_structure", "fe")
+        opened.size()
+        self.assertNotIn(beside[0], opened.findings)
+        opened.set("loose_structure", "at_once")
         self.assertEqual(opened.inspect()["dead"], len(opened.fragments()))
         self.assertEqual(len(opened.cluster().of), told["fragments"])
 

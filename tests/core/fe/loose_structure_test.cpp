@@ -189,12 +189,30 @@ TEST(LooseStructure, SaysWhetherAnythingComesLoose) {
     EXPECT_FALSE(any(brief));
 }
 
+TEST(LooseStructure, SaysHowMuchIsLooseAtOneTime) {
+    const auto most = [](const Row& row) {
+        const auto fe = row.scene.result();
+        return mostLooseAtOnce(*fe, activityUnder(fe->activity(), Revival::Latch), {true, 0.0, nullptr}, Execution());
+    };
+    EXPECT_EQ(most(Row({"11111", "11111", "10000", "11111"}, 0.0)).elements, 0) << "all stand on the ground";
+    Row falling({"11111", "11000", "11111", "11110"}, 50.0);
+    falling.scene.position = fallBeyond(-1.0);
+    const LooseAtOnce here = most(falling);
+    EXPECT_EQ(here.time, 2.0) << "at 3 s one of them is about to die";
+    EXPECT_EQ(here.islands, 2);
+    EXPECT_EQ(here.elements, 3);
+    Row brief({"1111", "1100", "1110", "1110"}, 50.0);
+    brief.scene.position = fallBeyond(1.5);
+    EXPECT_EQ(most(brief).elements, 0) << "loose, and dead or at the end of the FE result by the next state";
+}
+
 TEST(LooseStructure, CanBeCancelled) {
     const Row row({"11", "11"}, 0.0);
     const auto fe = row.scene.result();
     const Execution execution;
     execution.cancel();
     EXPECT_THROW(looseStructure(*fe, fe->activity(), {true, 0.0, nullptr}, execution), Cancelled);
+    EXPECT_THROW(mostLooseAtOnce(*fe, fe->activity(), {true, 0.0, nullptr}, execution), Cancelled);
 }
 
 }  // namespace

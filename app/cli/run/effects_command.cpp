@@ -3,6 +3,7 @@
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/text_output.h"
 #include "app/cli/run/effects_output.h"
+#include "core/simulation/effects/held_islands.h"
 
 namespace rubble::cli {
 
@@ -12,9 +13,13 @@ ExitCode effects(const Arguments& arguments, Session& session) {
     const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Clusters, nullptr, session.execution());
-    const EffectDecisions decisions = decideEffects({*subject.inputs.fe, *results.components, *results.fragments,
-                                                     *results.clustering, subject.inputs.terrain.get(), subject.scenario});
-    const Findings findings = io::allFindings(subject, results);
+    const EffectScene scene{*subject.inputs.fe,  *results.components,          *results.fragments,
+                            *results.clustering, subject.inputs.terrain.get(), subject.scenario};
+    const EffectDecisions decisions = decideEffects(scene);
+    Findings findings = io::allFindings(subject, results);
+    if (const std::optional<Finding> finding = notHeld(settledScenario(scene))) {
+        findings.add(finding->what, finding->remedy);
+    }
     writeCsv(arguments, effectsTable(decisions));
     if (arguments.json()) {
         Json object;

@@ -7,6 +7,7 @@
 #include "core/engine/world/constants.h"
 #include "core/fe/site_surface.h"
 #include "core/fragments/birth_windows.h"
+#include "core/simulation/effects/held_islands.h"
 #include "core/simulation/effects/stopwatch.h"
 #include "core/simulation/run/step_rate.h"
 #include "core/simulation/run/terrain_ends.h"
@@ -92,6 +93,9 @@ Collapse::Collapse(const WorldFactory& makeWorld, const RunDescription& descript
       m_health(healthSite(m_description, m_decisions, m_worldSettings)),
       m_checkpoints(checkpoints) {
     m_islands.leaveOut([this](ElementIndex e) { return m_carried.carries(e); });
+    if (const std::optional<Finding> finding = notHeld(m_description.scenario)) {
+        m_result.findings.add(finding->what, finding->remedy);
+    }
 }
 
 void Collapse::report(double time) const {

@@ -53,6 +53,22 @@ TEST_F(Effects, ASettingIsObeyedAndSaysWhatAutoWouldDo) {
     EXPECT_EQ(of(json("effects", {"--set", "water_level=100"}), "water")["state"], "on");
 }
 
+TEST_F(Effects, HeldIsSaidNotToHoldWhatTheEngineCarries) {
+    const auto said = [this](std::vector<std::string> more) {
+        const nlohmann::json object = json("effects", std::move(more));
+        for (const nlohmann::json& finding : object["warnings"]) {
+            if (finding["id"] == "effect.not_held") {
+                EXPECT_THAT(finding["remedy"].get<std::string>(), HasSubstr("loose_structure = fe"));
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_FALSE(said({}));
+    EXPECT_TRUE(said({"--set", "live_islands=held"}));
+    EXPECT_FALSE(said({"--set", "live_islands=held", "--set", "loose_structure=fe"}));
+}
+
 TEST_F(Effects, ARunDecidesTheSameAndSaysWhatEachCost) {
     const nlohmann::json before = json("effects", {"--set", "settle_time=0.2"});
     const nlohmann::json run = json("run", {"--set", "settle_time=0.2"});

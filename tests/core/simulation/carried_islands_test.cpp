@@ -238,6 +238,21 @@ TEST_F(CarriedIslandsRun, WhereNothingComesLooseARunIsAsByTheFeResult) {
     EXPECT_EQ(asked.steps, byFe.simulation->steps);
 }
 
+TEST_F(CarriedIslandsRun, HeldIsSaidNotToHoldThem) {
+    scenario.effects.islands = LiveIslandPolicy::Held;
+    const auto fe = scenes::makeScene({fallingSlab(Vec3(0, 0, 20)), farDebris()}, 8, 0.1);
+    const SimulationResult carried = simulateScene(fe);
+    EXPECT_EQ(carried.carried.left, 1) << "it is not held";
+    EXPECT_EQ(carried.findings.count("effect.not_held"), 1);
+    EXPECT_FALSE(carried.findings.list().front().remedy.empty());
+    EXPECT_EQ(simulateScene(standingRow()).findings.count("effect.not_held"), 0) << "nothing comes loose";
+    scenario.effects.loose = LooseStructurePolicy::Fe;
+    EXPECT_EQ(simulateScene(fe).findings.count("effect.not_held"), 0);
+    scenario.effects.loose = LooseStructurePolicy::AtOnce;
+    scenario.effects.islands = LiveIslandPolicy::Released;
+    EXPECT_EQ(simulateScene(fe).findings.count("effect.not_held"), 0);
+}
+
 TEST_F(CarriedIslandsRun, ByTheFeResultNothingIsCarried) {
     scenario.effects.loose = LooseStructurePolicy::Fe;
     scenes::Block falling = fallingSlab(Vec3(0, 0, 5));

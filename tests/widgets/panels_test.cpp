@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <map>
 
+#include "core/analysis/accuracy/loose_beside.h"
 #include "widgets/accuracy/grid_panel.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/parameter_editor.h"
@@ -330,6 +331,46 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
     outcome.solver = SolverKind::Bullet;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));
+}
+
+TEST(GridPanel, SaysWhatTheBodiesAllowedLeaveOut) {
+    GridPanel panel;
+    const auto told = [&panel] {
+        for (const Notice* notice : panel.findChildren<Notice*>()) {
+            if (!notice->isHidden() && notice->text().contains(QStringLiteral("fragments alone"))) {
+                return notice->text().replace(QChar(0x00A0), u' ');
+            }
+        }
+        return QString();
+    };
+    EXPECT_TRUE(told().isEmpty());
+    panel.setBeside(looseBesideCaution(24.0, LooseAtOnce{3.4, 10, 30117}, 60660));
+    EXPECT_TRUE(told().contains(QStringLiteral("24 frames/s"))) << told().toStdString();
+    EXPECT_TRUE(told().contains(QStringLiteral("30,117 of 60,660 elements at one time (at 3.4 s)"))) << told().toStdString();
+    EXPECT_TRUE(told().contains(QStringLiteral("“Loose structure” = "))) << "the remedy";
+    panel.setBeside(std::nullopt);
+    EXPECT_TRUE(told().isEmpty());
+}
+
+TEST(RunPanel, SaysAtOnceWhatHeldDoesNotHold) {
+    RunPanel panel;
+    const auto told = [&panel] {
+        for (const Notice* notice : panel.findChildren<Notice*>()) {
+            if (!notice->isHidden() && notice->text().contains(QStringLiteral("“Fallen live structure” = "))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    Scenario scenario;
+    panel.setScenario(scenario);
+    EXPECT_FALSE(told());
+    scenario.effects.islands = LiveIslandPolicy::Held;
+    panel.setScenario(scenario);
+    EXPECT_TRUE(told());
+    scenario.effects.loose = LooseStructurePolicy::Fe;
+    panel.setScenario(scenario);
+    EXPECT_FALSE(told());
 }
 
 TEST(StageRail, ChoosesByMouseAndKeys) {

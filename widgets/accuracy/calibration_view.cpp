@@ -95,7 +95,8 @@ void CalibrationView::setContent(const Content& content) {
                  "GTX 480 in 2012.")
             : tr("%1; simulated on %2 threads, drawn by %3. A frame simulates 1/%4 s of the collapse and draws both views. "
                  "Typical: "
-                 "the mean of a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests.")
+                 "the mean of a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests. Both are "
+                 "fragments alone: whole spans that the engine moves (loose_structure) come on top.")
                   .arg(QString::fromStdString(calibration->machine), shownCount(calibration->threads),
                        calibration->renderer.empty() ? tr("nothing") : QString::fromStdString(calibration->renderer),
                        QLocale().toString(calibration->target, 'g', 4)));

@@ -65,6 +65,7 @@ int GridPanel::positionOf(double multiple) {
 GridPanel::GridPanel(QWidget* parent)
     : Panel(tr("Basic Grid"), tr("Which fragments move together, and what that costs."), parent),
       m_advice(new QLabel),
+      m_beside(new Notice),
       m_use(new QPushButton),
       m_slider(new QSlider(Qt::Horizontal)),
       m_multipleWhy(new Notice),
@@ -103,6 +104,7 @@ void GridPanel::buildTarget() {
     row->addStretch();
     target->addWide(buttons);
     target->addWide(m_advice);
+    target->addWide(m_beside);
     connect(m_use, &QPushButton::clicked, this, [this] { emit edited(QStringLiteral("bodies_max"), ParameterValue(m_offered)); });
     connect(calibrate, &QPushButton::clicked, this, &GridPanel::calibrationRequested);
 }
@@ -223,6 +225,11 @@ void GridPanel::setAdvice(const MachineAdvice& advice) {
     }
     m_use->setText(tr("Allow %1").arg(shownCount(m_offered)));
     m_use->setVisible(m_offered > 0 && m_offered != m_settings.bodiesMax);
+}
+
+void GridPanel::setBeside(const std::optional<Finding>& caution) {
+    m_beside->set(Notice::Kind::Finding, caution ? worded(caution->what) : QString(),
+                  caution ? worded(caution->remedy) : QString());
 }
 
 void GridPanel::setPublishedCounts(const std::vector<PublishedCount>& counts) {

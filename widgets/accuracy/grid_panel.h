@@ -49,6 +49,8 @@ public:
     explicit GridPanel(QWidget* parent = nullptr);
     void setContent(const Content& content);
     void setAdvice(const MachineAdvice& advice);
+    /// What moves beside the fragments and is not among the bodies allowed; unset: nothing, or not known yet.
+    void setBeside(const std::optional<Finding>& caution);
     /// Empty: being counted.
     void setPublishedCounts(const std::vector<PublishedCount>& counts);
     void setScenario(const Scenario& scenario) override;
@@ -78,6 +80,7 @@ private:
     void showAutomatic(const Sizing& sizing);
 
     QLabel* m_advice;
+    Notice* m_beside;
     QPushButton* m_use;
     QSlider* m_slider;
     Notice* m_multipleWhy;

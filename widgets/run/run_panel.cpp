@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/evidence/cautions.h"
+#include "core/simulation/effects/held_islands.h"
 #include "widgets/basics/wording.h"
 #include "widgets/run/effects_panel.h"
 
@@ -34,6 +35,7 @@ RunPanel::RunPanel(QWidget* parent)
       m_live(new QPushButton(tr("Live"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
+      m_notHeld(new Notice),
       m_runs(new RunList),
       m_findings(new FindingList) {
     auto* buttons = new QWidget;
@@ -78,6 +80,13 @@ void RunPanel::buildSettings() {
         addParameter(engine, key);
     }
     addRemaining(Stage::Simulation, tr("Rest and recording"), isEffectParameter);
+    addWide(m_notHeld);
+}
+
+void RunPanel::setScenario(const Scenario& scenario) {
+    Panel::setScenario(scenario);
+    const std::optional<Finding> finding = notHeld(scenario);
+    m_notHeld->set(Notice::Kind::Note, finding ? worded(finding->what) : QString(), finding ? worded(finding->remedy) : QString());
 }
 
 void RunPanel::buildOutcome() {

@@ -37,6 +37,7 @@ public:
     /// @param ready    there are clusters to simulate; @param why  else says what is missing
     /// @param running  only Cancel can be pushed; the buttons stand still
     void setReady(bool ready, bool running, const QString& why = {});
+    void setScenario(const Scenario& scenario) override;
 
 signals:
     void simulateRequested();
@@ -52,6 +53,7 @@ private:
     QPushButton* m_live;
     QPushButton* m_cancel;
     QLabel* m_why;
+    Notice* m_notHeld;
     PanelGroup* m_healthGroup;
     HealthList* m_health;
     RunList* m_runs;

@@ -46,8 +46,13 @@ void Forecast::forgetPoints() {
     m_earlier = std::make_shared<Earlier>();
 }
 
+bool Forecast::Loose::of(const Inputs& inputs, const Scenario& scenario) const {
+    return fe.lock() == inputs.fe && terrain.lock() == inputs.terrain && fragments == scenario.fragments &&
+           groundHeight == scenario.simulation.groundHeight && switches == scenario.effects.switches;
+}
+
 Forecast::Answer Forecast::answer(const Question& question, const std::string& machine, const Calibration* calibration,
-                                  Earlier& earlier, Speed& speed, const Execution& execution) {
+                                  Earlier& earlier, Loose& loose, Speed& speed, const Execution& execution) {
     const int threads = execution.threads();
     const WorldOrigin reference = originOf(question.inputs, referenceScenario(question.scenario), 0, 0.0, machine);
     const Digest scene = sceneDigest(reference, DebrisInstant::AtRest);
@@ -61,7 +66,15 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     const Scenario settled = settledBefore(question);
     open.carries = settled.effects.loose != LooseStructurePolicy::Fe;
     open.span = collapseSpan(*question.fragments, question.inputs.fe->times().back());
-    Answer answer{question.scenario, question.bodies, {}, false};
+    Answer answer{question.scenario, question.bodies, {}, std::nullopt, false};
+    if (open.carries) {
+        if (!loose.of(question.inputs, settled)) {
+            loose = {question.inputs.fe,       question.inputs.terrain,
+                     settled.fragments,        settled.simulation.groundHeight,
+                     settled.effects.switches, looseBeside(question.inputs, settled, execution)};
+        }
+        answer.beside = loose.most;
+    }
     for (const Predicted what : shownFigures) {
         Prediction prediction = predict(what, open, earlier.points, calibration);
         if (what == Predicted::WallSeconds && !prediction.known) {
@@ -79,16 +92,17 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
 void Forecast::ask(const Question& question) {
     const int number = ++m_asked;
     auto made = std::make_shared<std::optional<Answer>>();
-    m_worker.startNext(
-        {Worker::Kind::Study,
-         [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, speed = m_speed,
-          made](const Execution& execution) { *made = answer(question, machine, calibration.get(), *earlier, *speed, execution); },
-         [this, number, made](const std::exception_ptr&) {
-             if (made->has_value()) {
-                 (*made)->newest = number == m_asked;
-                 emit said(**made);
-             }
-         }});
+    m_worker.startNext({Worker::Kind::Study,
+                        [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, loose = m_loose,
+                         speed = m_speed, made](const Execution& execution) {
+                            *made = answer(question, machine, calibration.get(), *earlier, *loose, *speed, execution);
+                        },
+                        [this, number, made](const std::exception_ptr&) {
+                            if (made->has_value()) {
+                                (*made)->newest = number == m_asked;
+                                emit said(**made);
+                            }
+                        }});
 }
 
 }  // namespace rubble

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <memory>
 #include <optional>
 
 #include "app/gui/session/worker.h"
+#include "core/analysis/accuracy/loose_beside.h"
 #include "core/analysis/accuracy/machine_speed.h"
 #include "core/analysis/accuracy/prediction.h"
 #include "core/pipeline/pipeline.h"
@@ -31,7 +33,8 @@ public:
         Scenario scenario;
         std::int64_t bodies = 0;
         std::vector<widgets::PredictedFigure> figures;
-        bool newest = false;  ///< nothing was asked since
+        std::optional<LooseAtOnce> beside;  ///< what the engine moves beside the fragments
+        bool newest = false;                ///< nothing was asked since
     };
 
     /// @param machine  in words
@@ -53,18 +56,30 @@ private:
         bool read = false;
         std::vector<KnownPoint> points;
     };
+    /// What comes loose in the scene that was asked for last, and what that depends on; used by the worker alone.
+    struct Loose {
+        std::weak_ptr<const FeResult> fe;
+        std::weak_ptr<const TerrainGrid> terrain;
+        FragmentSettings fragments;
+        double groundHeight = 0.0;  ///< m
+        std::array<EffectSwitch, effectCount> switches{};
+        std::optional<LooseAtOnce> most;
+
+        bool of(const Inputs& inputs, const Scenario& scenario) const;
+    };
     /// Of this machine, measured when it is first needed; used by the worker alone.
     struct Speed {
         std::optional<MachineSpeed> measured;
         int threads = 0;
     };
     static Answer answer(const Question& question, const std::string& machine, const Calibration* calibration, Earlier& earlier,
-                         Speed& speed, const Execution& execution);
+                         Loose& loose, Speed& speed, const Execution& execution);
 
     std::string m_machine;
     int m_asked = 0;
     std::shared_ptr<const Calibration> m_calibration;
     std::shared_ptr<Earlier> m_earlier = std::make_shared<Earlier>();
+    std::shared_ptr<Loose> m_loose = std::make_shared<Loose>();
     std::shared_ptr<Speed> m_speed = std::make_shared<Speed>();
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;

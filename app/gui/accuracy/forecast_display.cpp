@@ -106,6 +106,12 @@ void ForecastDisplay::show() {
         content.bodies = m_kept.shown ? m_kept.shown->bodies : 0;
         content.figures = m_kept.shown ? m_kept.shown->figures : std::vector<widgets::PredictedFigure>();
     }
+    std::optional<Finding> beside;
+    if (m_kept.shown && m_kept.shown->beside && m_computation.inputs().fe != nullptr) {
+        beside = looseBesideCaution(m_kept.shown->scenario.grid.fpsTarget, *m_kept.shown->beside,
+                                    m_computation.inputs().fe->mesh().elementCount());
+    }
+    m_deck.grid().setBeside(beside);
     const bool ran = m_kept.afterRun && m_kept.runScenario == m_document.scenario();
     for (widgets::Panel* panel : m_deck.panels()) {
         panel->setPrediction(panel == &m_deck.run() && ran ? *m_kept.afterRun : content);

@@ -13143,8 +13143,8 @@
         <translation>误差</translation>
     </message>
     <message>
-        <source>What the colour of a fragment says</source>
-        <translation>碎块颜色的含义</translation>
+        <source>What the colour of a fragment says; island: which loose part of the structure an element belongs to</source>
+        <translation>碎块颜色的含义；孤立部分：单元属于结构的哪个松脱部分</translation>
     </message>
     <message>
         <source>Colour by</source>
@@ -13209,6 +13209,10 @@
     <message>
         <source>Case has New case… for a result of your own, and Help has the manual (F1) and this tour again.</source>
         <translation>“案例”菜单的“新建案例…”用于自己的结果，“帮助”菜单有手册（F1）和本导览。</translation>
+    </message>
+    <message>
+        <source>island</source>
+        <translation>孤立部分</translation>
     </message>
 </context>
 <context>
@@ -14323,6 +14327,30 @@
     <message>
         <source>ground (dashed)</source>
         <translation>地面（虚线）</translation>
+    </message>
+    <message>
+        <source>loose islands are not known yet</source>
+        <translation>尚不知道松脱的孤立部分</translation>
+    </message>
+    <message>
+        <source>not loose</source>
+        <translation>未松脱</translation>
+    </message>
+    <message>
+        <source>in loose islands %1</source>
+        <translation>在松脱的孤立部分中 %1</translation>
+    </message>
+    <message>
+        <source>island %1 · %2</source>
+        <translation>孤立部分 %1 · %2</translation>
+    </message>
+    <message>
+        <source>smaller islands: %1</source>
+        <translation>较小的孤立部分：%1</translation>
+    </message>
+    <message>
+        <source>each loose island in a colour of its own</source>
+        <translation>每个松脱的孤立部分各有一色</translation>
     </message>
 </context>
 <context>
@@ -16540,8 +16568,8 @@
         <translation>实时模式在如此多刚体下达到的每秒帧数。方块为论文数据点，2012 年在 GTX 480 上测得。</translation>
     </message>
     <message>
-        <source>%1; simulated on %2 threads, drawn by %3. A frame simulates 1/%4 s of the collapse and draws both views. Typical: the mean of a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests.</source>
-        <translation>%1；在 %2 个线程上模拟，由 %3 绘制。每帧模拟倒塌的 1/%4 s 并绘制两个视图。典型：趋于静止的堆积体的平均值。最差：始终不静止的堆积体的最差一秒。</translation>
+        <source>%1; simulated on %2 threads, drawn by %3. A frame simulates 1/%4 s of the collapse and draws both views. Typical: the mean of a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests. Both are fragments alone: whole spans that the engine moves (loose_structure) come on top.</source>
+        <translation>%1；在 %2 个线程上模拟，由 %3 绘制。每帧模拟倒塌的 1/%4 s 并绘制两个视图。典型：趋于静止的堆积体的平均值。最差：始终不静止的堆积体的最差一秒。两者都只有碎块：由引擎移动的整跨（loose_structure）另计。</translation>
     </message>
     <message>
         <source>nothing</source>

@@ -57,6 +57,30 @@ void addComponents(std::vector<LegendEntry>& legend, const render::View& view, c
     }
 }
 
+/// What stands, and one line for each of the largest islands with its number, the rest in one.
+void addIslands(std::vector<LegendEntry>& legend, const Palette& p, const render::PaneStatus& status,
+                const render::SceneColours& colours) {
+    if (!status.islandsKnown) {
+        legend.push_back({QColor(), tr("loose islands are not known yet")});
+        return;
+    }
+    const auto& islands = status.islands;
+    const std::size_t shown = islands.size() > longestLegend ? longestLegend - 1 : islands.size();
+    const std::size_t loose =
+        std::accumulate(islands.begin(), islands.end(), std::size_t{0},
+                        [](std::size_t sum, const render::ShownIsland& island) { return sum + island.elements; });
+    legend.push_back({p.structure, tr("not loose")});
+    legend.push_back({QColor(), tr("in loose islands %1").arg(countText(loose))});
+    for (std::size_t i = 0; i < shown; ++i) {
+        // Counted from 1, as rubble-cli inspect does.
+        legend.push_back({colourOf(render::colour_choice::category(colours, islands[i].category)),
+                          tr("island %1 · %2").arg(countText(islands[i].island + 1), countText(islands[i].elements))});
+    }
+    if (shown < islands.size()) {
+        legend.push_back({QColor(), tr("smaller islands: %1").arg(countText(islands.size() - shown))});
+    }
+}
+
 /// The next number with two digits, for what need not be told more finely.
 double twoDigitsUp(double value) {
     const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
@@ -104,6 +128,7 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
     const QString count = countText(status.fragments);
     switch (view.colourBy) {
         case render::ColourBy::Highlight:
+        case render::ColourBy::Island:
             overlay.legend.push_back(
                 {view.style == render::Style::Presentation ? QColor() : p.fragment, tr("fragments %1").arg(count)});
             break;
@@ -343,31 +368,31 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
     }
     if (view.legends && status.states > 0) {
         const Palette& p = palette(view.theme);
+        const bool byIsland = view.colourBy == render::ColourBy::Island;
         if (pane.content != render::PaneContent::Fe && data.fragments) {
             addFragments(overlay, view, scene, data, status, sceneColours(view.theme, view.colourMap));
-            if (view.style == render::Style::Presentation) {
-                overlay.legend.push_back({QColor(), tr("active structure %1").arg(countText(status.active))});
-            } else {
-                overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
-            }
+            const bool plain = view.style == render::Style::Presentation || byIsland;
+            overlay.legend.push_back({plain ? QColor() : p.structure, tr("active structure %1").arg(countText(status.active))});
             if (pane.content == render::PaneContent::Overlay) {
                 overlay.legend.push_back({p.outline, tr("intact structure"), true});
             }
             if (status.released > 0) {
-                const bool marked = view.style != render::Style::Presentation;
                 overlay.legend.push_back(
-                    {marked ? p.released : QColor(), tr("released structure %1").arg(countText(status.released))});
+                    {plain ? QColor() : p.released, tr("released structure %1").arg(countText(status.released))});
             }
             if (view.style == render::Style::Presentation) {
                 addMaterials(overlay.legend, data, sceneColours(view.theme));
             }
         } else {
             const bool material = view.style == render::Style::Presentation;
-            overlay.legend.push_back({material ? QColor() : p.structure,
+            overlay.legend.push_back({material || byIsland ? QColor() : p.structure,
                                       tr("active %1 of %2 elements").arg(countText(status.active), countText(status.elements))});
             if (material) {
                 addMaterials(overlay.legend, data, sceneColours(view.theme));
             }
+        }
+        if (byIsland) {
+            addIslands(overlay.legend, p, status, sceneColours(view.theme));
         }
         if (view.clip) {
             overlay.legend.push_back({QColor(), tr("cut open")});
@@ -421,13 +446,16 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane&
 std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
     const Palette& p = palette(view.theme);
     std::vector<LegendEntry> legend;
+    const bool byIsland = view.colourBy == render::ColourBy::Island;
     if (view.style == render::Style::Analysis) {
-        if (view.colourBy == render::ColourBy::Highlight) {
+        if (view.colourBy == render::ColourBy::Highlight || byIsland) {
             legend.push_back({p.fragment, tr("fragments")});
         }
-        legend.push_back({p.structure, tr("active structure")});
+        legend.push_back({p.structure, byIsland ? tr("not loose") : tr("active structure")});
     }
-    if (released && view.style == render::Style::Analysis) {
+    if (byIsland) {
+        legend.push_back({QColor(), tr("each loose island in a colour of its own")});
+    } else if (released && view.style == render::Style::Analysis) {
         legend.push_back({p.released, tr("released structure")});
     }
     return legend;

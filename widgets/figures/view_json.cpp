@@ -35,12 +35,13 @@ constexpr std::array<Named<render::ColourMap>, 4> colourMaps{{{render::ColourMap
                                                               {render::ColourMap::Grey, "grey"}}};
 constexpr std::array<Named<render::Style>, 2> styles{
     {{render::Style::Analysis, "analysis"}, {render::Style::Presentation, "presentation"}}};
-constexpr std::array<Named<render::ColourBy>, 6> colourings{{{render::ColourBy::Highlight, "highlight"},
+constexpr std::array<Named<render::ColourBy>, 7> colourings{{{render::ColourBy::Highlight, "highlight"},
                                                              {render::ColourBy::Component, "component"},
                                                              {render::ColourBy::BirthTime, "birth_time"},
                                                              {render::ColourBy::Speed, "speed"},
                                                              {render::ColourBy::Cluster, "cluster"},
-                                                             {render::ColourBy::Error, "error"}}};
+                                                             {render::ColourBy::Error, "error"},
+                                                             {render::ColourBy::Island, "island"}}};
 constexpr std::array<Named<render::Theme>, 3> themes{
     {{render::Theme::Light, "light"}, {render::Theme::Dark, "dark"}, {render::Theme::Print, "print"}}};
 

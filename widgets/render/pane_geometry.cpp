@@ -186,7 +186,8 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
     m_status.interpolated = m_carried ? m_frame.kind == FrameKind::Interpolated : m_motion.interpolated();
     m_status.kind = m_carried ? m_frame.kind : (m_motion.interpolated() ? FrameKind::Interpolated : FrameKind::Fe);
 
-    const bool otherLooks = settleLooks(scale);
+    const bool otherStyle = settleLooks(scale, colourBy);
+    const bool otherLooks = settleIslands(shown, colourBy, scale) || otherStyle;
     const std::size_t structureSlot = m_structure->slotAt(shown);
     const std::size_t debrisSlot = m_slots ? m_slots->slotAt(shown) : 0;
     const bool otherIslands = m_islands.version() != m_islandsDrawn;
@@ -218,7 +219,7 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
 }
 
 /// Which components look alike while they are active: by grey, by a colour of their own, or by material. True if that has changed.
-bool PaneGeometry::settleLooks(const ColourScale& scale) {
+bool PaneGeometry::settleLooks(const ColourScale& scale, ColourBy colourBy) {
     const std::size_t components = m_data.components ? m_data.components->list.size() : m_data.fe->mesh().parts.size();
     std::vector<std::uint32_t> lookOf(components, 0);
     std::vector<Rgb> custom(components);
@@ -235,8 +236,9 @@ bool PaneGeometry::settleLooks(const ColourScale& scale) {
         }
         for (std::size_t c = 0; c < components; ++c) {
             lookOf[c] = static_cast<std::uint32_t>(c) % colour_choice::greys;
-            const auto chosen =
-                m_data.components ? scale.componentColours.find(m_data.components->list[c].name) : scale.componentColours.end();
+            const auto chosen = m_data.components && colourBy != ColourBy::Island
+                                    ? scale.componentColours.find(m_data.components->list[c].name)
+                                    : scale.componentColours.end();
             if (chosen != scale.componentColours.end()) {
                 lookOf[c] = static_cast<std::uint32_t>(m_looks.size());
                 m_looks.push_back(chosen->second);
@@ -318,15 +320,18 @@ void PaneGeometry::addDebris() {
 
 void PaneGeometry::addStructure() {
     // One point for each node and look, so that components keep crisp borders.
-    const std::size_t looks = m_looks.size();
-    m_pointOf.resize(m_data.fe->mesh().nodeCount() * looks, -1);
+    m_pointOf.resize(m_data.fe->mesh().nodeCount(), -1);
     const auto pointFor = [&](std::uint32_t node, std::uint32_t look) {
-        std::int32_t& point = m_pointOf[std::size_t{node} * looks + look];
-        if (point < 0) {
-            point = static_cast<std::int32_t>(m_debrisPoints + m_structurePoints.size());
-            m_structurePoints.push_back({node, look, afloat(node)});
+        std::int32_t point = m_pointOf[node];
+        while (point >= 0 && m_structurePoints[static_cast<std::size_t>(point)].look != look) {
+            point = m_structurePoints[static_cast<std::size_t>(point)].next;
         }
-        return point;
+        if (point < 0) {
+            point = static_cast<std::int32_t>(m_structurePoints.size());
+            m_structurePoints.push_back({node, look, afloat(node), m_pointOf[node]});
+            m_pointOf[node] = point;
+        }
+        return static_cast<std::int32_t>(m_debrisPoints) + point;
     };
     const bool join = m_cells.structure > 0.0;
     if (join) {
@@ -344,7 +349,7 @@ void PaneGeometry::addStructure() {
                 continue;
             }
         }
-        const std::uint32_t look = m_lookOf[componentOf(face.element)];
+        const std::uint32_t look = lookOf(face.element);
         std::array<std::int32_t, 4> p{};
         std::size_t n = 0;
         for (; n < 4 && face.nodes[n] != StructureFaces::none; ++n) {
@@ -362,7 +367,7 @@ void PaneGeometry::addStructure() {
         }
     }
     for (const StructurePoint& point : m_structurePoints) {
-        m_pointOf[std::size_t{point.node} * looks + point.look] = -1;
+        m_pointOf[point.node] = -1;
     }
 }
 
@@ -385,7 +390,10 @@ void PaneGeometry::place(double time) {
 Rgb PaneGeometry::debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                                const ColourScale& scale) const {
     const Fragment& f = m_data.fragments->list[at(fragment)];
-    if (!born(at(fragment)) || (scale.style == Style::Presentation && colourBy == ColourBy::Highlight)) {
+    if (!born(at(fragment))) {
+        return m_looks[lookOf(f.element)];
+    }
+    if (scale.style == Style::Presentation && (colourBy == ColourBy::Highlight || colourBy == ColourBy::Island)) {
         return m_looks[m_lookOf[at(f.component)]];
     }
     switch (colourBy) {
@@ -403,6 +411,7 @@ Rgb PaneGeometry::debrisColour(FragmentId fragment, std::size_t group, const std
         case ColourBy::Error:
             return errorColour(fragment, scale);
         case ColourBy::Highlight:
+        case ColourBy::Island:
             break;
     }
     return scale.colours.fragment;
@@ -476,7 +485,7 @@ void PaneGeometry::colour(ColourBy colourBy, const ColourScale& scale) {
         put(debrisColour(drawnDebris().vertices()[i].fragment, m_groupOfPoint[i], speeds, colourBy, scale));
     }
     for (const StructurePoint& point : m_structurePoints) {
-        const bool plain = !point.carried || scale.style == Style::Presentation;
+        const bool plain = !point.carried || scale.style == Style::Presentation || point.look >= m_firstIslandLook;
         put(plain ? m_looks[point.look] : scale.colours.released);
     }
     takeGrain();

@@ -84,7 +84,8 @@ private:
     struct StructurePoint {
         std::uint32_t node = 0;
         std::uint32_t look = 0;
-        bool carried = false;  ///< its island of live structure is carried by a body
+        bool carried = false;    ///< its island of live structure is carried by a body
+        std::int32_t next = -1;  ///< another point of the node, in addStructure()
     };
 
     void makeFaces(bool carried);
@@ -120,7 +121,9 @@ private:
     Rgb errorColour(FragmentId fragment, const ColourScale& scale) const;
     Rgb debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                      const ColourScale& scale) const;
-    bool settleLooks(const ColourScale& scale);
+    bool settleLooks(const ColourScale& scale, ColourBy colourBy);
+    bool settleIslands(double time, ColourBy colourBy, const ColourScale& scale);
+    std::uint32_t lookOf(ElementIndex element) const;
     void takeGrain();
     std::optional<Vec3> centreOf(ElementIndex element) const;
     bool hidden(ElementIndex element) const { return !m_hidden.empty() && m_hidden[at(element)] != 0; }
@@ -139,8 +142,13 @@ private:
     std::vector<std::uint8_t> m_meets;    ///< by fragment, or empty: all do
     std::vector<std::uint32_t> m_lookOf;  ///< by component: which of the looks its active structure has
     std::vector<Rgb> m_looks;
-    std::vector<Rgb> m_customColours;       ///< by component
-    std::vector<std::uint8_t> m_hasCustom;  ///< by component
+    std::vector<Rgb> m_customColours;            ///< by component
+    std::vector<std::uint8_t> m_hasCustom;       ///< by component
+    std::vector<std::uint32_t> m_islandColours;  ///< by island; empty: not coloured by it
+    std::vector<std::uint32_t> m_islandOf;       ///< by element, inNoIsland of what is not loose; empty: not coloured by island
+    std::size_t m_islandCategories = 0;          ///< colours that they share
+    std::size_t m_islandState = 0;               ///< FE state that it is of
+    std::uint32_t m_firstIslandLook = 0;
     Style m_style = Style::Analysis;
     bool m_carried = false;  ///< bodies carry fragments from their hand-over
     NodeMotion m_motion;
@@ -163,7 +171,7 @@ private:
     std::size_t m_debrisPoints = 0;
     std::vector<std::uint32_t> m_visible;  ///< faces of the structure in m_structureSlot
     std::vector<std::uint32_t> m_joined;   ///< by node: the one that is drawn in its place; `none` of those that are not drawn
-    std::vector<std::int32_t> m_pointOf;   ///< by node and look, -1 outside addStructure()
+    std::vector<std::int32_t> m_pointOf;   ///< by node: its latest point, -1 outside addStructure()
     std::uint64_t m_islandsDrawn = 0;      ///< version of m_islands that the triangles are of
     std::vector<std::uint32_t> m_groupOfPoint;
     std::vector<StructurePoint> m_structurePoints;

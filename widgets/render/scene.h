@@ -15,6 +15,13 @@ class vtkRenderWindow;
 
 namespace rubble::render {
 
+/// An island of loose structure at the FE state that a pane shows.
+struct ShownIsland {
+    std::uint32_t island = 0;    ///< index in LooseStructure
+    std::size_t elements = 0;    ///< of it at that state
+    std::uint32_t category = 0;  ///< of the scene's colours (colour_choice::category())
+};
+
 /// What a pane showed when it was last updated: for captions, legends and the status line.
 struct PaneStatus {
     double time = 0.0;          ///< s, of what is shown (a growing run may not have reached the view's time)
@@ -33,6 +40,8 @@ struct PaneStatus {
     std::size_t clusters = 0;                  ///< with at least one fragment born
     std::vector<std::size_t> errors;           ///< fragments shown as born, by the steps of the error; empty: not coloured by it
     std::size_t errorsUnknown = 0;             ///< of them, those that the reference does not have at this time
+    bool islandsKnown = false;                 ///< the scene has its loose structure
+    std::vector<ShownIsland> islands;          ///< the largest first; empty: not coloured by island, or none
     std::size_t faces = 0;                     ///< drawn
     double simplifiedTo = 0.0;                 ///< m: shapes are drawn to within this; 0: as they are
     double resolution = 1.0;                   ///< share of the pixels in each direction; below 1 while simplified only

@@ -86,7 +86,7 @@ ExitCode figure(const Arguments& arguments, Session& session) {
     checkOutputPath(*path, std::vector<std::string>{arguments.operand()});
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
     const Inputs inputs = openInputsOfRun(run->origin(), arguments, session);
-    request.write(*path, run, inputs, surroundingsOfRun(run->origin(), inputs, arguments, session));
+    request.write(*path, run, inputs, surroundingsOfRun(run->origin(), inputs, arguments, session), session.execution());
     reportFiles(arguments, session, *run, {*path});
     return ExitCode::Ok;
 }

@@ -106,7 +106,7 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
             writePage(row.path, run, inputs, around, session);
         } else if (row.kind == "figure") {
             execution.report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
-            m_figure.write(row.path, run, inputs, around);
+            m_figure.write(row.path, run, inputs, around, session.execution());
             execution.report({"cli.stage.figure", "Drawing the figure", {}}, 1.0);
         } else {
             if (!map) {

@@ -13,6 +13,7 @@
 #include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
 #include "core/fe/regrouping.h"
+#include "core/pipeline/loose_scene.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_cautions.h"
 #include "widgets/figures/export_record.h"
@@ -46,11 +47,12 @@ std::optional<Value> choiceOf(const Arguments& arguments, const char* option, co
     return found->value;
 }
 
-constexpr std::array<Choice<render::ColourBy>, 5> colourNames{{{"highlight", render::ColourBy::Highlight},
+constexpr std::array<Choice<render::ColourBy>, 6> colourNames{{{"highlight", render::ColourBy::Highlight},
                                                                {"component", render::ColourBy::Component},
                                                                {"birth_time", render::ColourBy::BirthTime},
                                                                {"speed", render::ColourBy::Speed},
-                                                               {"cluster", render::ColourBy::Cluster}}};
+                                                               {"cluster", render::ColourBy::Cluster},
+                                                               {"island", render::ColourBy::Island}}};
 constexpr std::array<Choice<std::optional<render::Layout>>, 5> paneNames{{{"both", std::nullopt},
                                                                           {"fe", render::Layout::FeOnly},
                                                                           {"fragments", render::Layout::FragmentsOnly},
@@ -77,7 +79,8 @@ std::vector<Option> FigureRequest::viewOptions() {
     return {
         {"--view", "FILE", false, "a view saved in the workbench; the options below take the place of parts of it"},
         {"--pane", "PANE", false, "what a figure shows: fe, fragments, both (default), overlay or four"},
-        {"--colour", "BY", false, "fragments by highlight (default), component, birth_time, speed or cluster"},
+        {"--colour", "BY", false,
+         "fragments by highlight (default), component, birth_time, speed or cluster; loose structure by island"},
         {"--scale", "COLOURS", false, "of birth time and speed: standard (default), viridis, cividis or grey"},
         {"--style", "STYLE", false, "analysis (default) or presentation: every element in the look of its material"},
         {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
@@ -110,7 +113,7 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
     readLook(arguments);
     readTime(arguments);
     readPreset(arguments);
-    m_colourBy = choiceOf(arguments, "--colour", colourNames, "highlight, component, birth_time, speed or cluster");
+    m_colourBy = choiceOf(arguments, "--colour", colourNames, "highlight, component, birth_time, speed, cluster or island");
     const auto size = arguments.value("--size");
     m_style.pixels = size ? parsePictureSize(*size) : figures::usualSize(m_preset);
     if (const auto dpi = arguments.value("--dpi")) {
@@ -277,8 +280,8 @@ void FigureRequest::checkFormat(const std::string& option, const std::string& pa
 }
 
 void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs,
-                          const RunSurroundings& around) const {
-    const render::SceneData data = sceneOfRun(run, inputs, around);
+                          const RunSurroundings& around, const Execution& execution) const {
+    const render::SceneData data = sceneFor(run, inputs, around, execution);
     quietQt();
     figures::ensureGuiApplication();
     const VirtualDisplay display;
@@ -305,6 +308,15 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     }
     record.view = figures::toJson(view);
     figures::writeSheet(path, picture, style, io::exportProvenance(record, run->origin(), run.get()));
+}
+
+render::SceneData FigureRequest::sceneFor(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs,
+                                          const RunSurroundings& around, const Execution& execution) const {
+    render::SceneData data = sceneOfRun(run, inputs, around);
+    if (m_colourBy.value_or(m_view ? m_view->colourBy : render::ColourBy::Highlight) == render::ColourBy::Island) {
+        data.loose = std::make_shared<const LooseStructure>(looseScene(inputs, run->origin().scenario, execution));
+    }
+    return data;
 }
 
 render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around) {

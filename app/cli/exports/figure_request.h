@@ -32,7 +32,10 @@ public:
     /// Draws the run and writes the figure; starts a virtual display where none answers. Throws UsageError when the instant lies
     /// outside the run, WorldError.
     void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs,
-               const RunSurroundings& around) const;
+               const RunSurroundings& around, const Execution& execution) const;
+    /// sceneOfRun() with what the colours that were asked for need. Throws Cancelled.
+    render::SceneData sceneFor(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around,
+                               const Execution& execution) const;
     /// The view that was asked for, at its own time. @param pixels  of the picture
     render::View viewOf(const render::SceneData& data, QSize pixels) const;
     const figures::FigureStyle& style() const { return m_style; }

@@ -94,7 +94,7 @@ ExitCode movie(const Arguments& arguments, Session& session) {
         style.dpi = usualDpi;
     }
     const RunSurroundings around = surroundingsOfRun(run->origin(), inputs, arguments, session);
-    const render::SceneData data = sceneOfRun(run, inputs, around);
+    const render::SceneData data = request.sceneFor(run, inputs, around, session.execution());
     quietQt();
     figures::ensureGuiApplication();
     const VirtualDisplay display;

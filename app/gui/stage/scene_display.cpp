@@ -70,6 +70,7 @@ render::SceneData SceneDisplay::data() const {
     scene.clustering = from.clustering;
     scene.trajectory = record != nullptr ? record->reader : nullptr;
     scene.reference = m_reference;
+    scene.loose = m_looseOf.lock() == scene.fe ? m_loose : nullptr;
     scene.setSurroundings(record != nullptr ? record->scenario : m_document.scenario(), m_computation.inputs().terrain,
                           record != nullptr ? record->outcome.get() : nullptr);
     scene.orthophoto = m_ground != nullptr ? m_ground : m_computation.terrain().orthophoto;
@@ -135,6 +136,12 @@ void SceneDisplay::lookAtAll() {
 
 void SceneDisplay::setReference(std::shared_ptr<const TrajectoryReader> reference) {
     m_reference = std::move(reference);
+    show();
+}
+
+void SceneDisplay::setLoose(std::shared_ptr<const LooseStructure> loose) {
+    m_loose = std::move(loose);
+    m_looseOf = m_computation.inputs().fe;
     show();
 }
 

@@ -41,6 +41,8 @@ public:
     void lookAtAll();
     /// What fragments are compared with; null: nothing.
     void setReference(std::shared_ptr<const TrajectoryReader> reference);
+    /// The loose structure of the FE result that is open, told apart by colours; null: none.
+    void setLoose(std::shared_ptr<const LooseStructure> loose);
     /// What lies on the ground in place of the orthophoto; null: nothing.
     void setGround(std::shared_ptr<const Orthophoto> ground);
     /// The colours of the theme that is in force.
@@ -67,6 +69,8 @@ private:
     QComboBox& m_colours;
     Kept& m_kept;
     std::shared_ptr<const TrajectoryReader> m_reference;
+    std::shared_ptr<const LooseStructure> m_loose;
+    std::weak_ptr<const FeResult> m_looseOf;
     std::shared_ptr<const Orthophoto> m_ground;
     render::SceneData m_shown;
 };

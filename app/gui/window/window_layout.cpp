@@ -148,16 +148,18 @@ void MainWindow::buildToolBar() {
     auto* label = new QLabel(tr(" Colour by "));
     label->setObjectName(QStringLiteral("muted"));
     bar->addWidget(label);
-    const std::array<std::pair<QString, render::ColourBy>, 6> choices = {{{tr("highlight"), render::ColourBy::Highlight},
+    const std::array<std::pair<QString, render::ColourBy>, 7> choices = {{{tr("highlight"), render::ColourBy::Highlight},
                                                                           {tr("component"), render::ColourBy::Component},
                                                                           {tr("birth time"), render::ColourBy::BirthTime},
                                                                           {tr("speed"), render::ColourBy::Speed},
                                                                           {tr("cluster"), render::ColourBy::Cluster},
-                                                                          {tr("error"), render::ColourBy::Error}}};
+                                                                          {tr("error"), render::ColourBy::Error},
+                                                                          {tr("island"), render::ColourBy::Island}}};
     for (const auto& [name, by] : choices) {
         m_colours->addItem(name, static_cast<int>(by));
     }
-    m_colours->setToolTip(tr("What the colour of a fragment says"));
+    m_colours->setToolTip(
+        tr("What the colour of a fragment says; island: which loose part of the structure an element belongs to"));
     m_colours->setAccessibleName(tr("Colour by"));
     m_colours->setObjectName(QStringLiteral("colourBy"));
     m_colours->setFocusPolicy(Qt::TabFocus);

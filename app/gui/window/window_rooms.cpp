@@ -41,6 +41,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       scene(std::make_unique<SceneDisplay>(session, *playback, parts.area, parts.actions, parts.colours)),
       files(std::make_unique<FileCommands>(session, parts.actions, parts.window)),
       errors(std::make_unique<ErrorDisplay>(session, parts.area)),
+      islands(std::make_unique<IslandDisplay>(session)),
       pictures(std::make_unique<PictureExport>(session, parts.window)),
       sealing(std::make_unique<CaseSealing>(session, *files, parts.actions, parts.window)),
       report(std::make_unique<ReportWork>(session, *deck, *scene, parts.actions, parts.window)),
@@ -92,11 +93,13 @@ void WindowRooms::connectViews(const WindowParts& parts) {
     QObject::connect(scene.get(), &SceneDisplay::changed, cameraKeys.get(), &CameraKeys::refresh);
     QObject::connect(scene.get(), &SceneDisplay::viewSet, inspection.get(), [this](const render::View& view) {
         errors->setShown(view.colourBy == render::ColourBy::Error);
+        islands->setShown(view.colourBy == render::ColourBy::Island);
         scenarioPane->setShown(view.layout == render::Layout::Scenarios);
         inspection->tools().refresh();
         inspection->list().showFilter();
     });
     QObject::connect(errors.get(), &ErrorDisplay::changed, scene.get(), [this] { scene->setReference(errors->reference()); });
+    QObject::connect(islands.get(), &IslandDisplay::changed, scene.get(), [this] { scene->setLoose(islands->loose()); });
     const auto layGround = [this] {
         scene->setGround(map->groundPicture() != nullptr ? map->groundPicture() : studies->ensemble().groundPicture());
     };

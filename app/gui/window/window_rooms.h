@@ -27,6 +27,7 @@
 #include "app/gui/stage/timeline_display.h"
 #include "app/gui/views/camera_keys.h"
 #include "app/gui/views/inspection.h"
+#include "app/gui/views/island_display.h"
 #include "app/gui/views/selection_display.h"
 #include "app/gui/window/action_states.h"
 #include "app/gui/window/opening.h"
@@ -80,6 +81,7 @@ struct WindowRooms {
     std::unique_ptr<SceneDisplay> scene;
     std::unique_ptr<FileCommands> files;
     std::unique_ptr<ErrorDisplay> errors;
+    std::unique_ptr<IslandDisplay> islands;
     std::unique_ptr<PictureExport> pictures;
     std::unique_ptr<CaseSealing> sealing;
     std::unique_ptr<ReportWork> report;

@@ -102,6 +102,17 @@ TEST_F(Figure, IsAnExportToo) {
     EXPECT_EQ(pngSize(png), std::make_pair(1600u, 1000u));
 }
 
+TEST_F(Figure, LooseStructureIsColouredByItsIsland) {
+    const std::string svg = m_folder / "island.svg";
+    const Outcome outcome = figure({"--out", svg, "--pane", "fe", "--time", "0.3", "--colour", "island"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(textOf(svg), HasSubstr("in loose islands "));
+    EXPECT_THAT(textOf(svg), HasSubstr("island 1"));
+    const Outcome movie = cli({"movie", m_run, "--out", m_folder / "movie", "--colour", "island", "--pane", "fe", "--from", "0.2",
+                               "--to", "0.3", "--fps", "20", "--size", "320x200"});
+    EXPECT_EQ(movie.exitCode, 0) << movie.err;
+}
+
 TEST_F(Figure, WrongRequestsAreRefused) {
     EXPECT_EQ(figure({}).exitCode, 2);
     EXPECT_EQ(figure({"--out", m_folder / "a.png", "--time", "99"}).exitCode, 2);

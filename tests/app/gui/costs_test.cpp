@@ -236,6 +236,49 @@ TEST_F(CostsWorkbench, ACalibrationIsCancelledAndAKeptOneIsFoundAgain) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
 
+TEST_F(CostsWorkbench, TheGridSaysThatItsBodiesAreFragmentsAlone) {
+    openSmall();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered(); }, patience));
+    const auto told = [this] {
+        for (const widgets::Notice* notice : window->rooms().deck->grid().findChildren<widgets::Notice*>()) {
+            if (!notice->isHidden() && notice->text().contains(QStringLiteral("fragments alone"))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(told());
+    session->document().setParameter(QStringLiteral("loose_structure"), std::string("fe"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && answered() && !told(); }, patience)) << "the FE result moves it";
+    session->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && answered() && told(); }, patience));
+}
+
+TEST_F(CostsWorkbench, StructureIsColouredByIsland) {
+    openSmall();
+    auto* colours = window->findChild<QComboBox*>(QStringLiteral("colourBy"));
+    const auto colourBy = [&](render::ColourBy by) {
+        colours->setCurrentIndex(colours->findData(static_cast<int>(by)));
+        emit colours->activated(colours->currentIndex());
+    };
+    EXPECT_EQ(window->rooms().scene->data().loose, nullptr) << "nobody asked";
+    colourBy(render::ColourBy::Island);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().scene->data().loose != nullptr; }, patience));
+    window->rooms().playback->showInstant(0.3);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->area().views().status(render::PaneContent::Fe).islands.empty(); }, patience));
+    const auto first = window->rooms().scene->data().loose;
+    // Where the ground lies decides what stands on it.
+    session->document().setParameter(QStringLiteral("ground_height"), -1.0);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            const auto now = window->rooms().scene->data().loose;
+            return now != nullptr && now != first;
+        },
+        patience));
+    colourBy(render::ColourBy::Speed);
+    EXPECT_EQ(window->rooms().scene->data().loose, nullptr);
+}
+
 TEST_F(CostsWorkbench, FragmentsAreColouredByTheirErrorAgainstAReference) {
     openSmall();
     auto* colours = window->findChild<QComboBox*>(QStringLiteral("colourBy"));

@@ -146,6 +146,38 @@ TEST_F(Legends, ErrorsAreCountedByTheirSteps) {
     EXPECT_EQ(overlay.legend[steps + 1].colour, errorColour(1.0));
 }
 
+TEST_F(Legends, IslandsAreNamedAndCountedInTheirColours) {
+    EXPECT_EQ(overlayFor(render::ColourBy::Island, render::PaneContent::Fe).legend.back().text,
+              QStringLiteral("loose islands are not known yet"));
+    // A slab of six elements in the air, and seven smaller ones beside it.
+    std::vector<scenes::Block> blocks(8);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        blocks[i].low = Vec3(10.0 * static_cast<double>(i), 0, 50);
+        blocks[i].velocity = Vec3(0, 0, -2);
+    }
+    blocks[0].size = Vec3(3, 2, 1);
+    blocks[0].cells = {3, 2, 1};
+    const auto fe = scenes::makeScene(blocks, 8, 0.1);
+    auto data = scenes::withoutRun(fe);
+    data.loose = std::make_shared<const LooseStructure>(looseStructure(*fe, fe->activity(), {true, 0.0, nullptr}, Execution()));
+    m_scene.setData(data);
+    const Overlay overlay = overlayFor(render::ColourBy::Island, render::PaneContent::Fe);
+    ASSERT_EQ(overlay.legend.size(), 1u + 2u + 5u + 1u);
+    EXPECT_EQ(overlay.legend[0].text, QStringLiteral("active 13 of 13 elements"));
+    EXPECT_FALSE(overlay.legend[0].colour.isValid());
+    EXPECT_EQ(overlay.legend[1].text, QStringLiteral("not loose"));
+    EXPECT_EQ(overlay.legend[1].colour, palette(render::Theme::Light).structure);
+    EXPECT_EQ(overlay.legend[2].text, QStringLiteral("in loose islands 13"));
+    EXPECT_EQ(overlay.legend[3].text, QStringLiteral("island 1 · 6"));
+    EXPECT_EQ(overlay.legend[4].text, QStringLiteral("island 2 · 1"));
+    EXPECT_TRUE(overlay.legend[4].colour.isValid());
+    EXPECT_NE(overlay.legend[3].colour, overlay.legend[4].colour);
+    EXPECT_EQ(overlay.legend.back().text, QStringLiteral("smaller islands: 3"));
+    render::View view;
+    view.colourBy = render::ColourBy::Island;
+    EXPECT_EQ(commonLegend(view, true).back().text, QStringLiteral("each loose island in a colour of its own"));
+}
+
 TEST_F(Legends, WhatTheViewSwitchesOffIsGone) {
     m_view.captions = m_view.legends = m_view.scaleBar = false;
     const Overlay overlay = overlayFor(render::ColourBy::BirthTime);

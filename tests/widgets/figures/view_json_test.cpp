@@ -27,7 +27,7 @@ render::View randomView(std::mt19937& engine) {
     view.camerasLinked = pick(2) == 1;
     view.time = n(engine);
     view.timeOrigin = n(engine);
-    view.colourBy = static_cast<render::ColourBy>(pick(6));
+    view.colourBy = static_cast<render::ColourBy>(pick(7));
     view.theme = static_cast<render::Theme>(pick(3));
     view.colourMap = static_cast<render::ColourMap>(pick(4));
     view.style = static_cast<render::Style>(pick(2));

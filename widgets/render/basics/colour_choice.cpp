@@ -14,6 +14,9 @@ Rgb shaded(const Rgb& c, double factor) {
     return {channel(c.r), channel(c.g), channel(c.b)};
 }
 
+/// A second and third round through the hues is told apart by lightness.
+constexpr std::array<double, 3> rounds{1.0, 0.68, 1.38};
+
 }  // namespace
 
 Rgb structure(const SceneColours& colours, std::uint32_t component) {
@@ -24,13 +27,25 @@ Rgb category(const SceneColours& colours, std::size_t index) {
     if (colours.categories.empty()) {
         return colours.fragment;
     }
-    // A second and third round through the hues is told apart by lightness.
-    constexpr std::array<double, 3> rounds{1.0, 0.68, 1.38};
     return shaded(colours.categories[index % colours.categories.size()], rounds[index / colours.categories.size() % rounds.size()]);
 }
 
+std::size_t categories(const SceneColours& colours) {
+    return std::max<std::size_t>(1, rounds.size() * colours.categories.size());
+}
+
+std::vector<std::uint32_t> unlikeFragments(const SceneColours& colours) {
+    std::vector<std::uint32_t> left;
+    for (std::uint32_t c = 0; c < categories(colours); ++c) {
+        if (!colours.categories.empty() && !(colours.categories[c % colours.categories.size()] == colours.fragment)) {
+            left.push_back(c);
+        }
+    }
+    return left.empty() ? std::vector<std::uint32_t>{0} : left;
+}
+
 Rgb clusterColour(const SceneColours& colours, ClusterId cluster) {
-    return category(colours, at(cluster) * 5 % std::max<std::size_t>(1, 3 * colours.categories.size()));
+    return category(colours, at(cluster) * 5 % categories(colours));
 }
 
 std::size_t errorStep(const std::vector<double>& steps, double error) {

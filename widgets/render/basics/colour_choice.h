@@ -17,6 +17,10 @@ constexpr std::uint32_t greys = 5;
 Rgb structure(const SceneColours& colours, std::uint32_t component);
 /// Colour of a component.
 Rgb category(const SceneColours& colours, std::size_t index);
+/// How many of these differ.
+std::size_t categories(const SceneColours& colours);
+/// Those that no highlighted fragment could be taken for; at least one.
+std::vector<std::uint32_t> unlikeFragments(const SceneColours& colours);
 /// Colour of a cluster: neighbours in number look different.
 Rgb clusterColour(const SceneColours& colours, ClusterId cluster);
 /// Which of the steps an error [m] falls into: 0 up to the first bound.

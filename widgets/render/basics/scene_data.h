@@ -6,6 +6,7 @@
 #include "core/clusters/clustering.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
+#include "core/fe/loose_structure.h"
 #include "core/fe/orthophoto.h"
 #include "core/fe/site_mesh.h"
 #include "core/fe/terrain_grid.h"
@@ -25,6 +26,7 @@ struct SceneData {
     std::shared_ptr<const Clustering> clustering;
     std::shared_ptr<const TrajectoryReader> trajectory;
     std::shared_ptr<const TrajectoryReader> reference;          ///< of the same fragments, each its own body: errors are against it
+    std::shared_ptr<const LooseStructure> loose;                ///< of the FE result, for colours; null: not known
     double groundHeight = 0.0;                                  ///< m
     std::shared_ptr<const TerrainGrid> terrain;                 ///< drawn instead of the level ground; null: none
     std::optional<double> waterLevel;                           ///< m, drawn in the fragments pane; unset: no water

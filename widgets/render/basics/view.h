@@ -22,7 +22,8 @@ inline constexpr std::size_t paneContents = 5;
 /// Another scenario is always seen as the fragments are.
 inline constexpr std::size_t paneCameras = 4;
 enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly, OverlayOnly, Four, Scenarios };
-enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster, Error };
+/// Island: structure that is loose, by the island that it belongs to; the others say it of fragments.
+enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster, Error, Island };
 enum class Theme : std::uint8_t { Light, Dark, Print };
 /// Scale of colours of birth time and speed; all of them rise in lightness.
 enum class ColourMap : std::uint8_t { Standard, Viridis, Cividis, Grey };

@@ -118,13 +118,14 @@ public:
 
     void take(const MedCells& block, std::size_t c, std::size_t cell, bool carries, const std::vector<bool>& reached) {
         const auto shape = shapeOfMed(block.type);
-        const std::int64_t number = m_byNumber ? block.numbers[c] : static_cast<std::int64_t>(cell) + 1;
         if (!shape) {
             m_findings.add({"med.skipped_cell", "Cells of a type that makes no fragment were left out", {}},
                            {"med.skipped_cell.remedy", "Nothing to do if they are masses, springs or points.", {}},
                            typeName(block.type));
             return;
         }
+        // Cells without a shape need no numbers where all others have them.
+        const std::int64_t number = m_byNumber ? block.numbers[c] : static_cast<std::int64_t>(cell) + 1;
         const std::size_t width = block.nodes.size() / block.count;
         const auto corners = std::span(block.nodes).subspan(c * width, static_cast<std::size_t>(cornerCount(*shape)));
         requireNodes(corners, number);

@@ -101,7 +101,8 @@ private:
     template <class Take>
     void visit(const std::vector<MedValues>& list, const Take& take) const {
         for (const MedValues& values : list) {
-            std::size_t begin = 0, end = m_mesh.nodes.size();
+            // Values on cells of a type that the mesh does not have stand nowhere.
+            std::size_t begin = 0, end = values.type == 0 ? m_mesh.nodes.size() : 0;
             for (std::size_t b = 0; values.type != 0 && b < m_mesh.cells.size(); ++b) {
                 if (m_mesh.cells[b].type == values.type) {
                     begin = m_first[b];

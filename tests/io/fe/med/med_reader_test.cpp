@@ -167,6 +167,24 @@ TEST_F(MedReader, EveryTypeOfCellIsKnownByItsCorners) {
     }
 }
 
+TEST_F(MedReader, PointsNeedNoNumbersWhereAllElementsHaveThem) {
+    MedRows rows = twoBricksMed();
+    int number = 70;
+    for (MedBlockRows& block : rows.blocks) {
+        block.numbers.clear();
+        for (std::size_t c = 0; c < block.nodes.size() / static_cast<std::size_t>(block.type % 100); ++c) {
+            block.numbers.push_back(number++);
+        }
+    }
+    const std::size_t bricks = rows.blocks.front().type == 308 ? 0 : rows.blocks.size() - 1;
+    ASSERT_EQ(rows.blocks[bricks].type, 308);
+    rows.blocks.push_back({1, {1}, {}, {}});
+    const auto fe = open(rows);
+    EXPECT_EQ(fe->mesh().elementIds,
+              std::vector<std::int64_t>(rows.blocks[bricks].numbers.begin(), rows.blocks[bricks].numbers.end()));
+    EXPECT_EQ(fe->contents().findings.count("med.skipped_cell"), 1);
+}
+
 TEST_F(MedReader, WithoutADisplacementTheFieldsAreOffered) {
     MedRows rows = bare();
     for (MedFieldRows& field : rows.fields) {

@@ -6,31 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "io/base/trial.h"
 #include "io/case/terrain_reader.h"
-#include "io/site/raster_file.h"
 #include "tests/fuzz/fuzzed_file.h"
+#include "tests/fuzz/made_raster.h"
 
 using namespace rubble;
 
 namespace {
-
-/// A raster made of bytes, as GDAL may hand it over.
-struct MadeRaster {
-    io::RasterPlace place;
-    std::array<double, 6> transform{};
-    int bands = 1;
-    std::string crs, heightUnit, datum;
-    bool geographic = false;
-    double metres = 1.0, heightMetres = 1.0, bend = 0.0;
-    io::RasterFile::SameCrs same = io::RasterFile::SameCrs::Unknown;
-    std::vector<double> heights;
-};
-
-MadeRaster& raster() {
-    static MadeRaster made;
-    return made;
-}
 
 double lengthFrom(FuzzedDataProvider& data) {
     return data.ConsumeBool() ? data.ConsumeIntegral<std::int16_t>() : data.ConsumeFloatingPoint<double>();
@@ -48,7 +30,7 @@ std::size_t pixelsFrom(FuzzedDataProvider& data) {
 
 void makeRaster(FuzzedDataProvider& data) {
     constexpr std::array units{"", "m", "ft", "smoots"};
-    MadeRaster& made = raster();
+    MadeRaster& made = madeRaster();
     made = {};
     // What GDAL gives: the reader of rasters refuses what is not finite or has no size.
     for (double& number : made.transform) {
@@ -92,106 +74,6 @@ Site siteFrom(FuzzedDataProvider& data) {
 }
 
 }  // namespace
-
-namespace rubble::io {
-
-struct RasterFile::Handles {};
-
-// Nothing here can crash that is not a finding.
-bool survivesTrial(const std::function<void()>&, std::chrono::seconds) {
-    return true;
-}
-
-// Stands in for GDAL.
-RasterFile::RasterFile(const std::string& path, Holds)
-    : m_path(path),
-      m_place(raster().place),
-      m_turned(raster().transform[2] != 0.0 || raster().transform[4] != 0.0),
-      m_transform(raster().transform),
-      m_bands(raster().bands),
-      m_crsName(raster().crs),
-      m_geographic(raster().geographic),
-      m_metresPerUnit(raster().metres),
-      m_heightUnit(raster().heightUnit),
-      m_metresPerHeightUnit(raster().heightMetres) {}
-
-RasterFile::~RasterFile() = default;
-
-RasterFile::SameCrs RasterFile::sameCrs(const std::string&) const {
-    return raster().same;
-}
-
-std::string RasterFile::entry(const std::string&) const {
-    return {};
-}
-
-std::vector<std::string> RasterFile::bandNames() const {
-    return std::vector<std::string>(static_cast<std::size_t>(m_bands));
-}
-
-void RasterFile::take(const std::vector<int>&) {}
-
-std::string RasterFile::verticalDatum() const {
-    return raster().datum;
-}
-
-std::string RasterFile::verticalDatum(const std::string& crs) {
-    return crs.empty() ? "" : "DHHN2016 height";
-}
-
-// Another system bends what is straight, and knows no place beyond its edge.
-void RasterFile::change(const std::string& crs, bool toFile, std::vector<Eigen::Vector2d>& places) const {
-    const bool other = !crs.empty() && !m_crsName.empty() && raster().same == SameCrs::No;
-    for (Eigen::Vector2d& place : places) {
-        place *= toFile ? 1.0 / m_metresPerUnit : m_metresPerUnit;
-        if (other) {
-            place += Eigen::Vector2d::Constant(raster().bend * place.squaredNorm());
-        }
-        if (!place.allFinite()) {
-            place.setConstant(std::numeric_limits<double>::quiet_NaN());
-        }
-    }
-}
-
-void RasterFile::toPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const {
-    change(crs, true, places);
-    Eigen::Matrix2d way;
-    way << m_transform[1], m_transform[2], m_transform[4], m_transform[5];
-    const Eigen::Matrix2d back = way.inverse();
-    for (Eigen::Vector2d& place : places) {
-        place = back * (place - Eigen::Vector2d(m_transform[0], m_transform[3])) - Eigen::Vector2d(0.5, 0.5);
-    }
-}
-
-void RasterFile::fromPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const {
-    Eigen::Matrix2d way;
-    way << m_transform[1], m_transform[2], m_transform[4], m_transform[5];
-    for (Eigen::Vector2d& place : places) {
-        place = way * (place + Eigen::Vector2d(0.5, 0.5)) + Eigen::Vector2d(m_transform[0], m_transform[3]);
-    }
-    change(crs, false, places);
-}
-
-std::vector<double> RasterFile::values(const RasterWindow& window, const Execution&) const {
-    if (window.factor < 1 || window.column > m_place.columns || window.columns > m_place.columns - window.column ||
-        window.row > m_place.rows || window.rows > m_place.rows - window.row || window.columns % window.factor != 0 ||
-        window.rows % window.factor != 0) {
-        __builtin_trap();
-    }
-    std::vector<double> values(window.width() * window.height(), 1.0);
-    for (std::size_t i = 0; i < values.size() && !raster().heights.empty(); ++i) {
-        values[i] = raster().heights[i % raster().heights.size()];
-    }
-    return values;
-}
-
-void RasterFile::checkWay(const std::string&, const Eigen::Vector2d&, Findings&) const {}
-
-std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution&, Findings&) const {
-    return std::vector<std::uint8_t>(4 * window.width() * window.height(), 255);
-}
-
-}  // namespace rubble::io
 
 /// Reads rasters made of any bytes as terrain around structures made of them too.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/clusters/axis_grouping.h"
+#include "core/clusters/body_clusters.h"
 #include "core/clusters/partition.h"
 
 namespace rubble {
@@ -43,6 +44,17 @@ std::vector<std::span<const std::uint32_t>> inClusterOrder(const FragmentSet& fr
     return clusters;
 }
 
+void append(Clustering& clustering, const FragmentSet& fragments, std::span<const MovingMass> masses,
+            std::span<const std::uint32_t> members) {
+    Cluster cluster = clusterOf(fragments, masses, members);
+    cluster.firstMember = static_cast<std::uint32_t>(clustering.members.size());
+    for (const std::uint32_t f : members) {
+        clustering.members.push_back(idAt<FragmentId>(f));
+        clustering.of[f] = idAt<ClusterId>(clustering.list.size());
+    }
+    clustering.list.push_back(cluster);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> groupAlongAxis(std::span<const double> low, std::span<const double> high, std::span<const double> centre,
@@ -64,15 +76,31 @@ Clustering makeClusters(const FragmentSet& fragments, const Mesh& mesh, const Ba
     clustering.members.reserve(fragments.size());
     clustering.of.resize(fragments.size());
     for (const std::span<const std::uint32_t> members : inClusterOrder(fragments, partition)) {
-        Cluster cluster = clusterOf(fragments, partitioner.masses(), members);
-        cluster.firstMember = static_cast<std::uint32_t>(clustering.members.size());
-        for (const std::uint32_t f : members) {
-            clustering.members.push_back(idAt<FragmentId>(f));
-            clustering.of[f] = idAt<ClusterId>(clustering.list.size());
-        }
-        clustering.list.push_back(cluster);
+        append(clustering, fragments, partitioner.masses(), members);
     }
     execution.check();
+    return clustering;
+}
+
+Clustering makeBodyClusters(const FragmentSet& fragments, std::span<const std::uint32_t> bodies) {
+    std::vector<MovingMass> masses;
+    for (const Fragment& f : fragments.list) {
+        masses.push_back({f.mass, f.centre, f.inertia, f.velocity, f.angularVelocity});
+    }
+    Clustering clustering;
+    clustering.of.resize(fragments.size());
+    std::vector<std::uint32_t> members;
+    // Elements of a body follow each other and are let go together, so their fragments are neighbours in the list.
+    for (std::uint32_t f = 0; f < fragments.size(); ++f) {
+        members.push_back(f);
+        const bool last =
+            f + 1 == fragments.size() || bodies[at(fragments.list[f].element)] != bodies[at(fragments.list[f + 1].element)];
+        if (last) {
+            append(clustering, fragments, masses, members);
+            members.clear();
+        }
+    }
+    clustering.productGroups = clustering.list.size();
     return clustering;
 }
 

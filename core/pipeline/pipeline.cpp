@@ -1,10 +1,13 @@
 #include "core/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 
 #include "core/base/build.h"
 #include "core/base/elapsed.h"
+#include "core/clusters/body_clusters.h"
+#include "core/fe/loose_bodies.h"
 #include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
 
@@ -136,12 +139,22 @@ Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Re
                        [&] { return makeFragments(fe, *results.components, scenario.fragments, execution); });
     }
     if (last >= Stage::Sizing) {
-        pipeline.stage(Stage::Sizing, &Results::sizing,
-                       [&] { return sizeBasicGrid(*results.fragments, fe.mesh(), *results.components, scenario.grid, execution); });
+        pipeline.stage(Stage::Sizing, &Results::sizing, [&] {
+            Sizing sizing = sizeBasicGrid(*results.fragments, fe.mesh(), *results.components, scenario.grid, execution);
+            if (const std::vector<std::uint32_t> bodies = bodiesOfTable(fe); !bodies.empty()) {
+                // No grid divides the bodies of a table.
+                sizing.clusters = makeBodyClusters(*results.fragments, bodies).list.size();
+                sizing.awake = std::min(sizing.awake, sizing.clusters);
+            }
+            return sizing;
+        });
     }
     if (last >= Stage::Clusters) {
-        pipeline.stage(Stage::Clusters, &Results::clustering,
-                       [&] { return makeClusters(*results.fragments, fe.mesh(), results.sizing->grid, scenario.grid, execution); });
+        pipeline.stage(Stage::Clusters, &Results::clustering, [&] {
+            const std::vector<std::uint32_t> bodies = bodiesOfTable(fe);
+            return bodies.empty() ? makeClusters(*results.fragments, fe.mesh(), results.sizing->grid, scenario.grid, execution)
+                                  : makeBodyClusters(*results.fragments, bodies);
+        });
     }
     if (last >= Stage::Simulation) {
         pipeline.stage(Stage::Simulation, &Results::simulation,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/fe/loose_bodies.h"
 #include "core/simulation/bodies/hand_over.h"
 #include "core/simulation/run/collapse_run.h"
 #include "core/trajectory/sink_relay.h"
@@ -11,23 +12,25 @@ namespace rubble {
 
 namespace {
 
-/// Elements in the order in which their bodies enter: that of the clusters, less those that the engine cannot take.
+/// Bodies of the table in the order in which they enter: that of the clusters, less those that the engine cannot take.
 std::vector<std::size_t> entryOrder(const RunDescription& description) {
-    std::vector<std::size_t> elements;
+    const std::vector<std::uint32_t> named = bodiesOfTable(*description.fe);
+    std::vector<std::size_t> bodies;
     for (std::size_t c = 0; c < description.clustering->list.size(); ++c) {
         const ClusterId id = idAt<ClusterId>(c);
         if (bodyOf(description, id)) {
-            elements.push_back(at(description.fragments->list[at(description.clustering->membersOf(id).front())].element));
+            const std::size_t element = at(description.fragments->list[at(description.clustering->membersOf(id).front())].element);
+            bodies.push_back(named.empty() ? element : named[element]);
         }
     }
-    return elements;
+    return bodies;
 }
 
 TraceRequest requestOf(const DropWatch& watch, const std::vector<std::size_t>& order) {
     TraceRequest request{watch.samplesPerSecond, {}};
-    for (const std::size_t element : order) {
-        if (element < watch.asked.size()) {
-            request.asked.push_back(watch.asked[element]);
+    for (const std::size_t body : order) {
+        if (body < watch.asked.size()) {
+            request.asked.push_back(watch.asked[body]);
         }
     }
     return request;
@@ -124,7 +127,8 @@ DropResult drop(const Inputs& inputs, const Scenario& scenario, const DropWatch&
         return watched;
     };
     result.results.simulation = std::make_shared<const SimulationResult>(simulateIn(made, description, relay, execution));
-    result.bodies.resize(inputs.fe->mesh().elementCount());
+    const std::vector<std::uint32_t> named = bodiesOfTable(*inputs.fe);
+    result.bodies.resize(named.empty() ? inputs.fe->mesh().elementCount() : named.back() + std::size_t{1});
     for (std::size_t i = 0; i < std::min(endings.size(), order.size()); ++i) {
         DropOutcome& body = result.bodies[order[i]];
         body.ending = endings[i];

@@ -41,7 +41,7 @@ struct DropWatch {
 };
 
 struct DropResult {
-    std::vector<DropOutcome> bodies;  ///< [elements]
+    std::vector<DropOutcome> bodies;  ///< of the table
     Results results;
     std::int64_t count(Ending ending) const;
 };

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/base/files.h"
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 #include "io/site/site_mesh_file.h"
 
 namespace rubble::io {
@@ -71,10 +70,6 @@ void noteLayers(const HeightGrid& high, const HeightGrid& low, const std::string
 }
 
 }  // namespace
-
-bool isMeshPath(const std::string& path) {
-    return hasEnding(path, ".stl") || hasEnding(path, ".obj") || hasEnding(path, ".ply");
-}
 
 HeightReading heightsOfMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution) {
     SiteMeshReading read = readSiteMesh(path, frame, site, execution);

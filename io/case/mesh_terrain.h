@@ -9,9 +9,6 @@
 
 namespace rubble::io {
 
-/// Whether a path ends as that of a mesh: .stl, .obj or .ply.
-bool isMeshPath(const std::string& path);
-
 /// The heights of a mesh on cells of half the size of its triangles, in the local frame; nodes that no triangle lies over are gaps.
 /// Where a mesh has surfaces above each other it is no height function: the highest is taken, and such nodes are a counted finding.
 /// Throws as readSiteMesh(), and ParseError for a mesh that is upright all over.

@@ -8,12 +8,13 @@
 
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
+#include "io/base/file_words.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/mesh_terrain.h"
-#include "io/site/file_words.h"
+#include "io/fe/meshes/ply_header.h"
+#include "io/fe/meshes/raw_mesh_file.h"
 #include "io/site/height_reading.h"
-#include "io/site/meshes/ply_header.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {

@@ -4,6 +4,7 @@
 #include "io/fe/ansys/cdb_reader.h"
 #include "io/fe/ansys/rst_reader.h"
 #include "io/fe/bodies/bodies_reader.h"
+#include "io/fe/bodies/body_meshes.h"
 #include "io/fe/calculix/frd_reader.h"
 #include "io/fe/d3plot/d3plot_header.h"
 #include "io/fe/d3plot/d3plot_reader.h"
@@ -79,7 +80,7 @@ constexpr std::array formats{
     FeFormat{"Ansys coded database", ".cdb, with its .mac", 2, recognisesCdb, cdbMembers, readCdbs, nullptr, cdbFilesAlone},
     FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, rstMembers, readRst, isRstPiece, aloneWithDeathList},
     FeFormat{"XDMF", ".xdmf, .xmf", 2, recognisesXdmf, xdmfMembers, readXdmf},
-    FeFormat{"Table of bodies", ".csv", 1, recognisesBodies, standsAlone, readBodies},
+    FeFormat{"Table of bodies", ".csv", 1, recognisesBodies, filesOfBodies, readBodies},
     FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 2, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"MED", ".med, .rmed of Salome and code_aster", 1, recognisesMed, aloneWithDeathList, readMed},

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "core/evidence/surveys/survey_grid.h"
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

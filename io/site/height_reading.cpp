@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/base/file_words.h"
 #include "io/base/native_lock.h"
 #include "io/base/trial.h"
 #include "io/site/clouds/height_source.h"
-#include "io/site/file_words.h"
 #include "io/site/raster_axis.h"
 #include "io/site/raster_file.h"
 #include "io/site/raster_sampling.h"

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/site_place.h"
 #include "io/site/system_way.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/site_place.h"
 #include "io/site/system_way.h"

@@ -5,8 +5,12 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/csv_text.h"
 #include "core/base/error.h"
+#include "core/base/nearest_names.h"
 #include "io/base/delimited_table.h"
+#include "io/base/files.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 
@@ -16,6 +20,7 @@ constexpr std::size_t pairsMax = 10000;
 constexpr std::uintmax_t pairBytesMax = 10 << 20;
 constexpr std::array<std::string_view, 5> pictureColumns{"picture_x_px", "picture_y_px", "x_m", "y_m", "z_m"};
 constexpr std::array<std::string_view, 6> surveyColumns{"survey_x", "survey_y", "survey_z", "x_m", "y_m", "z_m"};
+constexpr std::array<std::string_view, 6> metreColumns{"survey_x_m", "survey_y_m", "survey_z_m", "x_m", "y_m", "z_m"};
 
 /// A row of numbers and its name; without one it is called by its number.
 template <std::size_t Count>
@@ -60,8 +65,8 @@ double numberIn(const DelimitedTable& table, const DelimitedRow& row, std::size_
 }
 
 template <std::size_t Count>
-std::vector<NamedNumbers<Count>> readNumbers(const std::string& path, const std::array<std::string_view, Count>& names) {
-    const DelimitedTable table = readDelimitedTable(path, pairBytesMax);
+std::vector<NamedNumbers<Count>> numbersOf(const DelimitedTable& table, const std::string& path,
+                                           const std::array<std::string_view, Count>& names) {
     const DelimitedRow heading = table.rows.empty() ? DelimitedRow{} : table.rows.front();
     const Columns<Count> columns(heading.fields, names, path);
     std::vector<NamedNumbers<Count>> all;
@@ -86,18 +91,67 @@ std::vector<NamedNumbers<Count>> readNumbers(const std::string& path, const std:
 
 std::vector<PointPair> readPointPairs(const std::string& path) {
     std::vector<PointPair> pairs;
-    for (const auto& [name, values] : readNumbers(path, pictureColumns)) {
+    for (const auto& [name, values] : numbersOf(readDelimitedTable(path, pairBytesMax), path, pictureColumns)) {
         pairs.push_back({name, {values[0], values[1]}, {values[2], values[3], values[4]}});
     }
     return pairs;
 }
 
-std::vector<PlacePair> readPlacePairs(const std::string& path) {
-    std::vector<PlacePair> pairs;
-    for (const auto& [name, values] : readNumbers(path, surveyColumns)) {
-        pairs.push_back({name, {values[0], values[1], values[2]}, {values[3], values[4], values[5]}});
+bool needsNamedPoints(const std::string& path) {
+    const DelimitedTable start = readDelimitedStart(path, 1);
+    return !start.rows.empty() && std::ranges::count(start.rows.front().fields, pictureColumns[0]) > 0 &&
+           std::ranges::count(start.rows.front().fields, pictureColumns[2]) == 0;
+}
+
+std::vector<PointPair> readPointPairs(const std::string& path, std::span<const NamedPoint> measured,
+                                      const std::function<Vec3(const Vec3&)>& to) {
+    constexpr std::array<std::string_view, 2> columns{pictureColumns[0], pictureColumns[1]};
+    std::vector<PointPair> pairs;
+    std::vector<std::string> missing;
+    for (const auto& [name, values] : numbersOf(readDelimitedTable(path, pairBytesMax), path, columns)) {
+        const auto found = std::ranges::find(measured, name, &NamedPoint::name);
+        if (found == measured.end()) {
+            missing.push_back(name);
+        } else {
+            pairs.push_back({name, {values[0], values[1]}, to(found->place)});
+        }
+    }
+    if (!missing.empty()) {
+        throw ParseError({"pairs.not_measured", "{0}: no measured point is called {1}", {path, quotedList(missing)}},
+                         {"pairs.not_measured.remedy", "Give points of the picture the names that they have in the survey.", {}});
     }
     return pairs;
+}
+
+PlacePairTable readPlacePairs(const std::string& path) {
+    const DelimitedTable table = readDelimitedTable(path, pairBytesMax);
+    PlacePairTable read;
+    read.metres = !table.rows.empty() && std::ranges::count(table.rows.front().fields, metreColumns[0]) > 0;
+    for (const auto& [name, values] : numbersOf(table, path, read.metres ? metreColumns : surveyColumns)) {
+        read.pairs.push_back({name, {values[0], values[1], values[2]}, {values[3], values[4], values[5]}});
+    }
+    return read;
+}
+
+void writePlacePairs(const std::string& path, const std::vector<PlacePair>& pairs, const Frame& frame, const Site& site) {
+    const SitePlace place(frame, site);
+    const Vec3 lift(0.0, 0.0, site.heightShift);
+    writeAtomically(path, [&](std::ostream& out) {
+        out << "name";
+        for (const std::string_view column : metreColumns) {
+            out << ',' << column;
+        }
+        out << '\n';
+        for (const PlacePair& pair : pairs) {
+            out << csvField(pair.name);
+            for (const Vec3& at : {Vec3(place.toWorld(pair.surveyed) - lift), place.toWorld(pair.placed)}) {
+                for (const double number : at) {
+                    out << ',' << exactNumber(number);
+                }
+            }
+            out << '\n';
+        }
+    });
 }
 
 }  // namespace rubble::io

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/evidence/photographs/camera_match.h"
 #include "core/evidence/surveys/pair_fit.h"
+#include "core/fe/frame.h"
+#include "core/scenario/site.h"
+#include "io/site/surveys/named_points.h"
 
 namespace rubble::io {
 
@@ -15,8 +20,27 @@ namespace rubble::io {
 /// rows), with the line.
 std::vector<PointPair> readPointPairs(const std::string& path);
 
-/// Reads pairs of a place in a survey and of where it belongs from a table as above, with the columns survey_x, survey_y, survey_z,
-/// in numbers of the survey, x_m, y_m, z_m, and if there is one name. Throws as above.
-std::vector<PlacePair> readPlacePairs(const std::string& path);
+/// Whether a table of pairs has no places of the model: its points are then those of a survey, by their names.
+bool needsNamedPoints(const std::string& path);
+
+/// Reads points of a picture (picture_x_px, picture_y_px and name) whose places are those of measured points of the same names.
+/// Throws as above, and ParseError for a point that was not measured, naming it.
+/// @param to  takes a place of `measured` into the frame of the pairs
+std::vector<PointPair> readPointPairs(const std::string& path, std::span<const NamedPoint> measured,
+                                      const std::function<Vec3(const Vec3&)>& to);
+
+/// Pairs of a place in a survey and of where it belongs, as a table has them.
+struct PlacePairTable {
+    std::vector<PlacePair> pairs;  ///< as they stand there; `placed` is easting, northing and height in m
+    bool metres = false;           ///< so is `surveyed`, in the system of the case; else in numbers of the survey
+};
+
+/// Reads such pairs from a table as above, with the columns survey_x, survey_y, survey_z in numbers of the survey, or survey_x_m,
+/// survey_y_m, survey_z_m in metres of the system of the case; x_m, y_m, z_m, and if there is one name. Throws as above.
+PlacePairTable readPlacePairs(const std::string& path);
+
+/// Writes pairs of the case as a table that readPlacePairs() takes, in metres of the system of the case. @param pairs  local
+/// Throws WorldError; UsageError as SitePlace.
+void writePlacePairs(const std::string& path, const std::vector<PlacePair>& pairs, const Frame& frame, const Site& site);
 
 }  // namespace rubble::io

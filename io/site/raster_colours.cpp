@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

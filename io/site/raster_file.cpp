@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/raster_colours.h"
 #include "io/site/system_way.h"

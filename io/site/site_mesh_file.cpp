@@ -5,14 +5,12 @@
 #include <fstream>
 #include <limits>
 
+#include "io/base/file_words.h"
 #include "io/base/files.h"
-#include "io/site/file_words.h"
+#include "io/fe/meshes/raw_mesh_file.h"
 #include "io/site/height_reading.h"
 #include "io/site/meshes/gltf_mesh.h"
 #include "io/site/meshes/mesh_offset.h"
-#include "io/site/meshes/obj_mesh.h"
-#include "io/site/meshes/ply_mesh.h"
-#include "io/site/meshes/stl_mesh.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -42,14 +40,8 @@ void checkMeshFile(const std::string& path) {
 }
 
 RawMesh readRawMesh(const std::string& path, const Execution& execution) {
-    if (hasEnding(path, ".obj")) {
-        return readObjMesh(path, execution);
-    }
-    if (hasEnding(path, ".ply")) {
-        return readPlyMesh(path, execution);
-    }
-    if (hasEnding(path, ".stl")) {
-        return readStlMesh(path, execution);
+    if (isMeshPath(path)) {
+        return readTriangleMesh(path, execution);
     }
     if (hasEnding(path, ".gltf") || hasEnding(path, ".glb")) {
         return readGltfMesh(path, execution);

@@ -52,20 +52,31 @@ CameraKnowledge parseKnowledge(const Arguments& arguments) {
     return known;
 }
 
+std::vector<PointPair> pairsOf(const Arguments& arguments, Findings& findings, const Execution& execution) {
+    const std::string& path = arguments.operand();
+    const auto measured = arguments.value("--points");
+    if (!measured) {
+        return io::readPointPairs(path);
+    }
+    return io::readPointPairs(path, io::readNamedPoints(*measured, findings, execution), [](const Vec3& place) { return place; });
+}
+
 ExitCode camera(const Arguments& arguments, Session& session) {
     const CameraKnowledge known = parseKnowledge(arguments);
     checkCsvPath(arguments, std::vector<std::string>{arguments.operand()});
-    const std::vector<PointPair> pairs = io::readPointPairs(arguments.operand());
+    Findings findings;
+    const std::vector<PointPair> pairs = pairsOf(arguments, findings, session.execution());
     const CameraMatch match = matchCamera(pairs, known, session.execution());
+    findings.append(match.findings);
     writeCsv(arguments, residualTable(match, pairs));
     if (arguments.json()) {
         Json object = matchJson(match, pairs);
-        object["warnings"] = findingsJson(match.findings);
+        object["warnings"] = findingsJson(findings);
         printJson(session, object);
     } else {
         printHeading(session.out(), "Camera");
         printMatch(session.out(), match, pairs);
-        printFindings(session.out(), match.findings);
+        printFindings(session.out(), findings);
     }
     return ExitCode::Ok;
 }
@@ -79,7 +90,9 @@ Command cameraCommand() {
             "Finds the camera of a picture from pairs of a picture point and a point of the model or a survey, with its "
             "uncertainty, and "
             "points out pairs that look wrong.",
-            {{"--size", "WxH", false, "pixels of the picture; needed"},
+            {{"--points", "FILE", false,
+              "where the points are: a table or DXF of a total station, by their names; the pairs then need no places"},
+             {"--size", "WxH", false, "pixels of the picture; needed"},
              {"--focal", "PX", false, "focal length in pixels, if it is known (default: found)"},
              {"--principal", "X,Y|free", false, "principal point in pixels, or free to be found (default: the middle)"},
              {"--radial", "auto|0|1|2", false,

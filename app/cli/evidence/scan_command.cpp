@@ -11,10 +11,10 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/csv_text.h"
 #include "core/base/error.h"
+#include "io/base/file_words.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
 #include "io/site/clouds/point_writer.h"
-#include "io/site/file_words.h"
 #include "io/site/site_place.h"
 
 namespace rubble::cli {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/convex_body.h"
 #include "core/base/convex_hull.h"
 #include "core/engine/world/bricks.h"
 #include "core/engine/world/bullet_shapes.h"
@@ -15,8 +16,6 @@ namespace {
 
 /// Members whose own axes are tried for the box of a cluster.
 constexpr std::size_t axesTried = 6;
-/// More vertices than this make a hull slow and hardly better.
-constexpr std::size_t hullVerticesMax = 32;
 /// m. Margin of a hull, or this share of its least half extent if that is less.
 constexpr double hullMargin = 0.02;
 constexpr double hullMarginShare = 0.1;
@@ -150,8 +149,8 @@ ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent) {
         const Vec3 rough = vertex;
         vertex = *std::ranges::min_element(points, {}, [&](const Vec3& p) { return (p - rough).squaredNorm(); });
     }
-    if (vertices.size() > hullVerticesMax) {
-        vertices = extremePoints(vertices, hullVerticesMax);
+    if (vertices.size() > hullCornersMax) {
+        vertices = extremePoints(vertices, hullCornersMax);
     }
     if (vertices.size() < 4) {
         return {box, {}, 0.0};

@@ -5,6 +5,7 @@
 
 #include "core/clusters/rigid_motion.h"
 #include "core/engine/world/body_shapes.h"
+#include "core/simulation/bodies/cluster_shape.h"
 
 namespace rubble {
 
@@ -65,8 +66,8 @@ std::optional<NewBody> soundBody(const RunDescription& description, const Cluste
     body.pose = frame.pose;
     body.velocity = cluster.velocity;
     body.angularVelocity = cluster.angularVelocity;
-    body.shape =
-        clusterShape(shapes, inShapes, shapeFrame, shapeOfClusters(scenario), scenario.simulation.boxBulking, scenario.fragments);
+    body.shape = clusterShape(shapes, inShapes, shapeFrame, shapeOfCluster(*description.fe, scenario, members.size()),
+                              scenario.simulation.boxBulking, scenario.fragments);
     body.smallestSide = smallestSide(body.shape);
     fillOut(body);
     body.volume = volumeOf(description, members);

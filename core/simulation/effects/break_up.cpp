@@ -22,7 +22,9 @@ void BreakUp::entered(std::span<const BodyRecord> bodies, RigidWorld& world) {
         const Component& component = m_description.components->list[at(cluster.component)];
         // What a cluster has fallen into is one fragment each.
         const bool whole = record.from <= cluster.handOverTime;
-        if (whole && cluster.memberCount > 1 && fallsApart(component.material) && !component.reinforced) {
+        // The elements of a body of a table are no pieces that it could break into.
+        const bool ofPieces = cluster.memberCount > 1 && !m_description.fe->contents().looseBodies;
+        if (whole && ofPieces && fallsApart(component.material) && !component.reinforced) {
             m_candidateOf[at(record.body)] = static_cast<std::int32_t>(m_candidates.size());
             m_candidates.push_back(
                 {record, std::int64_t{cluster.memberCount} - 1, world.motion(record.body).velocity, Vec3::Zero(), Vec3::Zero()});

@@ -9,6 +9,7 @@
 #include "core/engine/world/collider.h"
 #include "core/fe/loose_structure.h"
 #include "core/fragments/birth_windows.h"
+#include "core/simulation/bodies/cluster_shape.h"
 #include "core/simulation/effects/box_tree.h"
 #include "core/simulation/effects/island_reach.h"
 #include "core/simulation/effects/reach.h"
@@ -418,7 +419,8 @@ std::optional<double> Decider::weightOverDrag(ClusterId c) const {
     }
     const Scenario& scenario = m_scene.scenario;
     const OrientedBox box = boxAround(clusterShape(m_scene.fragments, m_scene.clustering.membersOf(c), bodyFrame(cluster).pose,
-                                                   shapeOfClusters(scenario), scenario.simulation.boxBulking, scenario.fragments));
+                                                   shapeOfCluster(m_scene.fe, scenario, cluster.memberCount),
+                                                   scenario.simulation.boxBulking, scenario.fragments));
     const Vec3 side = 2.0 * box.halfExtents;
     const double face = side.prod() / side.minCoeff();
     const double v = m_reach[at(c)].speed;
@@ -491,7 +493,8 @@ Verdict Decider::breakUp() const {
     for (std::size_t c = 0; c < m_reach.size(); ++c) {
         const Cluster& cluster = m_scene.clustering.list[c];
         const Component& component = m_scene.components.list[at(cluster.component)];
-        if (cluster.memberCount < 2 || !fallsApart(component.material) || component.reinforced) {
+        if (cluster.memberCount < 2 || m_scene.fe.contents().looseBodies || !fallsApart(component.material) ||
+            component.reinforced) {
             continue;
         }
         ++candidates;

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
+#include "core/fe/loose_bodies.h"
 #include "io/base/files.h"
 #include "io/exports/convert/exodus_writer.h"
 #include "io/exports/convert/grid_writer.h"
@@ -64,6 +65,15 @@ std::uint64_t bytesIn(const std::string& path) {
     return bytes;
 }
 
+/// A copy would be taken for a structure, and the tetrahedra of a body for bodies of their own.
+void requireNoBodies(const FeResult& fe, const std::string& path, ConversionTarget target) {
+    if (fe.contents().looseBodies && (target == ConversionTarget::Copy || !bodiesOfTable(fe).empty())) {
+        throw UsageError(
+            {"convert.bodies", "A table of bodies cannot be kept as {0}: it would no longer say which bodies it has", {path}},
+            {"convert.bodies.remedy", "Open the table itself wherever the copy was to be opened.", {}});
+    }
+}
+
 }  // namespace
 
 std::optional<ConversionTarget> conversionTarget(std::string_view path) {
@@ -87,6 +97,7 @@ std::string_view conversionName(ConversionTarget target) {
 
 Conversion convertFe(const FeResult& fe, const Frame& frame, const std::string& path, bool replace, const Execution& execution) {
     Conversion made{requireTarget(path), fe.stateCount(), {path}, 0};
+    requireNoBodies(fe, path, made.target);
     requireNoInput(fe, path, made.target);
     if (!replace) {
         requireFree(path, made.target);

@@ -31,6 +31,7 @@ constexpr std::array knownColumns{
     TableColumn{"id", Quantity::Text},
     TableColumn{"material", Quantity::Text},
     TableColumn{"group", Quantity::Text},
+    TableColumn{"mesh", Quantity::Text},
     TableColumn{"mass", Quantity::Mass},
     TableColumn{"side_x", Quantity::Length},
     TableColumn{"side_y", Quantity::Length},

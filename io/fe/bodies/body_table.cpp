@@ -10,6 +10,7 @@
 #include "core/base/nearest_names.h"
 #include "io/base/trimmed.h"
 #include "io/fe/bodies/body_columns.h"
+#include "io/fe/bodies/body_meshes.h"
 
 namespace rubble::io {
 
@@ -25,7 +26,7 @@ constexpr double turnTolerance = 1e-3;
 /// Reads the rows of one table.
 class BodyReading {
 public:
-    explicit BodyReading(const NamedColumns& columns) : m_columns(columns), m_line(1) {}
+    explicit BodyReading(const NamedColumns& columns) : m_columns(columns), m_meshes(columns.path), m_line(1) {}
 
     BodyTable read() {
         takeNames();
@@ -40,6 +41,7 @@ public:
                    {"bodies.none.remedy", "Give a heading and one line for each body.", {}});
         }
         addAssumptions();
+        m_table.findings.append(m_meshes.findings());
         return std::move(m_table);
     }
 
@@ -102,15 +104,19 @@ private:
     [[noreturn]] void refuseMissing(const std::string& column) const {
         refuse({"bodies.missing", "{0}: there is no column {1}", {m_columns.path, column}},
                {"bodies.missing.remedy",
-                "A table of bodies has the columns mass_kg, side_x_m, side_y_m, side_z_m, x_m, y_m and z_m at least.",
+                "A table of bodies has the columns mass_kg, side_x_m, side_y_m, side_z_m (or mesh), x_m, y_m and z_m at least.",
                 {}});
     }
 
     void checkNames() {
-        for (const char* column : {"mass", "side_x", "side_y", "side_z", "x", "y", "z"}) {
+        for (const char* column : {"mass", "x", "y", "z"}) {
             if (!has(column)) {
                 refuseMissing(column);
             }
+        }
+        m_sides = hasAll({"side_x", "side_y", "side_z"});
+        if (!m_sides && !has("mesh")) {
+            refuseMissing("side_x");
         }
         m_moves = hasAll({"vx", "vy", "vz"});
         m_spinsInWorld = hasAll({"wx_world", "wy_world", "wz_world"});
@@ -226,7 +232,7 @@ private:
                    {"bodies.same_id.remedy", "Give each body an id of its own.", {}});
         }
         body.mass = positive("mass");
-        body.sides = {positive("side_x"), positive("side_y"), positive("side_z")};
+        takeShape(body);
         body.pose = {vector("x", "y", "z"), orientation()};
         if (m_moves) {
             body.velocity = vector("vx", "vy", "vz");
@@ -242,6 +248,27 @@ private:
         m_table.bodies.push_back(std::move(body));
         m_table.measured.push_back(measuredEnd());
         m_table.lines.push_back(m_line);
+    }
+
+    bool isEmpty(const std::string& column) const { return !has(column) || text(column).empty(); }
+
+    /// A box by its sides; the hull of a mesh as it is, or stretched to the sides that stand beside it.
+    void takeShape(LooseBody& body) {
+        const bool unsized = isEmpty("side_x") && isEmpty("side_y") && isEmpty("side_z");
+        if (isEmpty("mesh")) {
+            if (!m_sides || (unsized && has("mesh"))) {
+                refuse({"bodies.no_shape", "{0}: line {1} has neither a mesh nor sides", {m_columns.path, m_line}},
+                       {"bodies.no_shape.remedy", "Name a mesh, or give the three sides of a box.", {}});
+            }
+            body.sides = {positive("side_x"), positive("side_y"), positive("side_z")};
+            return;
+        }
+        body.hull = m_meshes.shape(text("mesh"), m_line);
+        if (!unsized) {
+            body.hull = std::make_shared<const ConvexBody>(
+                stretchedTo(*body.hull, {positive("side_x"), positive("side_y"), positive("side_z")}));
+        }
+        body.sides = body.hull->sides;
     }
 
     MeasuredEnd measuredEnd() const {
@@ -299,12 +326,13 @@ private:
     }
 
     const NamedColumns& m_columns;
+    BodyMeshes m_meshes;
     std::map<std::string, Source> m_sources;
     std::vector<std::string> m_unknown;
     std::map<std::string, std::size_t> m_ids;
     const DelimitedRow* m_row = nullptr;
     std::size_t m_line;
-    bool m_moves = false, m_spinsInWorld = false, m_spinsInBody = false, m_quaternions = false, m_angles = false;
+    bool m_sides = false, m_moves = false, m_spinsInWorld = false, m_spinsInBody = false, m_quaternions = false, m_angles = false;
     bool m_measured = false, m_measuredTurn = false;
     std::int64_t m_guessed = 0;
     BodyTable m_table;
@@ -321,7 +349,7 @@ bool isBodyHeading(const std::string& line) {
         }
         return false;
     };
-    return names("mass") && names("side_x");
+    return names("mass") && (names("side_x") || names("mesh"));
 }
 
 BodyTable bodyTableOf(const NamedColumns& columns) {

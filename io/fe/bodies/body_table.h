@@ -28,15 +28,15 @@ struct NamedColumns {
     std::vector<std::pair<std::string, std::string>> constants;
 };
 
-/// Whether a heading is that of a table of bodies: it names a mass and a side.
+/// Whether a heading is that of a table of bodies: it names a mass, and a side or a mesh.
 bool isBodyHeading(const std::string& line);
 
-/// Reads bodies from a table. Columns are named QUANTITY_UNIT: id, mass, side_x .. side_z, x .. z, vx .. vz, wx_world or wx_body
-/// and so on, qw .. qz or roll, pitch and yaw, material, time. What is not there and assumed (at rest, without spin, along the
-/// axes, material by density) and columns that nobody knows are counted findings. Throws ParseError naming file, line and remedy: a
-/// quantity without unit or with an unknown one, spin without its frame or in both, a column that is missing, stands twice or holds
-/// no number, a mass or side that is not positive, an orientation that is none, an unknown material, an id that stands twice, no
-/// bodies.
+/// Reads bodies from a table. Columns are named QUANTITY_UNIT: id, mass, side_x .. side_z, mesh, x .. z, vx .. vz, wx_world or
+/// wx_body and so on, qw .. qz or roll, pitch and yaw, material, time. What is not there and assumed (at rest, without spin, along
+/// the axes, material by density) and columns that nobody knows are counted findings. Throws ParseError naming file, line and
+/// remedy: a quantity without unit or with an unknown one, spin without its frame or in both, a column that is missing, stands
+/// twice or holds no number, a mass or side that is not positive, an orientation that is none, an unknown material, an id that
+/// stands twice, no shape, no bodies; and as BodyMeshes.
 BodyTable bodyTableOf(const NamedColumns& columns);
 
 /// The same of a file. Throws WorldError if it cannot be read.

@@ -219,7 +219,11 @@ private:
     }
 
     // A result that grows while it is read is not kept: what was read and what was hashed may differ.
+    // A table of bodies opens at once, and a copy would not know that its bodies are loose.
     void keep(const FeResult& fe, const std::vector<FileTrace>& before) {
+        if (fe.contents().looseBodies) {
+            return;
+        }
         try {
             writeFileAtomically(m_place.copy, [&](const std::string& file) { writeFeCopy(file, fe, Vec3::Zero(), m_execution); });
             if (tracesOf(m_found.files) == before) {

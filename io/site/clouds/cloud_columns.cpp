@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/fe/meshes/raw_mesh.h"
 #include "io/site/clouds/cloud_file.h"
-#include "io/site/meshes/raw_mesh.h"
 
 namespace rubble::io {
 

@@ -12,9 +12,9 @@
 
 #include "core/base/outline_cover.h"
 #include "core/base/unknown.h"
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/clouds/cloud_system.h"
-#include "io/site/file_words.h"
 #include "io/site/point_pairs.h"
 
 namespace rubble::io {
@@ -147,7 +147,12 @@ private:
 
     /// Moves the second cloud by places that were found in both, as surveys of a case are.
     void placeByPairs() {
-        std::vector<PlacePair> pairs = readPlacePairs(m_request.pairs);
+        PlacePairTable table = readPlacePairs(m_request.pairs);
+        if (table.metres) {
+            refuseContent({"pairs.of_case", "{0} has places in the system of a case, and there is none", {m_request.pairs}},
+                          "Give the columns survey_x, survey_y and survey_z in numbers of the second cloud.");
+        }
+        std::vector<PlacePair>& pairs = table.pairs;
         for (PlacePair& pair : pairs) {
             if (m_request.metres) {
                 pair.surveyed = pair.surveyed.cwiseProduct(m_unit);

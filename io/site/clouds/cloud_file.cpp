@@ -6,8 +6,8 @@
 
 #include <cerrno>
 
+#include "io/base/file_words.h"
 #include "io/base/files.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <limits>
 
+#include "io/base/file_words.h"
 #include "io/base/trimmed.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/unknown.h"
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_system.h"
-#include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/system_way.h"
 

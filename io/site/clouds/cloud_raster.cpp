@@ -10,10 +10,10 @@
 #include <numbers>
 #include <set>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_grid.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/clouds/point_cloud.h"
-#include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/height_reading.h"
 #include "io/site/site_place.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/system_way.h"
 

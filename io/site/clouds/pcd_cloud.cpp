@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_records.h"
 #include "io/site/clouds/text_source.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

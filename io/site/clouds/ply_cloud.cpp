@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "io/base/file_words.h"
+#include "io/fe/meshes/ply_header.h"
 #include "io/site/clouds/cloud_records.h"
 #include "io/site/clouds/text_source.h"
-#include "io/site/file_words.h"
-#include "io/site/meshes/ply_header.h"
 
 namespace rubble::io {
 

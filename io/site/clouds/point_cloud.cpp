@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_file.h"
 #include "io/site/clouds/cloud_system.h"
 #include "io/site/clouds/e57/e57_source.h"
@@ -10,7 +11,6 @@
 #include "io/site/clouds/pcd_cloud.h"
 #include "io/site/clouds/ply_cloud.h"
 #include "io/site/clouds/table_cloud.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

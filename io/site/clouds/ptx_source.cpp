@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_lines.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "core/base/outline_cover.h"
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
-#include "io/site/file_words.h"
 #include "io/site/surveys/survey_placing.h"
 
 namespace rubble::io {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "io/base/delimited_table.h"
+#include "io/base/file_words.h"
 #include "io/site/clouds/ptx_source.h"
 #include "io/site/clouds/text_source.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

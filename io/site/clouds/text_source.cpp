@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/site/file_words.h"
-#include "io/site/meshes/raw_mesh.h"
+#include "io/base/file_words.h"
+#include "io/fe/meshes/raw_mesh.h"
 
 namespace rubble::io {
 

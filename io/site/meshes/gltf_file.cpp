@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "io/base/base64.h"
+#include "io/base/file_words.h"
 #include "io/base/files.h"
+#include "io/fe/meshes/raw_mesh.h"
 #include "io/fe/vtk/stored_numbers.h"
-#include "io/site/file_words.h"
-#include "io/site/meshes/raw_mesh.h"
 
 namespace rubble::io {
 

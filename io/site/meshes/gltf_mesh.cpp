@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 #include "io/site/meshes/gltf_extensions.h"
 #include "io/site/meshes/gltf_file.h"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
-#include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
 
 namespace rubble::io {

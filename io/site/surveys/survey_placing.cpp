@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

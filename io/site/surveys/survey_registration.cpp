@@ -9,12 +9,13 @@
 namespace rubble::io {
 
 PairFit placeByPairs(const PairsRequest& request) {
-    std::vector<PlacePair> pairs = readPlacePairs(request.table);
+    PlacePairTable table = readPlacePairs(request.table);
+    std::vector<PlacePair>& pairs = table.pairs;
     const SitePlace place(request.frame, request.site);
     std::vector<Vec3> surveyed(pairs.size());
     std::transform(pairs.begin(), pairs.end(), surveyed.begin(), [](const PlacePair& pair) { return pair.surveyed; });
     Findings findings;
-    if (holdsCloud(request.survey)) {
+    if (!table.metres && holdsCloud(request.survey)) {
         CloudPlace(*openCloud(request.survey, request.read), request.frame, request.site, findings).toLocal(surveyed);
     } else {
         const Vec3 lift(0.0, 0.0, request.site.heightShift);

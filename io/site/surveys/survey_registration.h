@@ -13,7 +13,7 @@ namespace rubble::io {
 struct PairsRequest {
     std::string survey;  ///< path
     std::string
-        table;  ///< as readPlacePairs() takes it; places of a cloud in numbers of its file, of others in m in the case's system
+        table;  ///< as readPlacePairs() takes it; in numbers of the survey: of a cloud its file's, else m in the case's system
     CloudRequest read;  ///< how a cloud is read
     Frame frame;        ///< of the case
     Site site;

@@ -113,6 +113,56 @@ TEST(Drop, EachIsLetGoAtItsTime) {
     EXPECT_NEAR(result.bodies[0].fall, result.bodies[1].fall, 1e-3);
 }
 
+/// A regular tetrahedron of an edge of 1 m, upside down on a corner and a little askew.
+LooseBody tetrahedronAt(const Vec3& place) {
+    const double s = 1.0 / std::sqrt(8.0);
+    LooseBody body;
+    body.id = "tetrahedron";
+    body.hull =
+        std::make_shared<const ConvexBody>(*convexBodyOf(std::vector<Vec3>{{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}}));
+    body.sides = body.hull->sides;
+    body.mass = 2400.0 * body.hull->volume;
+    body.pose = {place, Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()))};
+    return body;
+}
+
+TEST(Drop, AConvexBodyHasTheMassAndTheInertiaOfItsHull) {
+    const LooseBody body = tetrahedronAt({1, 2, 5});
+    const LooseBody box = cubeAt({5, 5, 5});
+    EXPECT_NEAR(body.density(), 2400.0, 1e-6);
+    Scenario scenario;
+    prepareForBodies(scenario, {box, body});
+    const auto fe = std::make_shared<const FeResult>(contentsOf({box, body}));
+    EXPECT_EQ(fe->mesh().elementCount(), 5u);
+    const Results results = run({fe, {}}, scenario, Stage::Clusters, {}, nullptr, Execution{});
+    ASSERT_EQ(results.clustering->list.size(), 2u);
+    const Cluster& cluster = results.clustering->list[1];
+    EXPECT_NEAR(cluster.mass, body.mass, 1e-9 * body.mass);
+    EXPECT_TRUE(cluster.centre.isApprox(Vec3(1, 2, 5), 1e-9));
+    // A regular tetrahedron of the edge a turns alike about all axes: m a^2 / 20.
+    EXPECT_TRUE(cluster.inertia.isApprox(Mat3::Identity() * body.mass / 20.0, 1e-9)) << cluster.inertia;
+    // Settings that gather fragments, or let blocks break, do not touch what a table calls one body.
+    scenario.grid.oneBodyPerFragment = false;
+    scenario.effects.of(EffectKind::BreakUp) = EffectSwitch::On;
+    EXPECT_EQ(run({fe, {}}, scenario, Stage::Clusters, {}, nullptr, Execution{}).clustering->list.size(), 2u);
+}
+
+TEST(Drop, AConvexBodyComesToRestOnOneOfItsFaces) {
+    const LooseBody body = tetrahedronAt({1, 2, 3});
+    const DropResult result = dropped({cubeAt({8, 8, 3}), body});
+    ASSERT_EQ(result.bodies.size(), 2u);
+    EXPECT_EQ(result.bodies[1].ending, Ending::AtRest);
+    // The centre lies at the radius of the inscribed sphere: sqrt(6) / 12 of the edge. A box around it would rest at 0.35.
+    EXPECT_NEAR(result.bodies[1].trace.latest.position.z(), std::sqrt(6.0) / 12.0, 0.01);
+    EXPECT_NEAR(result.bodies[0].trace.latest.position.z(), 0.25, 0.01);
+    const Pose end = placed(body, result.bodies[1], result.bodies[1].trace.latest);
+    double lowest = 1.0;
+    for (const Vec3& corner : body.hull->corners) {
+        lowest = std::min(lowest, (end * corner).z());
+    }
+    EXPECT_NEAR(lowest, 0.0, 0.01);
+}
+
 TEST(Drop, LookingOnChangesNoBit) {
     const std::vector<LooseBody> bodies{cubeAt({0, 0, 3}), cubeAt({0.1, 0.2, 4})};
     Scenario scenario;

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "io/site/meshes/polygon_cut.h"
+#include "io/fe/meshes/polygon_cut.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

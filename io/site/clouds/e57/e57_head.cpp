@@ -6,8 +6,8 @@
 #include <limits>
 #include <pugixml.hpp>
 
+#include "io/base/file_words.h"
 #include "io/base/trimmed.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/e57/e57_columns.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <limits>
 
+#include "io/base/file_words.h"
 #include "io/base/trimmed.h"
 #include "io/site/clouds/point_writer.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

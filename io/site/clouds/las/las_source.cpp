@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/las/las_head.h"
 #include "io/site/clouds/las/las_records.h"
 #include "io/site/clouds/las/laz_source.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "io/base/file_words.h"
 #include "io/site/clouds/las/integer_decoder.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -6,10 +6,10 @@
 #include <thread>
 
 #include "core/base/message.h"
+#include "io/base/file_words.h"
 #include "io/site/clouds/las/las_records.h"
 #include "io/site/clouds/las/laz_chunks.h"
 #include "io/site/clouds/las/laz_unpacker.h"
-#include "io/site/file_words.h"
 
 namespace rubble::io {
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/fe/loose_bodies.h"
 #include "io/fe/bodies/bodies_reader.h"
 #include "io/fe/fe_reader.h"
 #include "tests/support/temporary_folder.h"
@@ -110,6 +111,64 @@ TEST_F(BodyTableFile, OpensAsAResult) {
     EXPECT_TRUE(fe->activity().active(1, idAt<ElementIndex>(0)));
     EXPECT_FALSE(fe->activity().active(1, idAt<ElementIndex>(1)));
     EXPECT_EQ(fe->activity().activeCount(2), 0u);
+}
+
+TEST_F(BodyTableFile, ABodyHasTheHullOfItsMesh) {
+    // A wedge of 2 x 1 x 1 m, far from the origin: half of the box around it.
+    std::ofstream(m_folder / "wedge.obj") << "v 10 0 0\nv 12 0 0\nv 12 1 0\nv 10 1 0\nv 10 0 1\nv 10 1 1\n"
+                                             "f 1 4 3 2\nf 1 2 5\nf 4 6 3\nf 1 5 6 4\nf 2 3 6 5\n";
+    const std::string path =
+        lay("id,mass_kg,mesh,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m\n"
+            "a,2400,wedge.obj,,,,0,0,5\n"
+            "b,300,wedge.obj,1,0.5,0.5,3,0,5\n"
+            "c,2400,,1,1,1,6,0,5\n");
+    const BodyTable table = readBodyTable(path);
+    ASSERT_EQ(table.bodies.size(), 3u);
+    ASSERT_NE(table.bodies[0].hull, nullptr);
+    EXPECT_NEAR(table.bodies[0].density(), 2400.0, 1e-6);
+    EXPECT_NEAR(table.bodies[1].density(), 2400.0, 1e-6);
+    EXPECT_TRUE(table.bodies[1].sides.isApprox(Vec3(1.0, 0.5, 0.5)));
+    EXPECT_EQ(table.bodies[2].hull, nullptr);
+    EXPECT_EQ(table.findings.count("bodies.mesh_hollow") + table.findings.count("bodies.mesh_open"), 0);
+    EXPECT_EQ(table.findings.count("bodies.mesh_corners"), 0);
+    const auto fe = openFe(path, {}, {}, Execution{});
+    EXPECT_EQ(fe->contents().files, (std::vector<std::string>{path, m_folder / "wedge.obj"}));
+    EXPECT_EQ(bodiesOfTable(*fe).back(), 2u);
+    EXPECT_EQ(fe->mesh().elementCount(), 8u + 8u + 1u);
+    // Another shape is another result.
+    std::ofstream(m_folder / "wedge.obj", std::ios::app) << "v 12 0 1\nf 1 2 7\n";
+    EXPECT_NE(openFe(path, {}, {}, Execution{})->contents().fingerprint, fe->contents().fingerprint);
+}
+
+TEST_F(BodyTableFile, AMeshThatIsNotConvexIsToldAndABadOneRefused) {
+    // Two cubes of 1 m beside each other, 1 m apart: they fill two thirds of their hull.
+    const std::string cube = "f %1 %4 %3 %2\nf %5 %6 %7 %8\nf %1 %2 %6 %5\nf %2 %3 %7 %6\nf %3 %4 %8 %7\nf %4 %1 %5 %8\n";
+    std::string text;
+    for (int k = 0; k < 2; ++k) {
+        for (const char* corner : {"0 0", "1 0", "1 1", "0 1", "0 0 1", "1 0 1", "1 1 1", "0 1 1"}) {
+            std::string place(corner);
+            place[0] = static_cast<char>(place[0] + 2 * k);
+            text += "v " + place + (place.size() == 3 ? " 0\n" : "\n");
+        }
+        std::string faces = cube;
+        for (std::size_t at = faces.find('%'); at != std::string::npos; at = faces.find('%', at)) {
+            faces.replace(at, 2, std::to_string(faces[at + 1] - '0' + 8 * k));
+        }
+        text += faces;
+    }
+    std::ofstream(m_folder / "two.obj") << text;
+    std::ofstream(m_folder / "open.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
+    std::ofstream(m_folder / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
+    const std::string heading = "mass_kg,mesh,x_m,y_m,z_m\n";
+    const BodyTable two = read(heading + "4800,two.obj,0,0,5\n");
+    EXPECT_EQ(two.findings.count("bodies.mesh_hollow"), 1);
+    EXPECT_NEAR(two.bodies.front().volume(), 3.0, 1e-9);
+    EXPECT_EQ(read(heading + "240,open.obj,0,0,5\n").findings.count("bodies.mesh_open"), 1);
+    EXPECT_THAT(refusal(heading + "1,flat.obj,0,0,5\n"), HasSubstr("no volume"));
+    EXPECT_THAT(refusal(heading + "1,none.obj,0,0,5\n"), HasSubstr("line 2 names the mesh"));
+    EXPECT_THAT(refusal(heading + "1,bodies.csv,0,0,5\n"), HasSubstr("no STL, OBJ or PLY"));
+    EXPECT_THAT(refusal(heading + "1,,0,0,5\n"), HasSubstr("neither a mesh nor sides"));
+    EXPECT_THAT(refusal("mass_kg,mesh,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m\n1,two.obj,1,,1,0,0,5\n"), HasSubstr("side_y"));
 }
 
 TEST_F(BodyTableFile, OtherTablesAreNone) {

@@ -1,10 +1,10 @@
-#include "io/site/meshes/ply_header.h"
+#include "io/fe/meshes/ply_header.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "io/fe/meshes/mesh_lines.h"
 #include "io/fe/vtk/stored_numbers.h"
-#include "io/site/meshes/mesh_lines.h"
 
 namespace rubble::io {
 

@@ -1,9 +1,9 @@
-#include "io/site/meshes/mesh_lines.h"
+#include "io/fe/meshes/mesh_lines.h"
 
 #include <charconv>
 #include <cmath>
 
-#include "io/site/file_words.h"
+#include "io/base/file_words.h"
 
 namespace rubble::io {
 

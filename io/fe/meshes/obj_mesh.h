@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/site/meshes/raw_mesh.h"
+#include "io/fe/meshes/raw_mesh.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/site/meshes/ply_mesh.h"
+#include "io/fe/meshes/ply_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "io/site/file_words.h"
-#include "io/site/meshes/ply_header.h"
+#include "io/base/file_words.h"
+#include "io/fe/meshes/ply_header.h"
 
 namespace rubble::io {
 

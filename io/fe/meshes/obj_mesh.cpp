@@ -1,12 +1,12 @@
-#include "io/site/meshes/obj_mesh.h"
+#include "io/fe/meshes/obj_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
+#include "io/base/file_words.h"
+#include "io/fe/meshes/mesh_lines.h"
 #include "io/fe/vtk/stored_numbers.h"
-#include "io/site/file_words.h"
-#include "io/site/meshes/mesh_lines.h"
 
 namespace rubble::io {
 

@@ -1,10 +1,10 @@
-#include "io/site/meshes/raw_mesh.h"
+#include "io/fe/meshes/raw_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/site/file_words.h"
-#include "io/site/meshes/polygon_cut.h"
+#include "io/base/file_words.h"
+#include "io/fe/meshes/polygon_cut.h"
 
 namespace rubble::io {
 

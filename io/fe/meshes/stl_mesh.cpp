@@ -1,4 +1,4 @@
-#include "io/site/meshes/stl_mesh.h"
+#include "io/fe/meshes/stl_mesh.h"
 
 #include <array>
 #include <bit>
@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/base/file_words.h"
+#include "io/fe/meshes/mesh_lines.h"
 #include "io/fe/vtk/stored_numbers.h"
-#include "io/site/file_words.h"
-#include "io/site/meshes/mesh_lines.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/site/meshes/polygon_cut.h"
+#include "io/fe/meshes/polygon_cut.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9157,10 +9157,6 @@
         <translation>数据组是一个文件夹，含 README.md、LICENSE、一张表和说明各列含义的 set.json；手册中有示例。</translation>
     </message>
     <message>
-        <source>A table of bodies has the columns mass_kg, side_x_m, side_y_m, side_z_m, x_m, y_m and z_m at least.</source>
-        <translation>物体表至少有 mass_kg、side_x_m、side_y_m、side_z_m、x_m、y_m 和 z_m 各列。</translation>
-    </message>
-    <message>
         <source>Add the line there, or take the body out of the table.</source>
         <translation>请在那里补上这一行，或从表中去掉该物体。</translation>
     </message>
@@ -11287,6 +11283,146 @@
     <message>
         <source>Take loose_structure = fe to hold all of it where the FE result leaves it</source>
         <translation>若要全部固定于有限元结果留下的位置，请取 loose_structure = fe</translation>
+    </message>
+    <message>
+        <source>A table of bodies cannot be kept as {0}: it would no longer say which bodies it has</source>
+        <translation>物体表不能存为 {0}：那样就不再说明有哪些物体</translation>
+    </message>
+    <message>
+        <source>A table of bodies has the columns mass_kg, side_x_m, side_y_m, side_z_m (or mesh), x_m, y_m and z_m at least.</source>
+        <translation>物体表至少要有列 mass_kg、side_x_m、side_y_m、side_z_m（或 mesh）、x_m、y_m 和 z_m。</translation>
+    </message>
+    <message>
+        <source>Begin the table with the line name,easting,northing,height, in the order of its columns.</source>
+        <translation>表的第一行写 name,easting,northing,height，按各列的次序。</translation>
+    </message>
+    <message>
+        <source>Correct the line, or take the point out of the table.</source>
+        <translation>改正该行，或把该点从表中去掉。</translation>
+    </message>
+    <message>
+        <source>Give points of the picture the names that they have in the survey.</source>
+        <translation>给照片中的点取其在测量中的名称。</translation>
+    </message>
+    <message>
+        <source>Give points their names: a column of a table, or texts of a drawing beside its points.</source>
+        <translation>给出点的名称：表中的一列，或图中各点旁的文字。</translation>
+    </message>
+    <message>
+        <source>Give the columns survey_x, survey_y and survey_z in numbers of the second cloud.</source>
+        <translation>给出列 survey_x、survey_y 和 survey_z，按第二个点云的数值。</translation>
+    </message>
+    <message>
+        <source>Give the name of such a file as seen from the folder of the table, or leave the field empty for a box.</source>
+        <translation>给出这种文件的名称，从表所在的文件夹算起；长方体则把该栏留空。</translation>
+    </message>
+    <message>
+        <source>Give the surface of a solid.</source>
+        <translation>给出实体的表面。</translation>
+    </message>
+    <message>
+        <source>Keep the one that counts: a pair is told by its name.</source>
+        <translation>只留所要的一个：点对以名称识别。</translation>
+    </message>
+    <message>
+        <source>Make it simpler: only its hull of at most 32 corners is simulated.</source>
+        <translation>将其简化：模拟的只是其最多 32 个顶点的凸包。</translation>
+    </message>
+    <message>
+        <source>Name a mesh, or give the three sides of a box.</source>
+        <translation>指明网格，或给出长方体的三条边长。</translation>
+    </message>
+    <message>
+        <source>Open the table itself wherever the copy was to be opened.</source>
+        <translation>在要打开副本之处打开表本身。</translation>
+    </message>
+    <message>
+        <source>Write it anew from the drawing, as DXF.</source>
+        <translation>由图重新写为 DXF。</translation>
+    </message>
+    <message>
+        <source>close its holes; the hull is simulated, with the mass of the table</source>
+        <translation>封闭其孔洞；模拟的是凸包，质量按表</translation>
+    </message>
+    <message>
+        <source>cut it into convex bodies if its hollows matter</source>
+        <translation>若其凹处要紧，将其切成凸的物体</translation>
+    </message>
+    <message>
+        <source>give them their heights if they are to count</source>
+        <translation>若要计入，给出其高程</translation>
+    </message>
+    <message>
+        <source>measured points without a name were left out</source>
+        <translation>没有名称的测量点已略去</translation>
+    </message>
+    <message>
+        <source>named points of the drawing lie at height 0 while others have heights; they were left out</source>
+        <translation>图中有些有名称的点高程为 0，而其他点有高程；这些点已略去</translation>
+    </message>
+    <message>
+        <source>none is needed unless one was meant to count</source>
+        <translation>不需要，除非其中有要计入的</translation>
+    </message>
+    <message>
+        <source>none is needed unless that is much of its size</source>
+        <translation>不需要，除非这在其尺寸中占得多</translation>
+    </message>
+    <message>
+        <source>the mesh of a body has more than {0} corners: points lie up to {1} outside of what is simulated</source>
+        <translation>物体的网格顶点多于 {0} 个：有的点在所模拟的形状之外，最远 {1}</translation>
+    </message>
+    <message>
+        <source>the mesh of a body is not closed: how much of its hull it fills is not known</source>
+        <translation>物体的网格不封闭：不知其占凸包多少</translation>
+    </message>
+    <message>
+        <source>the mesh of a body is not convex: it fills {0} % of its hull, which is simulated with the mass of the table</source>
+        <translation>物体的网格不凸：占其凸包的 {0} %；模拟的是凸包，质量按表</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as a DXF</source>
+        <translation>{0} 不能作为 DXF 读取</translation>
+    </message>
+    <message>
+        <source>{0} has no point with a name</source>
+        <translation>{0} 中没有带名称的点</translation>
+    </message>
+    <message>
+        <source>{0} has places in the system of a case, and there is none</source>
+        <translation>{0} 中的位置按案例的坐标系，而此处没有案例</translation>
+    </message>
+    <message>
+        <source>{0} has the point {1} twice</source>
+        <translation>{0} 中点 {1} 出现两次</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has &quot;{2}&quot; for the point {3}, which is no number</source>
+        <translation>{0}：第 {1} 行点 {3} 的“{2}”不是数</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has neither a mesh nor sides</source>
+        <translation>{0}：第 {1} 行既没有网格也没有边长</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} names the mesh {2} of {3} triangles; a body may have {4}</source>
+        <translation>{0}：第 {1} 行指明的网格 {2} 有 {3} 个三角形；一个物体最多 {4} 个</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} names the mesh {2}, which is no STL, OBJ or PLY there</source>
+        <translation>{0}：第 {1} 行指明的网格 {2} 不是该处的 STL、OBJ 或 PLY 文件</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} names the mesh {2}, which spans no volume</source>
+        <translation>{0}：第 {1} 行指明的网格 {2} 没有体积</translation>
+    </message>
+    <message>
+        <source>{0}: no measured point is called {1}</source>
+        <translation>{0}：没有测量点名为 {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the first line does not name the columns of measured points</source>
+        <translation>{0}：第一行没有写明测量点的各列</translation>
     </message>
 </context>
 <context>
@@ -13937,6 +14073,18 @@
     <message>
         <source>Reading %1</source>
         <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Keep pairs as a table</source>
+        <translation>把点对存为表</translation>
+    </message>
+    <message>
+        <source>Tables of pairs (*.csv)</source>
+        <translation>点对表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 pairs kept in %2</source>
+        <translation>%1 个点对已存入 %2</translation>
     </message>
 </context>
 <context>
@@ -20672,6 +20820,14 @@ What the file fits: %2.</source>
         <source>Place the survey, or add pairs: more of them show better how well it lies.</source>
         <translation>可放置测量，或添加点对：点对越多，越能看出放置得如何。</translation>
     </message>
+    <message>
+        <source>Keep as table…</source>
+        <translation>存为表…</translation>
+    </message>
+    <message>
+        <source>Write the pairs as a table that Pairs from a table… and the command line take</source>
+        <translation>把点对写成表，“取自表的点对…”和命令行可以读取</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::PredictionBox</name>
@@ -23290,6 +23446,17 @@ Program: %3</source>
     <message>
         <source>All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below the valley floor.</source>
         <translation>所有混凝土均配筋；河水以 1 m/s 向北流动，水面低于谷底半米。</translation>
+    </message>
+</context>
+<context>
+    <name>PairsTable</name>
+    <message>
+        <source>Measured points that the pairs name</source>
+        <translation>点对所指的测量点</translation>
+    </message>
+    <message>
+        <source>Points of a total station (*.csv *.txt *.dxf);;All files (*)</source>
+        <translation>全站仪的点 (*.csv *.txt *.dxf);;所有文件 (*)</translation>
     </message>
 </context>
 </TS>

@@ -35,6 +35,7 @@ std::string englishInteger(std::int64_t number) {
 }
 
 std::string englishNumber(double number) {
+    number += 0.0;  // no minus zero
     if (!std::isfinite(number)) {
         return std::isnan(number) ? "not a number" : (number > 0 ? "infinite" : "minus infinite");
     }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/basics/fixed_number.h"
+
 namespace rubble::widgets {
 
 namespace {
@@ -52,6 +54,15 @@ TEST(Wording, NumbersShowWhatTheyDeserve) {
     EXPECT_LT(shownShare(3e200).size(), 16) << "no hundreds of digits";
     EXPECT_EQ(shownDuration(185.0), QStringLiteral("3 min 05 s"));
     EXPECT_EQ(shownName("oriented_box"), QStringLiteral("oriented box"));
+}
+
+TEST(Wording, WhatRoundsToZeroHasNoSign) {
+    EXPECT_EQ(shownFixed(-0.0004, 3), QStringLiteral("0.000"));
+    EXPECT_EQ(shownFixed(-0.0, 1), QStringLiteral("0.0"));
+    EXPECT_EQ(shownFixed(-0.0006, 3), QStringLiteral("-0.001"));
+    EXPECT_EQ(shownFixed(-1.25, 1).left(2), QStringLiteral("-1"));
+    EXPECT_EQ(shownFixed(std::numeric_limits<double>::infinity(), 3), QString(QChar(0x2013)));
+    EXPECT_EQ(shownPlace(-0.001), QStringLiteral("0.00"));
 }
 
 TEST(Wording, AnotherLocaleHasItsOwnSigns) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/scenario/parameters.h"
+#include "widgets/basics/fixed_number.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/spoken_text.h"
 #include "widgets/figures/shown_units.h"
@@ -139,7 +140,7 @@ QString shownPlace(double metres, int decimals) {
     const double perSi = figures::shownUnit("m").perSi;
     // A thousandth of a metre is a whole millimetre.
     const int fewer = static_cast<int>(std::lround(std::floor(std::log10(perSi) + 1e-9)));
-    return QLocale().toString(metres * perSi, 'f', std::max(0, decimals - fewer));
+    return shownFixed(metres * perSi, std::max(0, decimals - fewer));
 }
 
 double typedIn(double shown, std::string_view unit) {

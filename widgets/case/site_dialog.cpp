@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "widgets/basics/fixed_number.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/wording.h"
@@ -28,7 +29,7 @@ enum OffsetColumn { Mesh, OffsetEast, OffsetNorth, OffsetHeight, OffsetColumnCou
 constexpr double farthest = 1e8;  // m
 
 QString metres(double value) {
-    return QLocale().toString(value, 'f', 3);
+    return shownFixed(value, 3);
 }
 
 /// The number of metres that somebody typed; unset: it is none, or none on Earth.

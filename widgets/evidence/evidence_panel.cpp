@@ -13,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "widgets/basics/fixed_number.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -51,7 +52,7 @@ QString withSpread(double value, double deviation) {
     }
     const int decimals =
         deviation > 0.0 && std::isfinite(deviation) ? std::clamp(1 - static_cast<int>(std::floor(std::log10(deviation))), 0, 6) : 2;
-    return QStringLiteral("%1 ± %2").arg(QLocale().toString(value, 'f', decimals), QLocale().toString(deviation, 'f', decimals));
+    return QStringLiteral("%1 ± %2").arg(shownFixed(value, decimals), shownFixed(deviation, decimals));
 }
 
 QPixmap swatch(MaskClass kind) {

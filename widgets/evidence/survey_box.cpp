@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/basics/fixed_number.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
@@ -26,7 +27,7 @@ namespace rubble::widgets {
 namespace {
 
 QString shown(double value, int decimals) {
-    return std::isfinite(value) ? QLocale().toString(value, 'f', decimals) : QStringLiteral("–");
+    return shownFixed(value, decimals);
 }
 
 /// How well heights are known, and from where.

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "app/gui/evidence/pairs_table.h"
 #include "app/gui/evidence/photographs_edit.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -14,7 +15,6 @@
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/scene_display.h"
 #include "io/case/case_file.h"
-#include "io/site/point_pairs.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_page.h"
@@ -364,11 +364,10 @@ void EvidenceDisplay::readPairs(const QString& path) {
     }
     try {
         Photograph after = *photograph;
-        const std::vector<PointPair> pairs = io::readPointPairs(path.toStdString());
-        after.pairs.insert(after.pairs.end(), pairs.begin(), pairs.end());
-        m_deck.evidence().setError({});
-        edit(after,
-             [count = pairs.size(), name = QFileInfo(path).fileName()] { return tr("%1 points from %2").arg(count).arg(name); });
+        if (const std::size_t count = addPairsOfTable(m_page.window(), path, m_session, after.pairs); count > 0) {
+            m_deck.evidence().setError({});
+            edit(after, [count, name = QFileInfo(path).fileName()] { return tr("%1 points from %2").arg(count).arg(name); });
+        }
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_deck.evidence().setError(failure->what(), failure->remedy());

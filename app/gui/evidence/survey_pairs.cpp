@@ -1,5 +1,6 @@
 #include "app/gui/evidence/survey_pairs.h"
 
+#include <QFileDialog>
 #include <QFileInfo>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "core/base/error.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
+#include "io/site/point_pairs.h"
 #include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/surveys/place_pairs_dialog.h"
 #include "widgets/views/view_widget.h"
@@ -60,6 +62,18 @@ void SurveyPairs::ask(const std::string& id, io::SurveyInput& read) {
                                      io::boundsAtRest(inputs.fe->mesh()), m_page.window());
     dialog.resize(m_page.window()->size() * 0.92);
     dialog.setModel(m_page.model().data(), m_page.model().view());
+    dialog.setKeeper([&](const std::vector<PlacePair>& pairs) {
+        QString path =
+            QFileDialog::getSaveFileName(&dialog, tr("Keep pairs as a table"), m_document.base(), tr("Tables of pairs (*.csv)"));
+        if (path.isEmpty()) {
+            return QString();
+        }
+        if (QFileInfo(path).suffix().isEmpty()) {
+            path += QStringLiteral(".csv");
+        }
+        io::writePlacePairs(path.toStdString(), pairs, inputs.frame, m_document.theCase().site);
+        return tr("%1 pairs kept in %2").arg(pairs.size()).arg(QFileInfo(path).fileName());
+    });
     if (dialog.exec() == QDialog::Accepted && dialog.fit()) {
         m_placed(id, *dialog.fit());
     }

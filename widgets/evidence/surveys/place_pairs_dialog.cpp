@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "widgets/basics/fixed_number.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -30,7 +31,7 @@ constexpr int tableRows = 5;
 enum PairColumn { PairNumber, PairAcross, PairAlong, PairUp, PairDistance, PairColumnCount };
 
 QString pairMetres(double value) {
-    return QLocale().toString(value, 'f', 3);
+    return shownFixed(value, 3);
 }
 
 }  // namespace
@@ -50,7 +51,8 @@ PlacePairsDialog::PlacePairsDialog(SurveyHeights heights, const QString& name, c
       m_notice(new Notice),
       m_undo(new QPushButton(tr("Undo"))),
       m_remove(new QPushButton(tr("Remove pair"))),
-      m_clear(new QPushButton(tr("Remove all"))) {
+      m_clear(new QPushButton(tr("Remove all"))),
+      m_keep(new QPushButton(tr("Keep as table…"))) {
     setWindowTitle(tr("Place the survey by pairs"));
     auto* column = new QVBoxLayout(this);
     m_hint->setWordWrap(true);
@@ -124,7 +126,9 @@ QWidget* PlacePairsDialog::buildTable() {
     side->addWidget(m_sum, 1);
     auto* buttons = new QHBoxLayout;
     m_undo->setToolTip(tr("Take back the last click (Ctrl+Z)"));
-    for (QPushButton* button : {m_undo, m_remove, m_clear}) {
+    m_keep->setToolTip(tr("Write the pairs as a table that Pairs from a table… and the command line take"));
+    m_keep->hide();
+    for (QPushButton* button : {m_undo, m_remove, m_clear, m_keep}) {
         button->setAutoDefault(false);
         buttons->addWidget(button);
     }
@@ -133,6 +137,7 @@ QWidget* PlacePairsDialog::buildTable() {
     connect(m_undo, &QPushButton::clicked, this, &PlacePairsDialog::undo);
     connect(m_remove, &QPushButton::clicked, this, &PlacePairsDialog::removeChosen);
     connect(m_clear, &QPushButton::clicked, this, &PlacePairsDialog::clear);
+    connect(m_keep, &QPushButton::clicked, this, &PlacePairsDialog::keep);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &PlacePairsDialog::showMarks);
     return box;
 }
@@ -220,6 +225,20 @@ void PlacePairsDialog::leave() {
     showMarks();
 }
 
+void PlacePairsDialog::setKeeper(std::function<QString(const std::vector<PlacePair>&)> keep) {
+    m_keeper = std::move(keep);
+    m_keep->setVisible(m_keeper != nullptr);
+}
+
+void PlacePairsDialog::keep() {
+    try {
+        m_said = m_keeper(m_now.pairs);
+    } catch (const Error& error) {
+        m_said = worded(error.message()) + u' ' + worded(error.remedy());
+    }
+    showMarks();
+}
+
 void PlacePairsDialog::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         leave();
@@ -253,6 +272,7 @@ void PlacePairsDialog::showPairs() {
     m_notice->set(m_fit ? Notice::Kind::Finding : Notice::Kind::Error, m_fit ? found : m_problem);
     m_undo->setEnabled(!m_past.empty());
     m_clear->setEnabled(!m_now.pairs.empty());
+    m_keep->setEnabled(!m_now.pairs.empty());
     m_place->setEnabled(m_fit.has_value());
 }
 

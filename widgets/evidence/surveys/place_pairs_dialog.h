@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,8 @@ public:
     const std::vector<PlacePair>& pairs() const { return m_now.pairs; }
     /// What the pairs give; unset: nothing yet.
     const std::optional<PairFit>& fit() const { return m_fit; }
+    /// What is done with pairs that are to be kept as a table; it may throw, which the dialog tells. Without it nothing offers to.
+    void setKeeper(std::function<QString(const std::vector<PlacePair>&)> keep);
     PhotoView& survey() { return *m_survey; }
     ViewWidget& model() { return *m_model; }
 
@@ -61,6 +64,7 @@ private:
     void take(Picked now);
     void removeChosen();
     void leave();
+    void keep();
     void showPairs();
     void showTable();
     void showMarks();
@@ -86,6 +90,8 @@ private:
     QPushButton* m_undo;
     QPushButton* m_remove;
     QPushButton* m_clear;
+    QPushButton* m_keep;
+    std::function<QString(const std::vector<PlacePair>&)> m_keeper;  ///< gives what it says of it
     QPushButton* m_place = nullptr;
 };
 

@@ -15,6 +15,7 @@
 #include "app/gui/evidence/survey_pairs.h"
 #include "app/gui/evidence/survey_sections.h"
 #include "io/case/case_file.h"
+#include "io/site/point_pairs.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/evidence/evidence_panel.h"
@@ -131,6 +132,18 @@ TEST_F(SurveyPlaces, PairsAreClickedInSurveyAndModelAndTheirResidualsStandAtOnce
         const auto* table = dialog.findChild<QTableWidget*>();
         ASSERT_EQ(table->rowCount(), 4);
         EXPECT_EQ(table->item(0, 4)->text(), QStringLiteral("0.000"));
+        // They can be kept, to be read again by the command line.
+        dialog.setKeeper([&](const std::vector<PlacePair>& pairs) {
+            io::writePlacePairs(m_folder / "pairs.csv", pairs, {}, {});
+            return QStringLiteral("kept");
+        });
+        auto* keep = dialog.findChild<QPushButton*>();
+        for (auto* each : dialog.findChildren<QPushButton*>()) {
+            keep = each->text() == QString::fromUtf8("Keep as table…") ? each : keep;
+        }
+        EXPECT_TRUE(keep->isEnabled());
+        keep->click();
+        EXPECT_EQ(io::readPlacePairs(m_folder / "pairs.csv").pairs.size(), 4u);
         // One that fits badly is told at once, and can be taken back.
         dialog.placeSurveyed({20.5, 40.5});
         dialog.placeModel(Vec3(20.0, 20.0, 0.0));

@@ -111,6 +111,17 @@ TEST_F(GlLight, OrangeIsLeftToTheAnalysisStyle) {
     EXPECT_EQ(studio.picture(m_view, m_window), before);
 }
 
+/// The sky stands around the model, and without perspective its near side lies before it.
+TEST_F(GlLight, AParallelProjectionShowsTheModelToo) {
+    Studio studio(m_data);
+    const int seen = orangeIn(studio.picture(m_view, m_window));
+    ASSERT_GT(seen, 500);
+    m_view.cameras[0] = render::withProjection(m_view.cameras[0], true);
+    EXPECT_GT(orangeIn(studio.picture(m_view, m_window)), seen / 2);
+    m_view.cameras[0] = render::withProjection(m_view.cameras[0], false);
+    EXPECT_GT(orangeIn(studio.picture(m_view, m_window)), seen / 2) << "and back again";
+}
+
 /// Ground from white snow, and water over it: at most 85 % of white, on a dark screen 60 %.
 TEST_F(GlLight, SnowAndWaterDoNotGlare) {
     auto snow = std::make_shared<Orthophoto>();

@@ -74,6 +74,8 @@ Ground::Ground()
       m_planeActor(flatActor(m_plane)),
       m_gridActor(flatActor(m_grid)) {
     m_planeActor->GetProperty()->BackfaceCullingOn();
+    // In a parallel projection the near side of the sky stands between the camera and the model: it is seen from within alone.
+    m_skyActor->GetProperty()->FrontfaceCullingOn();
     auto* mapper = m_planeActor->GetMapper();
     // The plane steps back so that the grid and what lies on the ground win.
     mapper->SetResolveCoincidentTopologyToPolygonOffset();

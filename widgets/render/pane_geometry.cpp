@@ -145,6 +145,14 @@ void PaneGeometry::bindIslands() {
             m_boundBodies = std::min(m_boundBodies, b);
         }
     }
+    m_wasAfloat.assign(islands.empty() ? 0 : m_status.elements, 0);
+    for (const IslandRecord& island : islands) {
+        for (const ElementIndex element : island.elements) {
+            if (at(element) < m_wasAfloat.size()) {
+                m_wasAfloat[at(element)] = 1;
+            }
+        }
+    }
     m_islands.bind(std::move(islands), bodies);
 }
 
@@ -390,6 +398,9 @@ void PaneGeometry::place(double time) {
 Rgb PaneGeometry::debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                                const ColourScale& scale) const {
     const Fragment& f = m_data.fragments->list[at(fragment)];
+    if (scale.style != Style::Presentation && colourBy != ColourBy::Island && leavesIsland(at(fragment))) {
+        return scale.colours.released;
+    }
     if (!born(at(fragment))) {
         return m_looks[lookOf(f.element)];
     }
@@ -549,8 +560,13 @@ void PaneGeometry::countShown(double time) {
         return;
     }
     const FragmentSlots::Counts& counts = m_slots->countsAt(m_debrisSlot);
-    // An element on its way from hand-over to birth still counts as structure.
-    m_status.active += counts.onTheWay;
+    // An element on its way from hand-over to birth still counts as the structure that it was.
+    std::size_t left = 0;
+    for (std::size_t f = 0; counts.onTheWay > 0 && f < m_data.fragments->size(); ++f) {
+        left += leavesIsland(f) ? 1 : 0;
+    }
+    m_status.released += left;
+    m_status.active += counts.onTheWay - left;
     m_status.fragments = counts.born;
     m_status.bornByComponent = counts.bornByComponent;
     m_status.clusters = counts.clusters;

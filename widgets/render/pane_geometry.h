@@ -109,6 +109,11 @@ private:
     void findVisible(std::size_t slot);
     void joinNodes();
     bool born(std::size_t fragment) const { return m_slots->born(fragment, m_debrisSlot); }
+    /// Out of an island and not yet born: it shows as what it was.
+    bool leavesIsland(std::size_t fragment) const {
+        return !m_wasAfloat.empty() && m_wasAfloat[at(m_data.fragments->list[fragment].element)] != 0 &&
+               m_slots->drawn(fragment, m_debrisSlot) && !born(fragment);
+    }
     bool afloat(std::uint32_t node) const { return m_islands.of(node) != IslandMotion::none; }
     Eigen::Vector3f placeOf(std::uint32_t node) const { return afloat(node) ? m_islands.place(node) : m_motion[node]; }
     void rebuildTriangles();
@@ -162,6 +167,7 @@ private:
     std::unique_ptr<ElementCounts> m_elementCounts;
     std::unique_ptr<FragmentSlots> m_slots;
     IslandMotion m_islands;
+    std::vector<std::uint8_t> m_wasAfloat;  ///< by element, or empty: it was part of an island while it was active
     TrajectoryFrame m_frame;
     std::size_t m_boundBodies = 0;
 

@@ -266,8 +266,14 @@ TEST(IslandMotion, ShowsAnIslandWhereTheEngineHasItBeforeTheFeResultEnds) {
     EXPECT_LT(tookOver, 0.8);
     for (const double time : {tookOver, 0.75, 0.8, 0.85, 1.3}) {
         pane.update(time, ColourBy::Highlight, scaleOfIslands(), {});
-        const bool lost = time >= 0.8;
+        // Out of the island at 0.8 s and born at 0.9 s: until then it is no active structure again.
+        const bool lost = time >= 0.9;
         EXPECT_EQ(pane.status().released, lost ? 5u : 6u) << time;
+        if (time > tookOver) {
+            EXPECT_EQ(pane.status().active, 0u) << time;
+            EXPECT_EQ(pane.status().fragments, lost ? 2u : 1u) << time;
+            EXPECT_TRUE(boxOf(pane, scaleOfIslands().colours.structure.front()).isEmpty()) << time;
+        }
         const Aabb box = boxOf(pane, releasedColour);
         // It falls on its parabola; the FE result moves linearly between its states, and the engine does not.
         EXPECT_NEAR(box.min().z(), 12.0 - 0.5 * 9.81 * time * time, 0.02) << time;

@@ -86,6 +86,7 @@ std::vector<Option> FigureRequest::viewOptions() {
         {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
         {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
         {"--hide", "NAME", true, "leaves a component out; may be repeated"},
+        {"--shadows", "on|off", false, "the sun's shadow on the ground (default: as the saved view, else on)"},
         {"--selection", "on|off", false, "the elements that the saved view has selected in their colour (default: off)"},
         {"--size", "WxH", false, "pixels of a figure (default: 1600x1000, of fe_against_fragments 1600x1600; of a movie 1280x720)"},
         {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
@@ -174,6 +175,9 @@ void FigureRequest::readLook(const Arguments& arguments) {
     m_surfaces = choiceOf(arguments, "--style", styleNames, "analysis or presentation");
     m_hidden = arguments.values("--hide");
     m_selection = parseOnOff(arguments, "--selection", false);
+    if (arguments.value("--shadows")) {
+        m_shadows = parseOnOff(arguments, "--shadows", true);
+    }
     if (const auto text = arguments.value("--cut")) {
         const auto [axis, place] = splitAssignment("--cut", *text);
         Cut cut;
@@ -208,6 +212,7 @@ render::View FigureRequest::viewOf(const render::SceneData& data, QSize pixels) 
     view.colourBy = m_colourBy.value_or(view.colourBy);
     view.colourMap = m_map.value_or(view.colourMap);
     view.style = m_surfaces.value_or(view.style);
+    view.shadows = m_shadows.value_or(view.shadows);
     if (m_cut) {
         const Vec3 origin = FrameTransform(data.fe->contents().frame).localZero();
         const Vec3 axis = Vec3::Unit(m_cut->axis);

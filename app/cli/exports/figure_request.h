@@ -60,6 +60,7 @@ private:
     std::optional<render::Preset> m_look;
     std::optional<render::ColourMap> m_map;
     std::optional<render::Style> m_surfaces;
+    std::optional<bool> m_shadows;
     std::optional<Cut> m_cut;
     std::vector<std::string> m_hidden;
     bool m_selection = false;

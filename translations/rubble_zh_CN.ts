@@ -3941,10 +3941,6 @@
         <translation>推断：全部应力变为 0 即失效（没有删除表，MDLOPT 0）</translation>
     </message>
     <message>
-        <source>inside its header</source>
-        <translation>在其文件头内</translation>
-    </message>
-    <message>
         <source>integration points</source>
         <translation>积分点</translation>
     </message>
@@ -5401,8 +5397,16 @@
         <translation>{0} 是其他版本的动画文件：以 {1} 开头，可读取的是 {2}</translation>
     </message>
     <message>
-        <source>{0} is cut off: it ends after {1} bytes, {2}</source>
-        <translation>{0} 被截断：在 {1} 字节后结束，{2}</translation>
+        <source>{0} is cut off: it ends after {1} bytes, inside its header</source>
+        <translation>{0} 被截断：在 {1} 字节后的文件头内结束</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: it ends after {1} of {2} bytes</source>
+        <translation>{0} 被截断：共 {2} 字节，在 {1} 字节后结束</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: it ends after {1} of {2} bytes; the end of {3} is missing</source>
+        <translation>{0} 被截断：共 {2} 字节，在 {1} 字节后结束；缺少 {3} 的末尾</translation>
     </message>
     <message>
         <source>{0} is cut off: it ends at byte {1} within {2}</source>
@@ -21330,6 +21334,18 @@ What the file fits: %2.</source>
     <message>
         <source>Written to &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</source>
         <translation>已写入 &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>Simulates the run and its repeats again: up to about %1.</source>
+        <translation>重新模拟此次计算及其重复：最多约 %1。</translation>
+    </message>
+    <message>
+        <source>Simulates the run and its repeats again, each as long as the run took.</source>
+        <translation>重新模拟此次计算及其重复，每次耗时与此次计算相同。</translation>
+    </message>
+    <message>
+        <source>Without repeats the report cannot say how far the run repeats itself.</source>
+        <translation>没有重复，报告无法说明此次计算的重复性如何。</translation>
     </message>
     <message>
         <source>Who makes the report</source>

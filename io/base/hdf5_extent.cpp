@@ -27,9 +27,8 @@ std::uint64_t littleEndian(const std::array<char, 96>& bytes, std::size_t at) {
     return value;
 }
 
-[[noreturn]] void failCut(const std::string& path, std::int64_t there, const std::string& rest) {
-    throw ParseError({"hdf5.cut", "{0} is cut off: it ends after {1} bytes, {2}", {path, there, rest}},
-                     {"hdf5.cut.remedy", "Copy the file again, or wait until the analysis has finished writing it.", {}});
+[[noreturn]] void failCut(const Message& what) {
+    throw ParseError(what, {"hdf5.cut.remedy", "Copy the file again, or wait until the analysis has finished writing it.", {}});
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ std::optional<std::uint64_t> hdf5End(const std::string& path) {
         return std::nullopt;
     }
     if (got < shortestBlock) {
-        failCut(path, static_cast<std::int64_t>(got), "inside its header");
+        failCut({"hdf5.cut", "{0} is cut off: it ends after {1} bytes, inside its header", {path, static_cast<std::int64_t>(got)}});
     }
     const int version = head[8];
     const int offsetBytes = version < 2 ? head[13] : head[9];
@@ -64,7 +63,9 @@ void requireWholeHdf5(const std::string& path) {
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(path, error);
     if (end && !error && *end > size) {
-        failCut(path, static_cast<std::int64_t>(size), "of " + englishInteger(static_cast<std::int64_t>(*end)));
+        failCut({"hdf5.cut.of",
+                 "{0} is cut off: it ends after {1} of {2} bytes",
+                 {path, static_cast<std::int64_t>(size), static_cast<std::int64_t>(*end)}});
     }
 }
 

@@ -31,9 +31,13 @@ constexpr std::size_t topologyLength = 33;  // the library's buffer, with the en
     throw ParseError(what, {"exodus.damaged.remedy", "The file is damaged: copy it again or let the analysis write it again.", {}});
 }
 
-[[noreturn]] void failCutOff(const std::string& path, std::int64_t there, const std::string& rest) {
-    throw ParseError({"exodus.cut_off", "{0} is cut off: it ends after {1} bytes, {2}", {path, there, rest}},
+[[noreturn]] void failCutOff(const Message& what) {
+    throw ParseError(what,
                      {"exodus.cut_off.remedy", "Copy the file again, or wait until the analysis has finished writing it.", {}});
+}
+
+[[noreturn]] void failInHeader(const std::string& path, std::int64_t there) {
+    failCutOff({"exodus.cut_off", "{0} is cut off: it ends after {1} bytes, inside its header", {path, there}});
 }
 
 [[noreturn]] void failNotExodus(const std::string& path, const std::string& why) {
@@ -51,12 +55,13 @@ std::int64_t requireWholeClassic(const std::string& path, std::int64_t size) {
         failDamaged({"exodus.header", "{0}: the header of the netCDF file makes no sense", {path}});
     }
     if (!extent->wholeHeader) {
-        failCutOff(path, size, "inside its header");
+        failInHeader(path, size);
     }
     const std::int64_t whole = extent->wholeStates(size).value_or(0);
     if (extent->bytes > size && whole == 0) {
-        failCutOff(path, size,
-                   "of " + englishInteger(extent->bytes) + "; the end of " + shownName(extent->lastVariable) + " is missing");
+        failCutOff({"exodus.cut_off.states",
+                    "{0} is cut off: it ends after {1} of {2} bytes; the end of {3} is missing",
+                    {path, size, extent->bytes, shownName(extent->lastVariable)}});
     }
     return extent->bytes > size ? extent->recordCount - whole : 0;
 }
@@ -302,7 +307,7 @@ std::size_t checkExodusLayout(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     const int first = file.get();
     if (!error && size == 0) {
-        failCutOff(path, 0, "inside its header");
+        failInHeader(path, 0);
     }
     if (error || !file) {
         throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},

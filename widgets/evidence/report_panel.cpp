@@ -8,6 +8,8 @@
 #include <QSpinBox>
 #include <QUrl>
 
+#include "widgets/basics/wording.h"
+
 namespace rubble::widgets {
 
 ReportPanel::ReportPanel(QWidget* parent)
@@ -43,6 +45,9 @@ ReportPanel::ReportPanel(QWidget* parent)
         tr("Repeats"), m_repeats, {},
         tr("How often the run is simulated again with births shifted by a micrometre, 0 to 20: the spread of every result. "
            "Each takes as long as the run"));
+    m_cost = made->addNote({});
+    m_cost->setObjectName(QStringLiteral("reportCost"));
+    connect(m_repeats, &QSpinBox::valueChanged, this, &ReportPanel::showCost);
     m_selfTest->setObjectName(QStringLiteral("reportSelfTest"));
     m_selfTest->addItem(tr("laws of mechanics"), QStringLiteral("closed-form"));
     m_selfTest->addItem(tr("all cases"), QStringLiteral("all"));
@@ -59,6 +64,7 @@ ReportPanel::ReportPanel(QWidget* parent)
     connect(m_written, &QLabel::linkActivated, this, [this](const QString& link) { emit openRequested(QUrl(link).toLocalFile()); });
     written->addWide(m_written);
     setReady({}, false);
+    showCost();
     setWritten({});
 }
 
@@ -82,6 +88,23 @@ void ReportPanel::setReady(const QString& why, bool writing) {
     m_write->setEnabled(writing || why.isEmpty());
     m_why->setText(why);
     m_why->setVisible(!why.isEmpty());
+}
+
+void ReportPanel::setRunSeconds(std::optional<double> seconds) {
+    m_runSeconds = seconds;
+    showCost();
+}
+
+void ReportPanel::showCost() {
+    if (m_repeats->value() == 0) {
+        m_cost->setText(tr("Without repeats the report cannot say how far the run repeats itself."));
+    } else if (m_runSeconds) {
+        // The run itself is simulated again, too.
+        m_cost->setText(tr("Simulates the run and its repeats again: up to about %1.")
+                            .arg(shownDuration(*m_runSeconds * (m_repeats->value() + 1))));
+    } else {
+        m_cost->setText(tr("Simulates the run and its repeats again, each as long as the run took."));
+    }
 }
 
 void ReportPanel::setWritten(const QString& folder) {

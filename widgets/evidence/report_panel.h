@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "widgets/basics/panel.h"
 
 class QComboBox;
@@ -30,6 +32,8 @@ public:
     /// @param why  why no report can be made now; empty: it can
     /// @param writing  one is being made
     void setReady(const QString& why, bool writing);
+    /// How long the run took, s: what its repeats are told to cost. Unset: not known.
+    void setRunSeconds(std::optional<double> seconds);
     /// Where the last report went; empty: none was made.
     void setWritten(const QString& folder);
 
@@ -39,6 +43,8 @@ signals:
     void openRequested(const QString& folder);
 
 private:
+    void showCost();
+
     QPlainTextEdit* m_question;
     QLineEdit* m_author;
     QSpinBox* m_repeats;
@@ -46,6 +52,8 @@ private:
     QPushButton* m_write;
     QLabel* m_why;
     QLabel* m_written;
+    QLabel* m_cost;
+    std::optional<double> m_runSeconds;
     bool m_writing = false;
 };
 

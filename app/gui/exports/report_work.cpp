@@ -123,6 +123,9 @@ QString ReportWork::whyNot() const {
 void ReportWork::refresh() {
     const QString why = whyNot();
     m_deck.report().setReady(why, m_kept.writing);
+    const RunRecord* record = m_computation.currentRun();
+    const bool timed = record != nullptr && !record->running && !record->live && record->wallSeconds > 0.0;
+    m_deck.report().setRunSeconds(timed ? std::optional(record->wallSeconds) : std::nullopt);
     m_deck.rail().setState(PanelDeck::Report, m_kept.writing ? widgets::StageState::Running : widgets::StageState::NotYet, 0);
 }
 

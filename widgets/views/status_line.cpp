@@ -36,6 +36,7 @@ StatusLine::StatusLine(QWidget* parent)
         }
         row->addWidget(m_figures[i]);
         m_figures[i]->hide();
+        connect(m_figures[i], &QLabel::linkActivated, this, [this, i] { emit figureChosen(static_cast<Figure>(i)); });
     }
     m_activity->hide();
     m_progress->hide();
@@ -74,6 +75,10 @@ void StatusLine::setFigure(Figure figure, const QString& name, const QString& va
     }
     if (warns || figure == Figure::Findings) {
         text = QStringLiteral("<span style='color:%1'>%2</span>").arg(tints().finding.name(), text);
+    }
+    if (figure == Figure::Findings || figure == Figure::Health) {
+        const QColor colour = warns || figure == Figure::Findings ? tints().finding : tints().text;
+        text = QStringLiteral("<a href='figure' style='color:%1;text-decoration:none'>%2</a>").arg(colour.name(), text);
     }
     label->setText(text);
     label->setVisible(!value.isEmpty());

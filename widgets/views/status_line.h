@@ -33,6 +33,8 @@ public:
 
 signals:
     void cancelRequested();
+    /// A figure that leads somewhere, Health or Findings, was clicked.
+    void figureChosen(rubble::widgets::StatusLine::Figure figure);
 
 private:
     QLabel* m_activity;

@@ -90,7 +90,9 @@ void SceneDisplay::show() {
 void SceneDisplay::goOn() {
     show();
     m_area.showViews(m_computation.inputs().fe != nullptr, !m_document.empty());
-    render::View view = m_kept.view.value_or(m_area.views().view());
+    render::View first = m_area.views().view();
+    first.style = render::Style::Presentation;
+    render::View view = m_kept.view.value_or(first);
     view.theme = widgets::currentTheme();
     setView(view);
 }

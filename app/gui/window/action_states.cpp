@@ -27,6 +27,13 @@ constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,    Ac
 constexpr ActionId ofTheRun[] = {ActionId::SharePage, ActionId::ExportFragments, ActionId::ExportSeries, ActionId::ExportVtkhdf,
                                  ActionId::ExportGltf};
 
+/// What is done with the photograph that is chosen.
+void offerPhotograph(const EvidenceDisplay& evidence, Actions& actions) {
+    const bool chosen = evidence.chosen() >= 0;
+    actions[ActionId::AddPoint].setEnabled(chosen);
+    actions[ActionId::LookThrough].setEnabled(chosen && evidence.match().has_value());
+}
+
 }  // namespace
 
 ActionStates::ActionStates(Session& session, WindowRooms& rooms, Actions& actions, QComboBox& colours, QObject* parent)
@@ -40,6 +47,7 @@ ActionStates::ActionStates(Session& session, WindowRooms& rooms, Actions& action
         m_rooms.deck->showScenario();
         refresh();
     });
+    connect(rooms.evidence.get(), &EvidenceDisplay::changed, this, [this] { offerPhotograph(*m_rooms.evidence, m_actions); });
     connectUndo();
 }
 
@@ -99,6 +107,7 @@ void ActionStates::refresh() {
     m_actions[ActionId::NoTerrain].setEnabled(has(InputRole::Terrain));
     m_actions[ActionId::NoSurroundings].setEnabled(has(InputRole::Orthophoto) || has(InputRole::Surroundings));
     m_actions[ActionId::CompareSurvey].setEnabled(finished && has(InputRole::Survey));
+    offerPhotograph(*m_rooms.evidence, m_actions);
     m_colours.setEnabled(have);
     m_rooms.playback->refresh(record != nullptr && computation.runStale(document.scenario()));
     m_rooms.runs->showBusy();

@@ -87,7 +87,19 @@ bool KeyRules::ours(const QWidget& widget) const {
                                 top->parentWidget()->window() == &m_window);
 }
 
+/// Qt hands the focus of what is hidden or disabled to the next widget, as if somebody had pressed Tab.
+bool KeyRules::handedOn(const QFocusEvent& event) const {
+    return event.reason() == Qt::TabFocusReason && m_focus != nullptr && (!m_focus->isVisible() || !m_focus->isEnabled());
+}
+
 void KeyRules::noteFocus(QWidget& widget, const QFocusEvent& event) {
+    const bool passedOn = handedOn(event);
+    m_focus = &widget;
+    if (passedOn) {
+        m_byKeyboard = false;
+        QMetaObject::invokeMethod(this, &KeyRules::leaveFields, Qt::QueuedConnection);
+        return;
+    }
     switch (event.reason()) {
         case Qt::TabFocusReason:
         case Qt::BacktabFocusReason:

@@ -15,6 +15,7 @@ namespace rubble {
 
 /// Who gets a key of the main window: what has the focus, or the action that has the same key.
 /// - Space pushes only what was reached by the keyboard, and belongs to the transport else.
+/// - What vanishes or can be used no longer gives the keys to the window, not to whatever comes next.
 /// - Characters of numbers do nothing beside the fields of a form: who types them there missed a field.
 /// - Esc leaves a field as it was, or closes what is open in front; only when nothing is, it cancels what runs.
 class KeyRules : public QObject {
@@ -39,6 +40,7 @@ protected:
 private:
     bool ours(const QWidget& widget) const;
     void noteFocus(QWidget& widget, const QFocusEvent& event);
+    bool handedOn(const QFocusEvent& event) const;
     bool takesKey(const QKeyEvent& key) const;
     bool escapes() const;
     bool escape();
@@ -47,6 +49,7 @@ private:
     std::vector<const QWidget*> m_forms;
     std::vector<Closable> m_closables;
     bool m_byKeyboard = false;  ///< what has the focus was reached by the keyboard
+    QPointer<QWidget> m_focus;  ///< had the focus last
     QPointer<QLineEdit> m_field;
     QString m_before;  ///< what the field held when it got the focus
 };

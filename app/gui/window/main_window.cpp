@@ -11,6 +11,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <array>
@@ -43,12 +44,16 @@ namespace {
 constexpr std::array<std::pair<ActionId, const char*>, 3> themeActions{
     {{ActionId::ThemeSystem, "system"}, {ActionId::ThemeLight, "light"}, {ActionId::ThemeDark, "dark"}}};
 
+/// px, of the frame that a window manager puts around a window: the foot of the window stays on the screen.
+constexpr QSize roomOfFrame(8, 36);
+
 }  // namespace
 
 struct MainWindow::Kept {
     std::optional<LayoutMemory::Layout> layout;  ///< of an earlier window; unset: this is the first one
     bool keepsLayout = false;                    ///< also from one start of the program to the next
     bool preferencesOpen = false;
+    bool toldOfCase = false;  ///< the sentence of the status line is about the case that is open
     QString manualPage;  ///< that was open; empty: none was
 };
 
@@ -129,6 +134,13 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::failed, this, &MainWindow::showFailure);
     connect(&m_session.computation(), &Computation::failed, this, &MainWindow::showFailure);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
+    // What came of the case before is not about this one; what the start had to say stays.
+    connect(&m_session, &Session::told, this, [this] { m_kept.toldOfCase = true; });
+    connect(&m_session.document(), &Document::replaced, this, [this] {
+        if (std::exchange(m_kept.toldOfCase, false)) {
+            m_status->setMessage({});
+        }
+    });
     connect(&m_session, &Session::preferencesChanged, this, [this] {
         const widgets::Preferences& now = m_session.preferences();
         figures::chooseColours(now.colours);
@@ -179,10 +191,12 @@ void MainWindow::showFailure(const Failure& failure) {
     m_rooms->deck->showFailure(failure);
     m_area->setError(failure.what(), failure.remedy());
     m_status->setMessage(failure.what());
+    m_kept.toldOfCase = true;
 }
 
 void MainWindow::restoreLayout() {
     m_kept.keepsLayout = true;
+    resize(size().boundedTo(screen()->availableSize() - roomOfFrame));
     m_layout->restore();
     // It comes with a selection, and there is none yet.
     m_rooms->inspection->dock("inspectorDock").hide();

@@ -1,5 +1,7 @@
 #include "app/gui/window/window_rooms.h"
 
+#include <QStackedWidget>
+#include <QTimer>
 #include <vector>
 
 #include "app/gui/evidence/ensemble_display.h"
@@ -16,7 +18,9 @@
 #include "widgets/evidence/cause_chart.h"
 #include "widgets/evidence/causes_page.h"
 #include "widgets/views/history_panel.h"
+#include "widgets/run/health_list.h"
 #include "widgets/views/status_line.h"
+#include "widgets/views/timeline.h"
 
 namespace rubble {
 
@@ -31,6 +35,49 @@ std::vector<double> errorStepsFor(const std::vector<double>& tolerances) {
         }
     }
     return steps;
+}
+
+}  // namespace
+
+namespace {
+
+/// Scrolls to a part of a panel, its top first.
+void reach(widgets::Panel& panel, QWidget& part) {
+    // A panel that comes into sight has its final size a little later.
+    QTimer::singleShot(0, &part, [&panel, &part] {
+        const int top = part.mapTo(panel.widget(), QPoint(0, 0)).y();
+        panel.ensureVisible(0, top + part.height(), 0, 0);
+        panel.ensureVisible(0, top, 0, 0);
+    });
+}
+
+bool shows(const widgets::Panel& panel, const QWidget& part) {
+    return part.isVisibleTo(&panel);
+}
+
+/// The next panel that has findings, from the one shown on.
+void showFindings(PanelDeck& deck) {
+    QStackedWidget& stack = deck.stack();
+    for (int step = 1; step <= stack.count(); ++step) {
+        const int entry = (stack.currentIndex() + step) % stack.count();
+        auto* panel = qobject_cast<widgets::Panel*>(stack.widget(entry));
+        auto* list = panel != nullptr ? panel->findChild<widgets::FindingList*>() : nullptr;
+        if (list != nullptr && shows(*panel, *list)) {
+            deck.choose(static_cast<PanelDeck::Entry>(entry));
+            reach(*panel, *list);
+            return;
+        }
+    }
+}
+
+/// What was passed; of a run that was stopped, which has no list of it, the first instant.
+void showHealth(PanelDeck& deck, widgets::Timeline& timeline) {
+    deck.choose(PanelDeck::Run);
+    if (shows(deck.run(), deck.run().health())) {
+        reach(deck.run(), deck.run().health());
+    } else {
+        emit timeline.markChosen(0);
+    }
 }
 
 }  // namespace
@@ -82,6 +129,14 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
                      [this](const QString& path) { opening->open(path, true); });
     QObject::connect(project.get(), &ProjectDisplay::recoverRequested, opening.get(), &Opening::recover);
     QObject::connect(&parts.status, &widgets::StatusLine::cancelRequested, &session.computation(), &Computation::cancel);
+    QObject::connect(&parts.status, &widgets::StatusLine::figureChosen, deck.get(),
+                     [this, timeline = &parts.timeline](widgets::StatusLine::Figure figure) {
+                         if (figure == widgets::StatusLine::Figure::Findings) {
+                             showFindings(*deck);
+                         } else {
+                             showHealth(*deck, *timeline);
+                         }
+                     });
 }
 
 // The rooms end before the widgets that they fill, the last one first.

@@ -11428,6 +11428,90 @@
         <source>{0}: the first line does not name the columns of measured points</source>
         <translation>{0}：第一行没有写明测量点的各列</translation>
     </message>
+    <message>
+        <source>Begin each part once, with text below: # custody, # alternatives, # change, # summary.</source>
+        <translation>每部分只开始一次，其下有文字：# custody、# alternatives、# change、# summary。</translation>
+    </message>
+    <message>
+        <source>Give several cases or FE results, or a case with several scenarios.</source>
+        <translation>给出几个案例或有限元结果，或一个含几个方案的案例。</translation>
+    </message>
+    <message>
+        <source>Make it anew: rubble-cli compare CAUSES --against KIND=FILE --json &gt; FILE.</source>
+        <translation>重新生成：rubble-cli compare CAUSES --against KIND=FILE --json &gt; FILE。</translation>
+    </message>
+    <message>
+        <source>Name a file that exists and may be read.</source>
+        <translation>请指定存在且可读取的文件。</translation>
+    </message>
+    <message>
+        <source>Name a text file that exists and may be read.</source>
+        <translation>请指定存在且可读取的文本文件。</translation>
+    </message>
+    <message>
+        <source>There are no two causes that further evidence could tell apart.</source>
+        <translation>没有两个可由进一步证据区分的原因。</translation>
+    </message>
+    <message>
+        <source>Trying which evidence would tell</source>
+        <translation>正在尝试哪种证据能够说明</translation>
+    </message>
+    <message>
+        <source>a heading without text</source>
+        <translation>没有文字的标题</translation>
+    </message>
+    <message>
+        <source>heights of all debris</source>
+        <translation>全部堆积物的高度</translation>
+    </message>
+    <message>
+        <source>heights of the part x = {0} to {1}, y = {2} to {3} m</source>
+        <translation>x = {0} 至 {1}、y = {2} 至 {3} m 部分的高度</translation>
+    </message>
+    <message>
+        <source>no cause is ranked</source>
+        <translation>没有原因被排序</translation>
+    </message>
+    <message>
+        <source>outline of all debris</source>
+        <translation>全部堆积物的轮廓</translation>
+    </message>
+    <message>
+        <source>outline of the part x = {0} to {1}, y = {2} to {3} m</source>
+        <translation>x = {0} 至 {1}、y = {2} 至 {3} m 部分的轮廓</translation>
+    </message>
+    <message>
+        <source>photograph of the debris at rest from x = {0}, y = {1}, towards its middle</source>
+        <translation>从 x = {0}、y = {1} 朝堆积物中部拍摄的静止照片</translation>
+    </message>
+    <message>
+        <source>run rubble-cli validate once with this version, or Help &gt; Validation</source>
+        <translation>用此版本运行一次 rubble-cli validate，或“帮助 &gt; 验证”</translation>
+    </message>
+    <message>
+        <source>shorten it to 3,000 letters</source>
+        <translation>缩短到 1,500 个汉字</translation>
+    </message>
+    <message>
+        <source>text before the first heading</source>
+        <translation>首个标题之前的文字</translation>
+    </message>
+    <message>
+        <source>the program was not held against measured falls on this machine: its error is not known</source>
+        <translation>本机上没有把程序与实测的下落比较：其误差未知</translation>
+    </message>
+    <message>
+        <source>the summary in plain language is longer than a page</source>
+        <translation>通俗摘要超过一页</translation>
+    </message>
+    <message>
+        <source>{0} is not what rubble-cli compare --json prints of causes and evidence: {1}</source>
+        <translation>{0} 不是 rubble-cli compare --json 打印的原因和证据：{1}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2} is no part of what a report lets its author say</source>
+        <translation>{0} 第 {1} 行：{2} 不属于报告中由作者说明的部分</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -15748,6 +15832,126 @@
         <source>and by a blow more than twice as hard as any that the engine had given them</source>
         <translation>以及因冲击超过引擎所给两倍而失效的</translation>
     </message>
+    <message>
+        <source>comparison of causes</source>
+        <translation>原因的比较</translation>
+    </message>
+    <message>
+        <source>words of the author</source>
+        <translation>作者的说明</translation>
+    </message>
+    <message>
+        <source>Who held these files before this report was made, and what was done to them, is not said here.</source>
+        <translation>此处没有说明在编写本报告之前由谁保管这些文件，以及对其做过什么。</translation>
+    </message>
+    <message>
+        <source>Custody of the material</source>
+        <translation>材料的保管</translation>
+    </message>
+    <message>
+        <source>What was read</source>
+        <translation>所读取的内容</translation>
+    </message>
+    <message>
+        <source>Summary in plain language</source>
+        <translation>通俗摘要</translation>
+    </message>
+    <message>
+        <source>Other causes</source>
+        <translation>其他原因</translation>
+    </message>
+    <message>
+        <source>This report is about the cause that the FE result assumes. It does not say which other causes were considered.</source>
+        <translation>本报告针对有限元结果所假定的原因，没有说明考虑过哪些其他原因。</translation>
+    </message>
+    <message>
+        <source>%1 causes were held against the same evidence (%2), each with an ensemble in which what is not known was varied.</source>
+        <translation>%1 个原因与同样的证据（%2）比较，各有一个系综，其中未知的量有所变动。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The evidence lies outside of what the members of %1 do, which comes closest: perhaps none of these is the cause.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;证据在最接近的 %1 的成员所及之外：这些可能都不是原因。&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 comes closest, and the evidence tells it from all others.</source>
+        <translation>%1 最接近，且证据能将其与其余全部区分。</translation>
+    </message>
+    <message>
+        <source>%1 comes closest, but the evidence cannot tell it from %2.</source>
+        <translation>%1 最接近，但证据不能将其与 %2 区分。</translation>
+    </message>
+    <message>
+        <source>Supposed causes, the closest to the evidence first; a cause is excluded where at least 70 % is certain</source>
+        <translation>假定的原因，最接近证据者在前；确定至少有 70 % 时，原因被排除</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>members</source>
+        <translation>成员</translation>
+    </message>
+    <message>
+        <source>pairs in which the closest is closer</source>
+        <translation>最接近者更接近的成员对</translation>
+    </message>
+    <message>
+        <source>at least, 95 %</source>
+        <translation>至少，95 %</translation>
+    </message>
+    <message>
+        <source>closest</source>
+        <translation>最接近</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>已排除</translation>
+    </message>
+    <message>
+        <source>not excluded</source>
+        <translation>未排除</translation>
+    </message>
+    <message>
+        <source>From the comparison of causes among the files that this report rests on</source>
+        <translation>来自本报告所依据文件中的原因比较</translation>
+    </message>
+    <message>
+        <source>Which evidence would tell</source>
+        <translation>哪种证据能够说明</translation>
+    </message>
+    <message>
+        <source>Each of %1 members in turn was what happened, seen without error, and its cause was looked for. This is what could be told at best; the first of %2 pieces that were tried is flattered by chance.</source>
+        <translation>%1 个成员轮流充当实际所发生的，无误差地观测并寻找其原因。这是所能告知的上限；所尝试的 %2 项中居首者有偶然的成分。</translation>
+    </message>
+    <message>
+        <source>Further evidence, that which names the cause rightly most often first</source>
+        <translation>进一步的证据，最常正确指出原因者在前</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>named rightly</source>
+        <translation>正确指出</translation>
+    </message>
+    <message>
+        <source>named wrongly</source>
+        <translation>错误指出</translation>
+    </message>
+    <message>
+        <source>what is at hand</source>
+        <translation>现有证据</translation>
+    </message>
+    <message>
+        <source>and %1</source>
+        <translation>另加%1</translation>
+    </message>
+    <message>
+        <source>What would change the opinion</source>
+        <translation>什么会改变意见</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -17229,6 +17433,54 @@ What the file fits: %2.</source>
     <message>
         <source>not known</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>Which evidence would tell</source>
+        <translation>哪种证据能够说明</translation>
+    </message>
+    <message>
+        <source>Which evidence would tell %1 apart. Each of %2 members in turn is what happened, seen without error.</source>
+        <translation>哪种证据能够区分 %1。%2 个成员轮流充当实际所发生的，无误差地观测。</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>The one that names the cause most often first; the first of many is flattered by chance</source>
+        <translation>最常指出原因者在前；许多项中居首者有偶然的成分</translation>
+    </message>
+    <message>
+        <source>named rightly</source>
+        <translation>正确指出</translation>
+    </message>
+    <message>
+        <source>Trials in which the true cause is told from the others, with what is at hand</source>
+        <translation>连同现有证据，真正的原因能与其余区分的试验</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Interval of that share</source>
+        <translation>该份额的区间</translation>
+    </message>
+    <message>
+        <source>named wrongly</source>
+        <translation>错误指出</translation>
+    </message>
+    <message>
+        <source>Trials in which another cause is told from the others</source>
+        <translation>另一原因被认定的试验</translation>
+    </message>
+    <message>
+        <source>what is at hand</source>
+        <translation>现有证据</translation>
+    </message>
+    <message>
+        <source>and %1</source>
+        <translation>另加%1</translation>
     </message>
 </context>
 <context>

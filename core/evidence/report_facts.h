@@ -12,6 +12,7 @@
 #include "core/analysis/debris/debris_measures.h"
 #include "core/evidence/cautions.h"
 #include "core/evidence/ensembles/ensemble.h"
+#include "core/evidence/ensembles/telling_evidence.h"
 #include "core/evidence/maps/run_map.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/evidence/surveys/survey_comparison.h"
@@ -23,7 +24,7 @@ namespace rubble {
 
 /// A file that a report rests on, as it was found when the report was made.
 struct ReportFile {
-    std::string role;  ///< "fe", "terrain", "photograph", "survey", "run", "case"
+    std::string role;  ///< "fe", "terrain", "photograph", "survey", "run", "case", "words"
     std::string path;
     std::string sha256;
 };
@@ -59,12 +60,41 @@ struct ReportCheck {
     std::string unit;
 };
 
+/// What standards for the reports of experts ask for and no program can say, in the words of who answers for the report. Plain
+/// text; a blank line ends a paragraph, a line that begins with "- " is a point of a list. Empty: not said.
+struct OwnWords {
+    std::string custody;       ///< who held the material before, and what was done to it
+    std::string alternatives;  ///< other causes that were considered, and how each was excluded
+    std::string change;        ///< what would change the opinion
+    std::string summary;       ///< on one page, for readers who are no engineers
+};
+
+/// A supposed cause, held against the evidence among others.
+struct ReportCause {
+    std::string name;
+    std::int64_t members = 0;
+    Superiority closestOver;  ///< in how many pairs of members the closest cause is closer; of that one itself without meaning
+    bool apart = false;       ///< the evidence tells it from the closest one
+};
+
+/// What came of a comparison of causes.
+struct ReportCauses {
+    std::vector<ReportCause> ranked;  ///< the closest first
+    std::vector<std::string> evidence;
+    bool toldApart = false;
+    bool unexplained = false;  ///< perhaps none of them is the cause
+    BlindShare atHand;         ///< no trial: it was not asked which evidence would tell
+    std::vector<FurtherEvidence> further;
+};
+
 /// Everything that a report of one run says, as values that trace to the run: text and pictures are made from this.
 struct ReportFacts {
     std::string title;
     std::string question;
     std::string author;
-    std::string when;  ///< UTC
+    OwnWords words;
+    std::optional<ReportCauses> causes;  ///< unset: none were compared
+    std::string when;                    ///< UTC
     std::string machine;
 
     std::string casePath;  ///< empty: made from the run alone

@@ -1,10 +1,24 @@
 #include "core/evidence/report_gaps.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace rubble {
 
 namespace {
+
+/// Characters that fill a page; Chinese ones say about twice as much each.
+bool fillsAPage(const std::string& text) {
+    constexpr std::size_t page = 3000;
+    std::size_t taken = 0;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        // Bytes within a character are not counted; those of East Asian scripts begin with 0xE3 and above.
+        taken += (byte & 0xC0U) == 0x80U ? 0 : byte >= 0xE3U ? 2 : 1;
+    }
+    return taken > page;
+}
 
 void addPerson(Findings& gaps, const ReportFacts& facts) {
     if (facts.question.empty()) {
@@ -14,6 +28,10 @@ void addPerson(Findings& gaps, const ReportFacts& facts) {
     if (facts.author.empty()) {
         gaps.add({"report.gap.author", "the report does not say who makes it", {}},
                  {"report.gap.author.remedy", "name who answers for it: --by, or in the panel", {}});
+    }
+    if (fillsAPage(facts.words.summary)) {
+        gaps.add({"report.gap.summary", "the summary in plain language is longer than a page", {}},
+                 {"report.gap.summary.remedy", "shorten it to 3,000 letters", {}});
     }
 }
 
@@ -62,6 +80,12 @@ void addReliability(Findings& gaps, const ReportFacts& facts, const ReportPlan& 
         gaps.add({"report.gap.self_test", "the program was not tested on this machine", {}},
                  {"report.gap.self_test.remedy", "let the self-test run: --self-test closed-form", {}});
     }
+    if (facts.validation.empty()) {
+        gaps.add({"report.gap.validation",
+                  "the program was not held against measured falls on this machine: its error is not known",
+                  {}},
+                 {"report.gap.validation.remedy", "run rubble-cli validate once with this version, or Help > Validation", {}});
+    }
     if (facts.points.empty()) {
         gaps.add({"report.gap.accuracy", "how far these settings are from the reference is not known", {}},
                  {"report.gap.accuracy.remedy", "measure it with rubble-cli accuracy, or in the panel Accuracy", {}});
@@ -92,13 +116,21 @@ Findings reportGaps(const ReportFacts& facts, const ReportPlan& plan) {
     return gaps;
 }
 
-std::vector<Message> reportOwnWords() {
-    return {
-        {"report.own.custody", "who held the material before it came here, and what was done to it", {}},
-        {"report.own.alternatives", "which other causes were considered, and how each was excluded (rubble-cli compare)", {}},
-        {"report.own.change", "what would change the opinion", {}},
-        {"report.own.summary", "a summary of one page in plain language", {}},
+std::vector<Message> reportOwnWords(const ReportFacts& facts) {
+    const OwnWords& said = facts.words;
+    const bool compared = facts.causes.has_value();
+    std::vector<Message> missing;
+    const auto ask = [&](const std::string& words, Message what) {
+        if (words.empty()) {
+            missing.push_back(std::move(what));
+        }
     };
+    ask(said.custody, {"report.own.custody", "who held the material before it came here, and what was done to it", {}});
+    ask(compared ? "compared" : said.alternatives,
+        {"report.own.alternatives", "which other causes were considered, and how each was excluded (rubble-cli compare)", {}});
+    ask(said.change, {"report.own.change", "what would change the opinion", {}});
+    ask(said.summary, {"report.own.summary", "a summary of one page in plain language", {}});
+    return missing;
 }
 
 }  // namespace rubble

@@ -14,11 +14,13 @@ struct ReportPlan {
 };
 
 /// What a report lacks that standards for the reports of experts ask for, by their public abstracts (ASTM E620, E860, E2713,
-/// E3176): the question and who answers it, the material and where it comes from, tests of the program, known distance to the
-/// reference, results with intervals, what was not known. One finding for each, with what to do about it.
+/// E3176): the question and who answers it, the material and where it comes from, tests of the program, validation, known distance
+/// to the reference, results with intervals, what was not known, and of a summary that it fits on a page. One finding for each,
+/// with what to do about it.
 Findings reportGaps(const ReportFacts& facts, const ReportPlan& plan);
 
-/// What these standards ask for as well, and no program can say.
-std::vector<Message> reportOwnWords();
+/// What these standards ask for as well and no program can say, as far as its author has not said it; causes that were
+/// compared count as said.
+std::vector<Message> reportOwnWords(const ReportFacts& facts);
 
 }  // namespace rubble

@@ -17,6 +17,8 @@
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
+#include "io/exports/compared_causes.h"
+#include "io/exports/own_words.h"
 #include "io/exports/survey_files.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
@@ -242,6 +244,9 @@ ReportFacts identityOf(const ReportRequest& request) {
     ReportFacts facts;
     facts.question = request.question;
     facts.author = request.author;
+    if (!request.wordsPath.empty()) {
+        facts.words = readOwnWords(request.wordsPath);
+    }
     facts.when = utcNow();
     facts.machine = machineText();
     facts.casePath = request.casePath;
@@ -346,6 +351,13 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     facts.cautions = runCautions(standingOf(*request.run));
     facts.acknowledged = taint.acknowledgement;
     addFiles(facts, request, execution);
+    if (!request.causesPath.empty()) {
+        facts.causes = readComparedCauses(request.causesPath);
+        facts.files.push_back({"causes", request.causesPath, sha256OfFile(request.causesPath)});
+    }
+    if (!request.wordsPath.empty()) {
+        facts.files.push_back({"words", request.wordsPath, sha256OfFile(request.wordsPath)});
+    }
     execution.report({"report.measuring", "Measuring the debris", {}}, 0.1);
     facts.atRest = figuresAt(facts, request, DebrisInstant::AtRest);
     execution.check();

@@ -27,6 +27,8 @@ struct ReportRequest {
     std::string title;              ///< empty: that of the case
     std::string question;
     std::string author;
+    std::string causesPath;   ///< of a comparison of causes, as readComparedCauses() reads it; empty: none
+    std::string wordsPath;    ///< of what the author says, as readOwnWords() reads it; empty: nothing
     int repeats = 2;          ///< simulated anew for the uncertainty; 0: none
     std::string studyFolder;  ///< where studies are kept; empty: no accuracy and no ensemble
 };

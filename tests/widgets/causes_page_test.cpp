@@ -58,6 +58,33 @@ QString noticesOf(const QWidget& page) {
     return text;
 }
 
+TEST(CausesPage, SaysWhichEvidenceWouldTell) {
+    const std::vector<Hypothesis> hypotheses{{"scour", ensembleAt(0)}, {"crown struck", ensembleAt(30)}};
+    CausesPage page;
+    page.resize(880, 900);
+    CausesPage::Content content = compared(hypotheses, 30);
+    page.setContent(content);
+    page.show();
+    const auto table = [&]() -> QTableWidget* {
+        for (QTableWidget* each : page.findChildren<QTableWidget*>()) {
+            if (each->accessibleName() == QStringLiteral("Which evidence would tell")) {
+                return each;
+            }
+        }
+        return nullptr;
+    };
+    ASSERT_NE(table(), nullptr);
+    EXPECT_FALSE(table()->isVisible()) << "it was not looked for";
+    content.further = std::make_shared<const TellingEvidence>(
+        tellingEvidence(hypotheses, {}, std::vector<std::size_t>{0, 1}, SiteSurface{}, Execution()));
+    page.setContent(content);
+    EXPECT_TRUE(table()->isVisible());
+    EXPECT_EQ(table()->rowCount(), 8);
+    EXPECT_EQ(table()->item(0, 0)->text(), QStringLiteral("outline of all debris"));
+    EXPECT_EQ(table()->item(0, 1)->text(), QStringLiteral("100 %"));
+    EXPECT_EQ(table()->item(0, 2)->text(), QStringLiteral("86 % to 100 %"));
+}
+
 TEST(CausesPage, NamesTheCauseByWhatAndWhere) {
     CausesPage page;
     page.resize(880, 700);

@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -78,7 +79,9 @@ CausesPage::CausesPage(QWidget* parent)
       m_telling(new QLabel),
       m_table(new QTableWidget),
       m_blindTitle(new QLabel),
-      m_blind(new QTableWidget) {
+      m_blind(new QTableWidget),
+      m_furtherTitle(new QLabel),
+      m_further(new QTableWidget) {
     setObjectName(QStringLiteral("panelBody"));
     setAttribute(Qt::WA_StyledBackground);
     auto* outer = new QVBoxLayout(this);
@@ -118,6 +121,11 @@ CausesPage::CausesPage(QWidget* parent)
     bold.setWeight(QFont::DemiBold);
     m_blindTitle->setFont(bold);
     m_blindTitle->setWordWrap(true);
+    m_furtherTitle->setFont(bold);
+    m_furtherTitle->setWordWrap(true);
+    column->addWidget(m_furtherTitle);
+    prepare(*m_further, tr("Which evidence would tell"));
+    column->addWidget(m_further);
     column->addWidget(m_blindTitle);
     prepare(*m_blind, tr("Blind test"));
     column->addWidget(m_blind);
@@ -171,6 +179,7 @@ void CausesPage::setContent(const Content& content) {
     showVerdict();
     showTelling();
     showRanking();
+    showFurther();
     showBlind();
 }
 
@@ -255,6 +264,49 @@ void CausesPage::showRanking() {
     }
     m_table->resizeColumnsToContents();
     fitHeight(*m_table);
+}
+
+void CausesPage::showFurther() {
+    constexpr std::size_t shown = 8;
+    m_further->setRowCount(0);
+    const auto& further = m_content.further;
+    const bool any = further != nullptr && !further->ranked.empty();
+    m_further->setVisible(any);
+    m_furtherTitle->setVisible(any);
+    if (!any) {
+        return;
+    }
+    QStringList causes;
+    for (const std::size_t cause : further->causes) {
+        causes << QString::fromStdString(cause < m_content.causes.size() ? m_content.causes[cause] : std::string());
+    }
+    m_furtherTitle->setText(
+        tr("Which evidence would tell %1 apart. Each of %2 members in turn is what happened, seen without error.")
+            .arg(causes.join(QStringLiteral(", ")), shownCount(further->ranked.front().named.trials)));
+    setHeads(*m_further,
+             {{tr("evidence"), tr("The one that names the cause most often first; the first of many is flattered by chance")},
+              {tr("named rightly"), tr("Trials in which the true cause is told from the others, with what is at hand")},
+              {tr("95 %"), tr("Interval of that share")},
+              {tr("named wrongly"), tr("Trials in which another cause is told from the others")}});
+    const auto add = [&](const QString& name, const BlindShare& named) {
+        const int line = m_further->rowCount();
+        m_further->insertRow(line);
+        const double wrong = static_cast<double>(named.wrong) / static_cast<double>(std::max<std::int64_t>(named.trials, 1));
+        m_further->setItem(line, 0, tableCell(name, true, name));
+        m_further->setItem(line, 1, tableCell(shownShare(named.share(), 0), false, {}));
+        m_further->setItem(line, 2,
+                           tableCell(tr("%1 to %2").arg(shownShare(named.low(), 0), shownShare(named.high(), 0)), false, {}));
+        m_further->setItem(line, 3, tableCell(shownShare(wrong, 0), false, {}));
+    };
+    if (further->atHand.trials > 0) {
+        add(tr("what is at hand"), further->atHand);
+    }
+    for (std::size_t k = 0; k < std::min(shown, further->ranked.size()); ++k) {
+        const QString name = worded(further->ranked[k].words());
+        add(further->atHand.trials > 0 ? tr("and %1").arg(name) : name, further->ranked[k].named);
+    }
+    m_further->resizeColumnsToContents();
+    fitHeight(*m_further);
 }
 
 void CausesPage::showBlind() {

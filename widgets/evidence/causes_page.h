@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evidence/ensembles/cause_comparison.h"
+#include "core/evidence/ensembles/telling_evidence.h"
 #include "widgets/figures/map_picture.h"
 
 class QLabel;
@@ -30,7 +31,8 @@ public:
         std::shared_ptr<const CauseComparison> comparison;  ///< null: there was no evidence, or nothing was compared
         std::shared_ptr<const DebrisMap> separation;        ///< null: no evidence on the ground
         std::vector<BlindTest> blind;
-        std::vector<std::string> causes;  ///< in the order of the blind tests
+        std::shared_ptr<const TellingEvidence> further;  ///< null: it was not looked for
+        std::vector<std::string> causes;                 ///< in the order of the blind tests
         figures::MapPictureStyle place;
         bool stale = false;  ///< of other causes, evidence or settings
     };
@@ -53,6 +55,7 @@ private:
     void showTelling();
     void showRanking();
     void showBlind();
+    void showFurther();
 
     Content m_content;
     QLabel* m_sentence;
@@ -70,6 +73,8 @@ private:
     QTableWidget* m_table;
     QLabel* m_blindTitle;
     QTableWidget* m_blind;
+    QLabel* m_furtherTitle;
+    QTableWidget* m_further;
 };
 
 }  // namespace rubble::widgets

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 
 #include "app/cli/accuracy/study_place.h"
 #include "app/cli/evidence/ensemble_output.h"
@@ -12,6 +13,7 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "core/evidence/ensembles/cause_comparison.h"
+#include "core/evidence/ensembles/telling_evidence.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
@@ -266,6 +268,75 @@ Json blindJson(const BlindTest& test) {
             {"noticed_left_out", test.noticed}};
 }
 
+/// Causes that are to be told apart: those that the evidence could not, or all.
+std::optional<TellingEvidence> furtherEvidence(const std::vector<Hypothesis>& hypotheses,
+                                               const std::optional<CauseComparison>& made, const CauseEvidence& atHand,
+                                               const Causes& causes, const Arguments& arguments, Session& session) {
+    if (!arguments.has("--which-evidence")) {
+        return {};
+    }
+    std::vector<std::size_t> apart(hypotheses.size());
+    std::iota(apart.begin(), apart.end(), std::size_t{0});
+    if (made) {
+        apart = notToldApart(*made);
+    }
+    const EnsembleScene& scene = causes.subjects.front().scenes.front();
+    const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
+    return tellingEvidence(hypotheses, atHand, apart, ground, session.execution());
+}
+
+Json blindShareJson(const BlindShare& named) {
+    return {{"trials", named.trials},       {"right", named.right},           {"wrong", named.wrong},
+            {"right_share", named.share()}, {"right_share_low", named.low()}, {"right_share_high", named.high()}};
+}
+
+Json tellingJson(const TellingEvidence& telling, const std::vector<std::string>& names) {
+    Json object;
+    object["causes"] = Json::array();
+    for (const std::size_t cause : telling.causes) {
+        object["causes"].push_back(names[cause]);
+    }
+    object["at_hand"] = telling.atHand.trials > 0 ? blindShareJson(telling.atHand) : Json();
+    object["ranked"] = Json::array();
+    for (const FurtherEvidence& each : telling.ranked) {
+        Json row = blindShareJson(each.named);
+        row["words"] = englishText(each.words());
+        row["kind"] = evidenceKindName(each.kind);
+        row["part_m"] =
+            each.part ? Json{each.part->min().x(), each.part->min().y(), each.part->max().x(), each.part->max().y()} : Json();
+        row["from_m"] = each.from ? Json{each.from->x(), each.from->y()} : Json();
+        object["ranked"].push_back(std::move(row));
+    }
+    return object;
+}
+
+void printTelling(std::ostream& out, const TellingEvidence& telling, const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 12;
+    std::string list;
+    for (const std::size_t cause : telling.causes) {
+        list += (list.empty() ? "" : ", ") + names[cause];
+    }
+    printHeading(out, "Which evidence would tell " + list + " apart");
+    TextTable table(
+        {{"evidence", "evidence"}, {"named rightly", "right"}, {"at least", "low"}, {"at most", "high"}, {"wrongly", "wrong"}});
+    const auto add = [&](const std::string& name, const BlindShare& named) {
+        const auto trials = static_cast<double>(std::max<std::int64_t>(named.trials, 1));
+        table.add({textCell(name), textCell(percent(named.share())), textCell(percent(named.low())),
+                   textCell(percent(named.high())), textCell(percent(static_cast<double>(named.wrong) / trials))});
+    };
+    if (telling.atHand.trials > 0) {
+        add("what is at hand", telling.atHand);
+    }
+    for (std::size_t k = 0; k < std::min(shown, telling.ranked.size()); ++k) {
+        add((telling.atHand.trials > 0 ? "and " : "") + englishText(telling.ranked[k].words()), telling.ranked[k].named);
+    }
+    table.print(out);
+    out << "Each of " << englishInteger(telling.ranked.empty() ? 0 : telling.ranked.front().named.trials)
+        << " members in turn was what happened, seen without error. "
+        << englishInteger(static_cast<std::int64_t>(telling.ranked.size()))
+        << " pieces of evidence were tried; the first of many is flattered by chance.\n";
+}
+
 void printComparison(std::ostream& out, const CauseComparison& made) {
     printHeading(out, "Which cause");
     rankTable(made).print(out);
@@ -359,6 +430,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
             blind.push_back(blindTest(hypotheses, kind, session.execution()));
         }
     }
+    const std::optional<TellingEvidence> telling = furtherEvidence(hypotheses, made, evidence, causes, arguments, session);
     std::vector<std::string> written;
     if (made && made->separation) {
         EnsembleSubject all = causes.subjects.front();
@@ -375,6 +447,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
         for (const BlindTest& test : blind) {
             object["blind_tests"].push_back(blindJson(test));
         }
+        object["further_evidence"] = telling ? tellingJson(*telling, causes.names) : Json();
         object["causes"] = causes.names;
         object["exports"] = written;
         object["warnings"] = findingsJson(findings);
@@ -385,6 +458,9 @@ ExitCode compare(const Arguments& arguments, Session& session) {
         }
         for (const BlindTest& test : blind) {
             printBlind(session.out(), test, causes.names);
+        }
+        if (telling) {
+            printTelling(session.out(), *telling, causes.names);
         }
         for (const std::string& path : written) {
             session.out() << path << '\n';
@@ -404,6 +480,8 @@ Command compareCommand() {
         areaOption(),
         leaveOutOption(),
         {"--blind", "", false, "let each member in turn be what was observed, and say how often its cause is found"},
+        {"--which-evidence", "", false,
+         "rank further evidence by how often it would name the cause rightly, beside what is at hand"},
     };
     for (const Option& option : EnsembleRequest::options()) {
         options.push_back(option);

@@ -126,6 +126,8 @@ io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& sub
     request.title = arguments.value("--title").value_or("");
     request.question = arguments.value("--question").value_or("");
     request.author = arguments.value("--by").value_or("");
+    request.causesPath = arguments.value("--causes").value_or("");
+    request.wordsPath = arguments.value("--words").value_or("");
     request.repeats = repeatsOf(arguments);
     request.studyFolder = arguments.value("--cache").value_or(io::cacheFolder());
     return request;
@@ -144,13 +146,14 @@ ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportReques
     request.repeats = 0;
     const ReportFacts facts = io::reportFacts(request, session.execution());
     const Findings gaps = reportGaps(facts, plan);
+    const std::vector<Message> words = reportOwnWords(facts);
     if (arguments.json()) {
         Json object;
         object["run"] = request.run->path();
         object["fingerprint"] = facts.fingerprint;
         object["lacks"] = findingsJson(gaps);
         object["own_words"] = Json::array();
-        for (const Message& own : reportOwnWords()) {
+        for (const Message& own : words) {
             object["own_words"].push_back(englishText(own));
         }
         printJson(session, object);
@@ -159,8 +162,10 @@ ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportReques
         if (!gaps.empty()) {
             printFindings(session.out(), gaps);
         }
-        printHeading(session.out(), "For you to say");
-        for (const Message& own : reportOwnWords()) {
+        if (!words.empty()) {
+            printHeading(session.out(), "For you to say (--words FILE)");
+        }
+        for (const Message& own : words) {
             session.out() << "  " << englishText(own) << '\n';
         }
     }
@@ -243,6 +248,8 @@ Command reportCommand() {
              {"--title", "TEXT", false, "title (default: that of the case)"},
              {"--question", "TEXT", false, "the question that the report answers"},
              {"--by", "NAME", false, "who makes it"},
+             {"--causes", "FILE", false, "other causes that were compared: what rubble-cli compare --json printed"},
+             {"--words", "FILE", false, "what only its author can say: text with # custody, # alternatives, # change, # summary"},
              {"--repeats", "N", false, "repeats simulated for the spread of the results, 0 for none (default: 2)"},
              {"--self-test", "SCOPE", false, "all, closed-form (default) or none"},
              {"--cache", "FOLDER", false, "where studies of accuracy are kept (default: RUBBLE_CACHE, else the user's cache)"},

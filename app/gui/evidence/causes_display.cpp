@@ -426,6 +426,7 @@ void CausesDisplay::showPage() {
     if (made() != nullptr) {
         content.comparison = made()->comparison;
         content.blind = made()->blind;
+        content.further = made()->further;
         content.causes = made()->causes;
         if (made()->comparison != nullptr && made()->comparison->separation) {
             content.separation = std::shared_ptr<const DebrisMap>(made()->comparison, &*made()->comparison->separation);

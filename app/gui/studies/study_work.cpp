@@ -1,6 +1,7 @@
 #include "app/gui/studies/study_work.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "io/base/files.h"
@@ -108,6 +109,21 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
     if (causes.blind || evidence.count() == 0) {
         for (const EvidenceKind kind : {EvidenceKind::Footprint, EvidenceKind::Heights}) {
             made.blind.push_back(blindTest(made.hypotheses, kind, execution));
+        }
+    }
+    const bool open = made.comparison == nullptr || !made.comparison->ranking.decided();
+    if (made.hypotheses.size() > 1 && (open || causes.blind)) {
+        std::vector<std::size_t> apart(made.hypotheses.size());
+        std::iota(apart.begin(), apart.end(), std::size_t{0});
+        if (made.comparison != nullptr) {
+            apart = notToldApart(*made.comparison);
+        }
+        // A cause without a member that could be compared is told from none.
+        if (apart.size() > 1) {
+            const EnsembleScene& scene = sources.front().scenes.front();
+            const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
+            made.further =
+                std::make_shared<const TellingEvidence>(tellingEvidence(made.hypotheses, evidence, apart, ground, execution));
         }
     }
     return made;

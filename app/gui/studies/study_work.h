@@ -8,6 +8,7 @@
 #include "app/gui/session/time_left.h"
 #include "app/gui/session/worker.h"
 #include "core/evidence/ensembles/cause_comparison.h"
+#include "core/evidence/ensembles/telling_evidence.h"
 #include "io/case/ensemble_source.h"
 #include "io/site/cause_evidence.h"
 
@@ -60,6 +61,7 @@ struct MadeComparison {
     std::vector<Hypothesis> hypotheses;
     std::shared_ptr<const CauseComparison> comparison;  ///< null: there was no evidence
     std::vector<BlindTest> blind;
+    std::shared_ptr<const TellingEvidence> further;  ///< where causes could not be told apart, or blind tests were asked for
     std::vector<io::EnsembleInput> inputs;
     Frame frame;
     Site site;

@@ -60,17 +60,6 @@ void forCellsOfEither(const MemberSurface& a, const MemberSurface& b, Visit visi
     }
 }
 
-void checkHypotheses(std::span<const Hypothesis> hypotheses) {
-    for (const Hypothesis& hypothesis : hypotheses) {
-        const EnsembleReport& first = *hypotheses.front().ensemble;
-        if (!(hypothesis.ensemble->surface == first.surface) || hypothesis.ensemble->instant != first.instant) {
-            throw UsageError(
-                {"causes.cells", "The ensembles of {0} and {1} are not mapped alike.", {hypotheses.front().name, hypothesis.name}},
-                {"causes.cells.remedy", "Make both with the same cells, instant and counting of fallen structure.", {}});
-        }
-    }
-}
-
 Departures departuresOf(const Hypothesis& hypothesis, const CauseEvidence& evidence) {
     Departures departures(evidence.count());
     for (const EnsembleMember* member : hypothesis.ensemble->done()) {
@@ -292,6 +281,17 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
 
 }  // namespace
 
+void checkAlike(std::span<const Hypothesis> hypotheses) {
+    for (const Hypothesis& hypothesis : hypotheses) {
+        const EnsembleReport& first = *hypotheses.front().ensemble;
+        if (!(hypothesis.ensemble->surface == first.surface) || hypothesis.ensemble->instant != first.instant) {
+            throw UsageError(
+                {"causes.cells", "The ensembles of {0} and {1} are not mapped alike.", {hypotheses.front().name, hypothesis.name}},
+                {"causes.cells.remedy", "Make both with the same cells, instant and counting of fallen structure.", {}});
+        }
+    }
+}
+
 std::string_view evidenceKindName(EvidenceKind kind) {
     static constexpr std::array<std::string_view, 3> names{"footprint", "heights", "photograph"};
     return names[static_cast<std::size_t>(kind)];
@@ -356,7 +356,7 @@ CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const Caus
         throw UsageError({"causes.no_evidence", "There is no evidence to hold the hypotheses against.", {}},
                          {"causes.no_evidence.remedy", "Give a footprint, a height model, or photographs with an outline.", {}});
     }
-    checkHypotheses(hypotheses);
+    checkAlike(hypotheses);
     CauseComparison made;
     for (const Hypothesis& hypothesis : hypotheses) {
         made.hypotheses.push_back(hypothesis.name);
@@ -393,7 +393,7 @@ std::int64_t BlindTest::wrong() const {
 }
 
 BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, const Execution& execution) {
-    checkHypotheses(hypotheses);
+    checkAlike(hypotheses);
     const std::size_t count = hypotheses.size();
     BlindTest test;
     test.kind = kind;

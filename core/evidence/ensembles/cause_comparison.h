@@ -88,6 +88,9 @@ struct CauseComparison {
     Findings findings;
 };
 
+/// Throws UsageError for ensembles that are not mapped alike.
+void checkAlike(std::span<const Hypothesis> hypotheses);
+
 /// Compares hypotheses. Throws UsageError for ensembles on other cells or with other counting of fallen structure, no evidence, and
 /// as rankCauses().
 CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence);

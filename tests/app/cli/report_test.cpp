@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_file.h"
@@ -85,6 +86,35 @@ TEST_F(ReportCommand, CheckListsWhatItLacksAndWritesNothing) {
     EXPECT_THAT(asked.out, testing::Not(HasSubstr("report.gap.question")));
     EXPECT_THAT(asked.out, testing::Not(HasSubstr("report.gap.intervals")));
     EXPECT_FALSE(fs::exists(m_folder / "report"));
+}
+
+TEST_F(ReportCommand, SaysWhatItsAuthorSays) {
+    const std::string words = m_folder / "words.txt";
+    std::ofstream(words) << "# summary\nThe deck fell <east>.\nNobody stood there.\n\n- first\n- second\n  goes on\n"
+                         << "# custody\nHeld by the county.\n# change\nA survey of the north bank.\n";
+    ASSERT_EQ(report({m_out, "--words", words, "--self-test", "none", "--repeats", "0"}).exitCode, 0);
+    const std::string page = html();
+    EXPECT_THAT(page, HasSubstr("1  Summary in plain language</h2>\n<p>The deck fell &lt;east&gt;. Nobody stood there.</p>"));
+    EXPECT_THAT(page, HasSubstr("<li>first</li>\n<li>second goes on</li>"));
+    EXPECT_THAT(page, HasSubstr("<p>Held by the county.</p>"));
+    EXPECT_THAT(page, HasSubstr("<p>A survey of the north bank.</p>"));
+    EXPECT_THAT(page, HasSubstr("It does not say which other causes were considered"));
+    EXPECT_THAT(page, HasSubstr(io::sha256OfFile(words))) << "it is one of the files that the report rests on";
+    const Outcome check = cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--words", words, "--json"});
+    EXPECT_EQ(check.json()["own_words"].size(), 1u) << "the causes are still to be said";
+}
+
+TEST_F(ReportCommand, NamesTheLineOfWordsThatAreNoPartOfAReport) {
+    const std::string words = m_folder / "words.txt";
+    for (const auto& [text, line] :
+         {std::pair("# summary\na\n# opinion\nb\n", "line 3"), std::pair("stray\n# change\na\n", "line 1"),
+          std::pair("# change\na\n# change\nb\n", "line 3"), std::pair("# change\n\n# summary\na\n", "line 1")}) {
+        std::ofstream(words) << text;
+        const Outcome outcome = cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--words", words});
+        EXPECT_NE(outcome.exitCode, 0) << text;
+        EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("words.txt"), HasSubstr(line), HasSubstr("# custody"))) << text;
+    }
+    EXPECT_THAT(cli({"report", m_out, "--check", "--words", m_folder / "none.txt"}).err, HasSubstr("none.txt"));
 }
 
 TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
@@ -217,7 +247,8 @@ TEST_F(FigureFiles, PresetsAreDrawnInEveryFormatAndCarryTheirSource) {
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_THAT(textOf(path), HasSubstr("a) "));
     }
-    EXPECT_THAT(textOf(m_folder / "fe_against_fragments.svg"), HasSubstr("Conventional FE result (t = 0.30 s)"));
+    EXPECT_THAT(textOf(m_folder / "fe_against_fragments.svg"),
+                HasSubstr("Conventional FE result (t = 0.30 s)"));
     EXPECT_THAT(textOf(m_folder / "stages.svg"), HasSubstr("Original (t = 0.00 s"));
     for (const char* name : {"f.png", "f.pdf", "f.svg"}) {
         ASSERT_EQ(without({"figure", m_out, "--time", "0.3", "--out", m_folder / name}).exitCode, 0);

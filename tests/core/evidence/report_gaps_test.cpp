@@ -26,13 +26,53 @@ ReportFacts wholeReport() {
     facts.surveys.emplace_back();
     facts.surveys.back().comparison.emplace();
     facts.points.emplace_back();
+    facts.validation.emplace_back();
     facts.ensemble = std::make_shared<const EnsembleReport>();
     return facts;
 }
 
 TEST(ReportGaps, AWholeReportHasNone) {
     EXPECT_THAT(idsOf(reportGaps(wholeReport(), {2, true})), testing::IsEmpty());
-    EXPECT_GE(reportOwnWords().size(), 4u);
+}
+
+TEST(ReportGaps, OwnWordsAreAskedForUntilTheyAreSaid) {
+    const auto idsOfWords = [](const OwnWords& words) {
+        std::vector<std::string> ids;
+        ReportFacts facts;
+        facts.words = words;
+        for (const Message& each : reportOwnWords(facts)) {
+            ids.push_back(each.id);
+        }
+        return ids;
+    };
+    OwnWords words;
+    EXPECT_THAT(idsOfWords(words),
+                testing::ElementsAre("report.own.custody", "report.own.alternatives", "report.own.change", "report.own.summary"));
+    words.custody = words.change = "a";
+    EXPECT_THAT(idsOfWords(words), testing::ElementsAre("report.own.alternatives", "report.own.summary"));
+    words.alternatives = words.summary = "b";
+    EXPECT_THAT(idsOfWords(words), testing::IsEmpty());
+}
+
+TEST(ReportGaps, CausesThatWereComparedNeedNoWords) {
+    ReportFacts facts;
+    const std::size_t before = reportOwnWords(facts).size();
+    facts.causes.emplace();
+    EXPECT_EQ(reportOwnWords(facts).size(), before - 1);
+}
+
+TEST(ReportGaps, ASummaryFitsOnAPageInEitherScript) {
+    const auto gapsOf = [](const std::string& letter, int count) {
+        ReportFacts facts = wholeReport();
+        for (int i = 0; i < count; ++i) {
+            facts.words.summary += letter;
+        }
+        return idsOf(reportGaps(facts, {2, true}));
+    };
+    EXPECT_THAT(gapsOf("a", 3000), testing::IsEmpty());
+    EXPECT_THAT(gapsOf("a", 3001), testing::ElementsAre("report.gap.summary"));
+    EXPECT_THAT(gapsOf("桥", 1500), testing::IsEmpty());
+    EXPECT_THAT(gapsOf("桥", 1501), testing::ElementsAre("report.gap.summary"));
 }
 
 TEST(ReportGaps, EachThatIsTakenAwayIsNamedAlone) {
@@ -50,6 +90,7 @@ TEST(ReportGaps, EachThatIsTakenAwayIsNamedAlone) {
     EXPECT_THAT(without([](ReportFacts& facts) { facts.surveys.clear(); }), ElementsAre("report.gap.evidence"));
     EXPECT_THAT(without([](ReportFacts& facts) { facts.surveys[0].comparison.reset(); }), ElementsAre("report.gap.survey"));
     EXPECT_THAT(without([](ReportFacts& facts) { facts.photographs.emplace_back(); }), ElementsAre("report.gap.photograph"));
+    EXPECT_THAT(without([](ReportFacts& facts) { facts.validation.clear(); }), ElementsAre("report.gap.validation"));
     EXPECT_THAT(without([](ReportFacts& facts) { facts.points.clear(); }), ElementsAre("report.gap.accuracy"));
     EXPECT_THAT(without([](ReportFacts& facts) { facts.ensemble.reset(); }), ElementsAre("report.gap.ensemble"));
     EXPECT_THAT(without([](ReportFacts& facts) { facts.cautions.push_back({"tainted", HealthGrade::Tainted, {}}); }),

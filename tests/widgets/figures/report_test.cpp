@@ -68,6 +68,7 @@ ReportDocument smallReport() {
     }
     ReportFigure chart;
     chart.caption = "A chart";
+    chart.words = "A \"chart\" in words";
     chart.paint = [](QPainter& painter, const QRectF& area, double text) {
         ReportChart drawn;
         drawn.series = {{"line", Qt::red, true, false, {{0.0, 1.0, {}}, {1.0, 2.0, "end"}}}};
@@ -100,6 +101,7 @@ TEST_F(Report, HtmlNeedsNothingElse) {
     EXPECT_EQ(html.count("<svg"), 2) << "the equation and the chart";
     EXPECT_TRUE(html.contains("<b>Table 1.</b> Numbers"));
     EXPECT_TRUE(html.contains("<b>Figure 1.</b> A chart"));
+    EXPECT_TRUE(html.contains("<svg role=\"img\" aria-label=\"A &quot;chart&quot; in words\"")) << "for who cannot see it";
     EXPECT_EQ(html.count("</script>"), 1);
     for (const char* outside : {"src=\"http", "href=\"http", "@import", "url("}) {
         EXPECT_FALSE(html.contains(outside)) << outside;

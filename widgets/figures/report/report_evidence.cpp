@@ -13,14 +13,16 @@ namespace {
 
 /// What a file is to the case, in words.
 QString roleShown(const std::string& role) {
-    const std::array<std::pair<std::string_view, QString>, 8> names{{{"fe", ReportSections::tr("FE result")},
-                                                                     {"terrain", ReportSections::tr("terrain")},
-                                                                     {"photograph", ReportSections::tr("photograph")},
-                                                                     {"survey", ReportSections::tr("survey")},
-                                                                     {"orthophoto", ReportSections::tr("orthophoto")},
-                                                                     {"surroundings", ReportSections::tr("surroundings")},
-                                                                     {"run", ReportSections::tr("run")},
-                                                                     {"case", ReportSections::tr("case")}}};
+    const std::array<std::pair<std::string_view, QString>, 10> names{{{"fe", ReportSections::tr("FE result")},
+                                                                      {"terrain", ReportSections::tr("terrain")},
+                                                                      {"photograph", ReportSections::tr("photograph")},
+                                                                      {"survey", ReportSections::tr("survey")},
+                                                                      {"orthophoto", ReportSections::tr("orthophoto")},
+                                                                      {"surroundings", ReportSections::tr("surroundings")},
+                                                                      {"run", ReportSections::tr("run")},
+                                                                      {"case", ReportSections::tr("case")},
+                                                                      {"causes", ReportSections::tr("comparison of causes")},
+                                                                      {"words", ReportSections::tr("words of the author")}}};
     const auto found = std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.first == role; });
     return found != names.end() ? found->second : escaped(role);
 }
@@ -41,6 +43,13 @@ QString shareShown(double simulated, double surveyed) {
 void ReportSections::addEvidence() {
     heading(tr("Evidence"));
     addFiles();
+    if (m_facts.words.custody.empty()) {
+        text(tr("Who held these files before this report was made, and what was done to them, is not said here."));
+    } else {
+        heading(tr("Custody of the material"), 2);
+        ownWords(m_facts.words.custody);
+        heading(tr("What was read"), 2);
+    }
     const FeResult::Contents& fe = m_facts.fe->contents();
     text(tr("The FE result (%1) holds %2 elements and %3 states from %4 s to %5 s. Activity is decided by: %6. Units: %7.")
              .arg(escaped(fe.format), countText(m_facts.fe->mesh().elementCount()), countText(fe.times.size()),

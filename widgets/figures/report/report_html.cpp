@@ -65,7 +65,8 @@ QString drawingTag(const ReportFigure& figure) {
         figure.paint(painter, QRectF(0, 0, width, height), 15.0);
     }
     const qsizetype start = svg.indexOf("<svg");
-    return QString::fromUtf8(svg.mid(start < 0 ? 0 : start));
+    QString tag = QString::fromUtf8(svg.mid(start < 0 ? 0 : start));
+    return tag.replace(0, 4, QStringLiteral("<svg role=\"img\" aria-label=\"%1\"").arg(figure.words.toHtmlEscaped()));
 }
 
 /// Writes the blocks one after the other and counts what is counted.

@@ -12,8 +12,11 @@ class ReportSections {
 public:
     ReportSections(const ReportFacts& facts, const ReportPictures& pictures);
 
+    void addPlainSummary();
     void addSummary();
     void addEvidence();
+    void addAlternatives();
+    void addChange();
     void addMethod();
     void addCautions();
     void addInputs();
@@ -35,6 +38,8 @@ public:
 private:
     void heading(const QString& text, int level = 1) { m_blocks.push_back(ReportHeading{level, text, false}); }
     void text(const QString& html) { m_blocks.push_back(ReportText{html}); }
+    /// What the author wrote, as it was written: paragraphs and lists.
+    void ownWords(const std::string& words);
     void notice(const QString& html) { m_blocks.push_back(ReportNotice{html}); }
     QString said(const Message& message) const;
     void equation(const char* notation, const QString& words, const QString& where);
@@ -61,6 +66,8 @@ private:
     void addFloor(const RepeatFloor& floor, const QString& caption, const QString& from);
     void addReference();
     void addSweep();
+    void addComparedCauses(const ReportCauses& causes);
+    void addFurtherEvidence(const ReportCauses& causes);
 
     const ReportFacts& m_facts;
     const ReportPictures& m_pictures;

@@ -100,6 +100,7 @@ ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pic
     fact(tr("Machine"), QString::fromStdString(facts.machine).toHtmlEscaped());
 
     ReportSections sections(facts, pictures);
+    sections.addPlainSummary();
     sections.addSummary();
     sections.addEvidence();
     sections.addMethod();
@@ -108,10 +109,12 @@ ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pic
     sections.addEnsemble();
     sections.addAccuracy();
     sections.addValidation();
+    sections.addAlternatives();
     sections.addEffects();
     sections.addHealth();
     sections.addSelfTest();
     sections.addLimits();
+    sections.addChange();
     sections.addParameters();
     sections.addJournal();
     document.blocks = sections.take();

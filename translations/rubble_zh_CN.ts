@@ -14417,18 +14417,6 @@
         <translation>最终阶段</translation>
     </message>
     <message>
-        <source>between two states</source>
-        <translation>两个状态之间</translation>
-    </message>
-    <message>
-        <source>last state</source>
-        <translation>最后状态</translation>
-    </message>
-    <message>
-        <source>not simulated</source>
-        <translation>未模拟</translation>
-    </message>
-    <message>
         <source>%1 times slower</source>
         <translation>慢 %1 倍</translation>
     </message>
@@ -14588,6 +14576,82 @@
         <source>each loose island in a colour of its own</source>
         <translation>每个松脱的孤立部分各有一色</translation>
     </message>
+    <message>
+        <source>computed, between two states</source>
+        <translation>计算，两个状态之间</translation>
+    </message>
+    <message>
+        <source>computed, last state</source>
+        <translation>计算，最后状态</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>illustrative, not simulated</source>
+        <translation>示意，未模拟</translation>
+    </message>
+    <message>
+        <source>%1 outside the picture</source>
+        <translation>%1 个在图外</translation>
+    </message>
+    <message>
+        <source>north is up</source>
+        <translation>上方为北</translation>
+    </message>
+    <message>
+        <source>north %1° clockwise from up</source>
+        <translation>北在上方顺时针 %1°</translation>
+    </message>
+    <message>
+        <source>y is up</source>
+        <translation>上方为 y</translation>
+    </message>
+    <message>
+        <source>y %1° clockwise from up</source>
+        <translation>y 在上方顺时针 %1°</translation>
+    </message>
+    <message>
+        <source>looking %1° from x towards y</source>
+        <translation>视线从 x 向 y 转 %1°</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>north-east</source>
+        <translation>东北</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>东</translation>
+    </message>
+    <message>
+        <source>south-east</source>
+        <translation>东南</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>south-west</source>
+        <translation>西南</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>north-west</source>
+        <translation>西北</translation>
+    </message>
+    <message>
+        <source>looking %1 (%2°)</source>
+        <translation>朝%1 (%2°)</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::EncodedMovie</name>
@@ -14723,22 +14787,6 @@
     <message>
         <source>Results</source>
         <translation>结果</translation>
-    </message>
-    <message>
-        <source>The collapse at three instants: the conventional FE result, and the fragments with the structure that still stands, from the same camera</source>
-        <translation>三个时刻的倒塌：常规有限元结果，以及碎块与仍然站立的结构，同一相机</translation>
-    </message>
-    <message>
-        <source>The conventional FE result and the fragments at the end</source>
-        <translation>结束时的常规有限元结果与碎块</translation>
-    </message>
-    <message>
-        <source>Mass of the debris per area at the end</source>
-        <translation>结束时单位面积的碎块质量</translation>
-    </message>
-    <message>
-        <source>Four stages of the collapse, fragments in red</source>
-        <translation>倒塌的四个阶段，碎块为红色</translation>
     </message>
     <message>
         <source>measure</source>
@@ -15509,10 +15557,6 @@
         <translation>前几幅图将有限元结果单独所示与碎块对照。其后的表格和分布图说明何处有多少堆积物；括号内为各次重复的结果。</translation>
     </message>
     <message>
-        <source>Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result</source>
-        <translation>刚体能量随时间的变化；刚体在其单元失效时加入，或在有限元结果结束时被释放而加入</translation>
-    </message>
-    <message>
         <source>FE result</source>
         <translation>有限元结果</translation>
     </message>
@@ -15635,10 +15679,6 @@
     <message>
         <source>simulated debris that is not compared</source>
         <translation>未比较的模拟堆积物</translation>
-    </message>
-    <message>
-        <source>Energy of the bodies over time; they enter as their elements are deactivated, or as loose structure that the engine takes over</source>
-        <translation>刚体能量随时间的变化；刚体在其单元失效时，或作为由引擎接手的松脱结构进入</translation>
     </message>
     <message>
         <source>Loose structure that the engine moved before the FE result ended</source>
@@ -15951,6 +15991,30 @@
     <message>
         <source>What would change the opinion</source>
         <translation>什么会改变意见</translation>
+    </message>
+    <message>
+        <source>The collapse at three instants: the conventional FE result (computed), and the fragments (simulated) with the structure that still stands, from the same camera</source>
+        <translation>三个时刻的倒塌：常规有限元结果（计算），以及碎块（模拟）和未倒塌的结构，相机相同</translation>
+    </message>
+    <message>
+        <source>The conventional FE result (computed) and the fragments (simulated) at the end</source>
+        <translation>结束时的常规有限元结果（计算）和碎块（模拟）</translation>
+    </message>
+    <message>
+        <source>Mass of the simulated debris per area at the end</source>
+        <translation>结束时单位面积上模拟堆积物的质量</translation>
+    </message>
+    <message>
+        <source>Four stages of the collapse, simulated, fragments in red</source>
+        <translation>倒塌的四个阶段，模拟，碎块为红色</translation>
+    </message>
+    <message>
+        <source>Simulated energy of the bodies over time; they enter as their elements are deactivated, or as loose structure that the engine takes over</source>
+        <translation>模拟的刚体能量随时间的变化；刚体在其单元失效后进入，或作为由引擎接管的松脱结构进入</translation>
+    </message>
+    <message>
+        <source>Simulated energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result</source>
+        <translation>模拟的刚体能量随时间的变化；刚体在其单元失效或在有限元结果结束时释放后进入</translation>
     </message>
 </context>
 <context>
@@ -18838,10 +18902,6 @@ What the file fits: %2.</source>
         <translation>高度</translation>
     </message>
     <message>
-        <source>Pixels from top to bottom, 100 to 8000</source>
-        <translation>从上到下的像素数，100 至 8000</translation>
-    </message>
-    <message>
         <source>Resolution</source>
         <translation>分辨率</translation>
     </message>
@@ -18884,6 +18944,18 @@ What the file fits: %2.</source>
     <message>
         <source>Stages</source>
         <translation>各阶段</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom, 100 to 8000; below that as high as what the pictures show needs</source>
+        <translation>从上到下的像素，100 至 8000；更小时高度按图片所示内容的需要</translation>
+    </message>
+    <message>
+        <source>as the pictures need</source>
+        <translation>按图片所需</translation>
+    </message>
+    <message>
+        <source>In print %1 mm wide</source>
+        <translation>印刷宽 %1 mm</translation>
     </message>
 </context>
 <context>

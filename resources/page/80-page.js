@@ -285,7 +285,7 @@ class Page {
         const state = structure.stateAt(player.time);
         const between = structure.shareAt(player.time) > 0 && !(player.playing && player.slow) ? `, ${say('between')}` : '';
         const captions = [
-            `${say('fePane')}: ${say('atState', state + 1, structure.times.length)}${between}; ` +
+            `${say('fePane')} (${say('computed')}): ${say('atState', state + 1, structure.times.length)}${between}; ` +
                 say('activeCount', sayCount(player.activeCount)),
             `${say('fragmentPane')} (${say('simulated')}): ${say('pieceCount', sayCount(player.pieceCount))}`];
         const scale = player.canvas.clientWidth / player.canvas.width;
@@ -310,6 +310,19 @@ class Page {
         const box = document.getElementById('scale');
         box.querySelector('span').style.width = `${length / perPixel}px`;
         box.querySelector('b').textContent = `${sayNumber(length)} m`;
+        box.querySelector('em').textContent = this.looking();
+    }
+
+    // Where the views look, clockwise from north where that is known.
+    looking() {
+        const { yaw } = this.player.camera;
+        const whole = (radians) => (Math.round(radians * 180 / Math.PI) % 360 + 360) % 360;
+        const { north } = this.facts;
+        if (north === null) {
+            return say('lookingFrame', whole(yaw + Math.PI));
+        }
+        const heading = whole(Math.PI / 2 - (yaw + Math.PI) - north);
+        return say('looking', say('winds').split(',')[Math.floor((heading + 22) / 45) % 8], heading);
     }
 
     legend() {

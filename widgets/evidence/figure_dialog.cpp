@@ -10,6 +10,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "widgets/basics/form_row.h"
 
 namespace rubble::widgets {
@@ -18,6 +20,7 @@ namespace {
 
 constexpr QSize previewPixels(560, 350);
 constexpr int restMs = 250;
+constexpr int automaticHeight = 99;  // px, below the least that can be asked for
 
 QSpinBox* spin(const char* name, int low, int high, int value, const QString& unit) {
     auto* box = new QSpinBox;
@@ -35,7 +38,7 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     : QDialog(parent),
       m_preset(new QComboBox),
       m_width(spin("figureWidth", 100, 8000, choice.pixels.width(), tr(" px"))),
-      m_height(spin("figureHeight", 100, 8000, choice.pixels.height(), tr(" px"))),
+      m_height(spin("figureHeight", automaticHeight, 8000, std::max(automaticHeight, choice.pixels.height()), tr(" px"))),
       m_dpi(spin("figureDpi", 50, 1200, choice.dpi, tr(" dpi"))),
       m_selection(new QCheckBox(tr("Show what is selected"))),
       m_print(new QLabel),
@@ -64,8 +67,10 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     addRow(*form, tr("Arrangement"), m_preset,
            tr("The panes as they are, or the arrangement of a figure of the published method with its instants"));
     addRow(*form, tr("Width"), m_width, tr("Pixels from left to right, 100 to 8000"));
-    addRow(*form, tr("Height"), m_height, tr("Pixels from top to bottom, 100 to 8000"));
+    addRow(*form, tr("Height"), m_height,
+           tr("Pixels from top to bottom, 100 to 8000; below that as high as what the pictures show needs"));
     addRow(*form, tr("Resolution"), m_dpi, tr("Pixels per inch in print, 50 to 1200: text is 9 pt high whatever the size"));
+    m_height->setSpecialValueText(tr("as the pictures need"));
     m_selection->setObjectName(QStringLiteral("figureSelection"));
     m_selection->setToolTip(tr("Selected elements in their colour; without it the figure is as if nothing were selected"));
     m_selection->setChecked(choice.selection);
@@ -108,7 +113,7 @@ FigureChoice FigureDialog::choice() const {
     if (const int preset = m_preset->currentData().toInt(); preset >= 0) {
         choice.preset = static_cast<figures::FigurePreset>(preset);
     }
-    choice.pixels = {m_width->value(), m_height->value()};
+    choice.pixels = {m_width->value(), m_height->value() > automaticHeight ? m_height->value() : 0};
     choice.dpi = m_dpi->value();
     choice.selection = m_selection->isChecked();
     return choice;
@@ -130,7 +135,9 @@ void FigureDialog::showEvent(QShowEvent* event) {
 
 void FigureDialog::showSize() {
     const auto millimetres = [this](int pixels) { return QLocale().toString(25.4 * pixels / m_dpi->value(), 'f', 0); };
-    m_print->setText(tr("In print %1 × %2 mm").arg(millimetres(m_width->value()), millimetres(m_height->value())));
+    m_print->setText(m_height->value() > automaticHeight
+                         ? tr("In print %1 × %2 mm").arg(millimetres(m_width->value()), millimetres(m_height->value()))
+                         : tr("In print %1 mm wide").arg(millimetres(m_width->value())));
 }
 
 }  // namespace rubble::widgets

@@ -18,7 +18,7 @@ namespace rubble::widgets {
 /// What a figure is to be.
 struct FigureChoice {
     std::optional<figures::FigurePreset> preset;  ///< unset: as the views are
-    QSize pixels{1600, 1000};
+    QSize pixels{1600, 1000};                     ///< height 0: as what is shown needs
     int dpi = 200;
     bool selection = false;  ///< what is selected is shown in its colour
 

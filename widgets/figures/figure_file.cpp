@@ -96,18 +96,22 @@ struct Studio::Impl {
         return surface.image();
     }
 
-    SheetPicture sheet(const Sheet& sheet, const FigureStyle& style) {
-        const bool captioned =
-            std::any_of(sheet.panels.begin(), sheet.panels.end(), [](const SheetPanel& panel) { return panel.view.captions; });
-        const SheetLayout layout = layOutSheet(sheet.columns, sheet.rows(), captioned, legendOf(sheet), !style.provenance.empty(),
-                                               style.pixels, style.dpi, !style.cautions.empty());
-        SheetPicture picture(style.pixels, layout);
+    SheetPicture sheet(Sheet sheet, const FigureStyle& style) {
+        QSize pixels = style.pixels;
+        const bool foot = !style.provenance.empty();
+        if (sheet.framed || !sheet.choices.empty() || pixels.height() == 0) {
+            arrange(sheet, framing(sheet), pixels, style.dpi, foot, !style.cautions.empty());
+        }
+        const SheetLayout layout =
+            layOutSheet(sheet.columns, sheet.rows(), legendOf(sheet), foot, pixels, style.dpi, !style.cautions.empty());
+        SheetPicture picture(pixels, layout);
         bool released = false;
+        m_looking.clear();
         for (std::size_t i = 0; i < sheet.panels.size(); ++i) {
             if (check) {
                 check();
             }
-            SheetPicture::Panel panel = drawPanel(sheet, i, layout);
+            SheetPicture::Panel panel = drawPanel(sheet, i, layout, style.north);
             released = released || panel.shown.status.released > 0;
             picture.add(std::move(panel));
         }
@@ -116,39 +120,100 @@ struct Studio::Impl {
         if (sheet.commonLegend && !picture.panels().empty()) {
             legend = commonLegend(picture.panels().front().view, released);
             bars = m_bars;
+            m_looking.removeDuplicates();
+            if (m_looking.size() == 1) {
+                legend.push_back({QColor(), m_looking.front()});
+            }
         }
         picture.setFoot(std::move(legend), std::move(bars), QString::fromStdString(style.provenance),
                         QString::fromStdString(style.cautions));
         return picture;
     }
 
+    render::Framing framing(const Sheet& sheet) {
+        render::Framing all(sheet.look);
+        const render::SceneData& data = scene.data();
+        double largest = 0.0;
+        for (std::size_t f = 0; data.fragments && f < data.fragments->size(); ++f) {
+            largest = std::max(largest, data.fragments->list[f].bounds.sizes().norm());
+        }
+        const Aabb structure = data.fe ? render::boundsOf(data) : Aabb();
+        for (const SheetPanel& panel : sheet.panels) {
+            if (check) {
+                check();
+            }
+            const render::PaneContent drawn = drawnAs(panel.content);
+            scene.update(panel.view, 64, 64);
+            std::vector<Vec3> points = scene.shownPoints(drawn);
+            if (panel.content == render::PaneContent::Overlay && !structure.isEmpty()) {
+                // The outline of the intact structure is shown beside.
+                for (const Vec3& node : data.fe->mesh().nodes) {
+                    points.push_back(node);
+                }
+            }
+            std::vector<Vec3> centres;
+            scene.elementsWhere(drawn, [&](const Vec3& centre) {
+                centres.push_back(centre);
+                return false;
+            });
+            all.add(points, centres, structure, largest);
+        }
+        if (sheet.around > 1.0) {
+            all.widen(sheet.around);
+        }
+        return all;
+    }
+
 private:
-    SheetPicture::Panel drawPanel(const Sheet& sheet, std::size_t index, const SheetLayout& layout) {
+    static render::PaneContent drawnAs(render::PaneContent content) {
+        return content == render::PaneContent::Plan ? render::PaneContent::Fragments : content;
+    }
+
+    SheetPicture::Panel drawPanel(const Sheet& sheet, std::size_t index, const SheetLayout& layout, std::optional<double> north) {
         const SheetPanel& from = sheet.panels[index];
         SheetPicture::Panel panel;
         panel.view = from.view;
         panel.view.theme = render::Theme::Print;
         panel.place = layout.panelAt(static_cast<int>(index) % sheet.columns, static_cast<int>(index) / sheet.columns);
         panel.picture = bare(panel.view, panel.place.size());
-        const render::PaneContent drawn = from.content == render::PaneContent::Plan ? render::PaneContent::Fragments : from.content;
+        const render::PaneContent drawn = drawnAs(from.content);
         const render::Pane pane{drawn, 0, 0, panel.place.width(), panel.place.height()};
+        const render::Camera& camera = render::cameraOf(panel.view, drawn);
         panel.overlay = makeOverlay(panel.view, scene, pane);
         panel.overlay.caption.clear();
         if (sheet.commonLegend && !panel.overlay.bars.empty()) {
             m_bars = panel.overlay.bars;
+        }
+        panel.axes = axesCorner(pane, layout.text,
+                                [&](std::span<const std::array<double, 4>> squares) { return scene.covered(pane, squares); });
+        if (panel.view.axes && (north || !panel.axes)) {
+            m_looking << lookingText(camera, north);
+            if (!panel.overlay.legend.empty()) {
+                panel.overlay.legend.push_back({QColor(), m_looking.back()});
+            }
         }
         if (sheet.commonLegend) {
             panel.overlay.legend.clear();
             panel.overlay.bars.clear();
         }
         takeMarksBelow(panel, layout);
-        if (panel.overlay.legend.empty() && panel.overlay.bars.empty() && panel.overlay.metresPerPixel == 0.0) {
-            panel.axes = axesCorner(panel.view, pane, render::boundsOf(scene.dataOf(drawn)), layout.text);
+        if (!panel.overlay.legend.empty() || !panel.overlay.bars.empty()) {
+            panel.axes = Corner::UpperRight;
         }
         panel.shown = {from.content, scene.status(drawn), {}};
-        if (panel.view.captions) {
-            panel.shown.caption = captionBelow(index, from.content, panel.shown.status, panel.view.timeOrigin, from.stage);
+        std::size_t outside = 0;
+        if (from.framed) {
+            outside = scene
+                          .elementsWhere(drawn,
+                                         [&](const Vec3& centre) {
+                                             const auto at = render::project(camera, centre, pane.aspect());
+                                             return !at || at->u < 0.0 || at->u > 1.0 || at->v < 0.0 || at->v > 1.0;
+                                         })
+                          .size();
         }
+        panel.shown.caption =
+            panel.view.captions ? captionBelow(index, from.content, panel.shown.status, panel.view.timeOrigin, from.stage, outside)
+                                : classWords(from.content, panel.shown.status);
         return panel;
     }
     /// The scene alone, nothing painted over it.
@@ -161,6 +226,7 @@ private:
     }
 
     std::vector<ColourBar> m_bars;
+    QStringList m_looking;  ///< where the pictures of a sheet look from, as far as that is said
 };
 
 Studio::Studio(const render::SceneData& data) {
@@ -176,10 +242,11 @@ Studio::~Studio() = default;
 
 namespace {
 
-void checkSize(const FigureStyle& style) {
+/// @param settled  a height of 0 is settled later
+void checkSize(const FigureStyle& style, bool settled) {
     constexpr int largest = 16384;
-    if (style.pixels.width() < 16 || style.pixels.height() < 16 || style.pixels.width() > largest ||
-        style.pixels.height() > largest || !(style.dpi >= 20.0 && style.dpi <= 2400.0)) {
+    if (style.pixels.width() < 16 || (style.pixels.height() < 16 && !(settled && style.pixels.height() == 0)) ||
+        style.pixels.width() > largest || style.pixels.height() > largest || !(style.dpi >= 20.0 && style.dpi <= 2400.0)) {
         throw UsageError({"figure.size",
                           "A figure of {0} x {1} pixels at {2} dpi cannot be drawn",
                           {style.pixels.width(), style.pixels.height(), style.dpi}},
@@ -200,13 +267,17 @@ void Studio::setCheck(std::function<void()> check) {
 
 SheetPicture Studio::sheet(const Sheet& sheet, const FigureStyle& style) {
     const FileUnits inSi;
-    checkSize(style);
+    checkSize(style, true);
     return m_impl->sheet(sheet, style);
+}
+
+render::Framing Studio::framing(const Sheet& sheet) {
+    return m_impl->framing(sheet);
 }
 
 QImage Studio::picture(const render::View& view, const FigureStyle& style) {
     const FileUnits inSi;
-    checkSize(style);
+    checkSize(style, style.framed);
     QImage image = style.framed ? m_impl->sheet(sheetOf(view), style).image()
                                 : m_impl->drawn(view, style.pixels, pixelsOf(textPoints, style.dpi));
     setResolution(image, style.dpi);

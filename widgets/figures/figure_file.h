@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "widgets/figures/figure_sheet.h"
@@ -24,11 +25,12 @@ void ensureGuiApplication();
 
 /// Size and place of a figure.
 struct FigureStyle {
-    QSize pixels{1600, 1000};
-    double dpi = 200.0;      ///< decides the size of text: 9 pt
-    bool framed = true;      ///< figure style: white background, captions below; false: as in the window
-    std::string provenance;  ///< one line in 6 pt at the foot, empty for none
-    std::string cautions{};  ///< what must be known beside it, above that; empty for none
+    QSize pixels{1600, 1000};       ///< of a sheet a height of 0 is settled by what it shows, see arrange()
+    double dpi = 200.0;             ///< decides the size of text: 9 pt
+    bool framed = true;             ///< figure style: white background, captions below; false: as in the window
+    std::string provenance;         ///< one line in 6 pt at the foot, empty for none
+    std::string cautions{};         ///< what must be known beside it, above that; empty for none
+    std::optional<double> north{};  ///< rad from +y of the local frame, clockwise; unset: not known
 };
 
 /// Draws views off-screen. Opens its GL window once and keeps it: use one studio for many pictures (movie frames).
@@ -44,6 +46,8 @@ public:
     QImage picture(const render::View& view, const FigureStyle& style);
     /// A figure for print, in the Print theme, its size and text as the style says. Throws UsageError for a size out of range.
     SheetPicture sheet(const Sheet& sheet, const FigureStyle& style);
+    /// What all pictures of a sheet show, from its `look`.
+    render::Framing framing(const Sheet& sheet);
     /// Called before each picture of a sheet: may throw Cancelled.
     void setCheck(std::function<void()> check);
     /// The status that the last picture showed.

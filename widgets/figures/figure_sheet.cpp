@@ -23,6 +23,9 @@ constexpr double sheetTextPoints = 9.0;
 constexpr double provenancePoints = 6.0;
 constexpr double cautionShare = 0.85;   // of the text
 constexpr double smallestLegend = 0.7;  // of the text: below that it is not read any more
+constexpr double surroundingsFactor = 1.4;
+constexpr double smallestCaption = 0.5;  // of the text
+constexpr double tallestPage = 1.25;     // height over width of a figure that settles its own height
 /// The instants of the published figures over the 9.6 s of its FE result.
 constexpr std::array<double, 3> publishedShares{1.68 / 9.6, 3.36 / 9.6, 5.52 / 9.6};
 
@@ -77,32 +80,37 @@ std::vector<double> instantsOf(const PresetRequest& request, const render::Scene
     return {request.end};
 }
 
-/// The number of columns in which the model comes out largest.
-int bestColumns(std::span<const int> choices, int panels, const render::SceneData& data, render::Preset look, QSize pixels,
-                double dpi, SheetLegend legend) {
-    int best = choices.front();
-    double most = 0.0;
-    for (const int columns : choices) {
-        const SheetLayout layout = layOutSheet(columns, (panels + columns - 1) / columns, true, legend, true, pixels, dpi);
-        const double aspect = static_cast<double>(layout.panel.width()) / layout.panel.height();
-        const double scale =
-            1.0 / render::metresPerPixel(render::fitCamera(render::boundsOf(data), aspect, look), layout.panel.height());
-        if (scale > 1.02 * most) {
-            most = scale;
-            best = columns;
-        }
-    }
-    return best;
+/// Pixels that pictures of a shape need, at most those of a page.
+int fittingHeight(int columns, int rows, SheetLegend legend, bool provenance, bool cautions, int width, double dpi, double aspect) {
+    const SheetLayout lines = layOutSheet(columns, rows, legend, provenance, {width, 1}, dpi, cautions);
+    const int picture = std::max(static_cast<int>(std::lround(lines.panel.width() / aspect)), static_cast<int>(5.0 * lines.text));
+    const int height = rows * (picture + lines.key + lines.caption) + lines.legend + lines.cautions + lines.provenance;
+    return std::min(height, static_cast<int>(tallestPage * width));
 }
 
-/// The surroundings take their room around the model.
-Aabb widened(const Aabb& box, double factor) {
-    const Vec3 centre = box.center();
-    const Vec3 half = 0.5 * factor * box.sizes();
-    Aabb wide = box;
-    wide.extend(Vec3(centre.x() - half.x(), centre.y() - half.y(), box.min().z()));
-    wide.extend(Vec3(centre.x() + half.x(), centre.y() + half.y(), box.max().z()));
-    return wide;
+/// The firsts of all pairs in one row, the seconds below.
+void besideEachOther(std::vector<SheetPanel>& panels) {
+    std::vector<SheetPanel> rows;
+    for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+        for (std::size_t i = first; i < panels.size(); i += 2) {
+            rows.push_back(panels[i]);
+        }
+    }
+    panels = std::move(rows);
+}
+
+/// Text in the middle of a box, whole: over two lines and in smaller letters rather than cut.
+void paintWhole(QPainter& painter, const QRectF& box, const QString& text, double largest, double smallest, bool italic) {
+    constexpr int centred = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
+    for (double size = largest; size > smallest; size *= 0.92) {
+        const QFont font = fontOf(size, italic);
+        painter.setFont(font);
+        const QRectF needed = QFontMetricsF(font).boundingRect(box, centred, text);
+        if (needed.height() <= box.height() && needed.width() <= box.width()) {
+            break;
+        }
+    }
+    painter.drawText(box, centred, text);
 }
 
 }  // namespace
@@ -124,7 +132,7 @@ QString paneName(render::PaneContent content) {
 }
 
 QSize usualSize(std::optional<FigurePreset> preset) {
-    return {1600, preset == FigurePreset::Pairs ? 1600 : 1000};
+    return {1600, preset ? 0 : 1000};
 }
 
 std::size_t presetInstants(FigurePreset preset) {
@@ -143,27 +151,15 @@ void paintCautions(QPainter& painter, const QRectF& strip, const QString& cautio
     painter.fillRect(strip, palette(theme).findingTint);
     painter.setPen(palette(theme).text);
     const double largest = cautionShare * text;
-    const QRectF room = strip.adjusted(0.6 * largest, 0.0, -0.6 * largest, 0.0);
-    constexpr int centred = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
-    for (double size = largest; size > 0.3 * largest; size *= 0.92) {
-        const QFont font = fontOf(size, false);
-        painter.setFont(font);
-        const QRectF needed = QFontMetricsF(font).boundingRect(room, centred, cautions);
-        if (needed.height() <= room.height() && needed.width() <= room.width()) {
-            break;
-        }
-    }
-    painter.drawText(room, centred, cautions);
+    paintWhole(painter, strip.adjusted(0.6 * largest, 0.0, -0.6 * largest, 0.0), cautions, largest, 0.3 * largest, false);
 }
 
-SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi,
-                        bool cautions) {
+SheetLayout layOutSheet(int columns, int rows, SheetLegend legend, bool provenance, QSize pixels, double dpi, bool cautions) {
     SheetLayout layout;
     layout.text = sheetTextPoints / 72.0 * dpi;
     layout.small = provenancePoints / 72.0 * dpi;
     layout.gap = columns > 1 ? std::max(1, static_cast<int>(std::lround(0.6 * layout.text))) : 0;
-    layout.caption =
-        captioned ? static_cast<int>(std::lround(2.2 * layout.text)) : static_cast<int>(std::lround(0.5 * layout.text));
+    layout.caption = static_cast<int>(std::lround(2.2 * layout.text));
     layout.key = legend == SheetLegend::Below ? static_cast<int>(std::lround(1.8 * layout.text)) : 0;
     layout.legend = legend == SheetLegend::Foot ? static_cast<int>(std::lround(2.0 * layout.text)) : 0;
     layout.provenance = provenance ? static_cast<int>(std::lround(2.0 * layout.small)) : 0;
@@ -184,55 +180,78 @@ Sheet sheetOf(const render::View& view) {
     return sheet;
 }
 
-Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data, QSize pixels, double dpi) {
+Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data) {
     using render::PaneContent;
     const std::vector<double> times = instantsOf(request, data);
     const bool around = request.preset == FigurePreset::Surroundings;
-    const render::Preset look = request.look.value_or(around ? render::Preset::Corner : render::Preset::Side);
     Sheet sheet;
+    sheet.framed = !request.camerasOfView;
+    sheet.look = request.look.value_or(around ? render::Preset::Corner : render::Preset::Side);
     render::View view = like;
     view.captions = true;
     const auto add = [&](PaneContent content, double time, const QString& stage = {}) {
         sheet.panels.push_back(panelOf(view, content, time, stage));
     };
     if (request.preset == FigurePreset::Pairs) {
-        sheet.commonLegend = true;
-        constexpr std::array<int, 2> choices{3, 1};
-        sheet.columns = bestColumns(choices, 6, data, look, pixels, dpi, SheetLegend::Foot);
-        // In one column the pairs stand one below the other, in three one beside the other.
-        for (std::size_t i = 0; i < 6; ++i) {
-            const std::size_t pair = sheet.columns == 1 ? i / 2 : i % 3;
-            const bool fe = sheet.columns == 1 ? i % 2 == 0 : i < 3;
-            add(fe ? PaneContent::Fe : PaneContent::Fragments, times[pair]);
+        sheet.commonLegend = sheet.pairs = true;
+        sheet.choices = {3, 1};
+        for (const double time : times) {
+            add(PaneContent::Fe, time);
+            add(PaneContent::Fragments, time);
         }
     } else if (request.preset == FigurePreset::End) {
-        constexpr std::array<int, 2> choices{1, 2};
-        sheet.columns = bestColumns(choices, 2, data, look, pixels, dpi, SheetLegend::Below);
+        sheet.choices = {1, 2};
         add(PaneContent::Fe, times[0]);
         add(PaneContent::Fragments, times[0]);
     } else if (around) {
+        sheet.around = surroundingsFactor;
         view.style = render::Style::Presentation;
         view.groundGrid = false;
         view.shading = true;
         add(PaneContent::Fragments, times[0], tr("Debris and surroundings"));
     } else {
         sheet.commonLegend = true;
-        constexpr std::array<int, 3> choices{2, 1, 4};
-        sheet.columns = bestColumns(choices, 4, data, look, pixels, dpi, SheetLegend::Foot);
+        sheet.choices = {2, 1, 4};
         const std::array<QString, 4> stages{tr("Original"), tr("Early stage"), tr("Intermediate stage"), tr("Final stage")};
         for (std::size_t i = 0; i < stages.size(); ++i) {
             add(PaneContent::Fragments, times[i], stages[i]);
         }
     }
-    if (!request.camerasOfView) {
-        const QSize panel = layOutSheet(sheet.columns, sheet.rows(), true, legendOf(sheet), true, pixels, dpi).panel;
-        const Aabb bounds = around ? widened(render::boundsOf(data), 1.5) : render::boundsOf(data);
-        const render::Camera camera = render::fitCamera(bounds, static_cast<double>(panel.width()) / panel.height(), look);
-        for (SheetPanel& each : sheet.panels) {
-            each.view.cameras.fill(camera);
+    return sheet;
+}
+
+void arrange(Sheet& sheet, const render::Framing& framing, QSize& pixels, double dpi, bool provenance, bool cautions) {
+    const double natural = framing.aspect();
+    const SheetLegend legend = legendOf(sheet);
+    const auto panels = static_cast<int>(sheet.panels.size());
+    const int width = pixels.width();
+    const int asked = pixels.height();
+    double most = 0.0;
+    for (const int columns : sheet.choices.empty() ? std::vector<int>{sheet.columns} : sheet.choices) {
+        const int rows = (panels + columns - 1) / columns;
+        const int height = asked > 0 ? asked : fittingHeight(columns, rows, legend, provenance, cautions, width, dpi, natural);
+        const QSize panel = layOutSheet(columns, rows, legend, provenance, {width, height}, dpi, cautions).panel;
+        const render::Camera camera = framing.camera(static_cast<double>(panel.width()) / panel.height());
+        // Where the model comes out largest.
+        const double scale = 1.0 / render::metresPerPixel(camera, panel.height());
+        if (scale > 1.02 * most) {
+            most = scale;
+            sheet.columns = columns;
+            pixels.setHeight(height);
+            for (SheetPanel& each : sheet.panels) {
+                if (sheet.framed && !framing.empty() && each.content != render::PaneContent::Plan) {
+                    each.view.cameras.fill(camera);
+                    each.framed = true;
+                }
+            }
         }
     }
-    return sheet;
+    if (sheet.pairs && sheet.columns > 1) {
+        besideEachOther(sheet.panels);
+    }
+    // It is settled now.
+    sheet.choices.clear();
+    sheet.framed = sheet.pairs = false;
 }
 
 SheetLegend legendOf(const Sheet& sheet) {
@@ -241,25 +260,32 @@ SheetLegend legendOf(const Sheet& sheet) {
     return sheet.commonLegend ? SheetLegend::Foot : each ? SheetLegend::Below : SheetLegend::None;
 }
 
+QString classWords(render::PaneContent content, const render::PaneStatus& status) {
+    if (content == render::PaneContent::Fe) {
+        return status.interpolated ? tr("computed, between two states")
+               : status.afterFeEnd ? tr("computed, last state")
+                                   : tr("computed");
+    }
+    if (status.fragments == 0 && status.released == 0) {
+        // Nothing has come off yet: the structure moves as the FE result says.
+        return tr("computed");
+    }
+    if (!status.simulated) {
+        return tr("illustrative, not simulated");
+    }
+    return status.kind == FrameKind::Interpolated ? tr("simulated, interpolated") : tr("simulated");
+}
+
 QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status, double timeOrigin,
-                     const QString& stage) {
+                     const QString& stage, std::size_t outside) {
     const QString letter = QStringLiteral("%1) ").arg(QChar(static_cast<char16_t>('a' + index % 26)));
     const QString name = stage.isEmpty() ? paneName(content) : stage;
     if (status.states == 0) {
         return letter + name;
     }
-    QStringList brackets{QStringLiteral("t = ") + timeText(status.time - timeOrigin)};
-    if (content == render::PaneContent::Fe) {
-        if (status.interpolated) {
-            brackets << tr("between two states");
-        }
-        if (status.afterFeEnd) {
-            brackets << tr("last state");
-        }
-    } else if (!status.simulated) {
-        brackets << tr("not simulated");
-    } else {
-        brackets << (status.kind == FrameKind::Interpolated ? tr("simulated, interpolated") : tr("simulated"));
+    QStringList brackets{QStringLiteral("t = ") + timeText(status.time - timeOrigin), classWords(content, status)};
+    if (outside > 0) {
+        brackets << tr("%1 outside the picture").arg(countText(outside));
     }
     return letter + QStringLiteral("%1 (%2)").arg(name, brackets.join(QStringLiteral(", ")));
 }
@@ -276,9 +302,7 @@ std::string shownAs(render::PaneContent content, const render::PaneStatus& statu
 
 void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout) {
     Overlay& over = panel.overlay;
-    if (layout.lineBelow()) {
-        panel.metresPerPixel = std::exchange(over.metresPerPixel, 0.0);
-    }
+    panel.metresPerPixel = std::exchange(over.metresPerPixel, 0.0);
     const double room = panel.place.width() - 1.2 * scaleLineWidth(panel.metresPerPixel, panel.place.width(), layout.text);
     if (layout.key == 0 || smallestLegend * legendLineWidth(over.legend, over.bars, layout.text) > room) {
         return;
@@ -330,13 +354,7 @@ void SheetPicture::paintCaptions(QPainter& painter) const {
             box.setWidth(box.width() - static_cast<int>(paintScaleLine(painter, panel.metresPerPixel, strip, m_layout.text)));
         }
         painter.setPen(palette(render::Theme::Print).text);
-        // A narrow panel takes smaller letters before it loses words.
-        QFont font = fontOf(m_layout.text, true);
-        const double needed = QFontMetricsF(font).horizontalAdvance(panel.shown.caption);
-        font = fontOf(m_layout.text * std::clamp(box.width() / std::max(needed, 1.0), 0.7, 1.0), true);
-        painter.setFont(font);
-        painter.drawText(box, static_cast<int>(Qt::AlignHCenter | Qt::AlignVCenter),
-                         QFontMetricsF(font).elidedText(panel.shown.caption, Qt::ElideRight, box.width()));
+        paintWhole(painter, box, panel.shown.caption, m_layout.text, smallestCaption * m_layout.text, true);
     }
 }
 

@@ -16,6 +16,7 @@
 #include "widgets/render/basics/camera.h"
 #include "widgets/render/basics/scene_data.h"
 #include "widgets/render/basics/view.h"
+#include "widgets/render/framing.h"
 #include "widgets/render/scene.h"
 
 class QPainter;
@@ -26,20 +27,30 @@ namespace rubble::figures {
 struct SheetPanel {
     render::PaneContent content = render::PaneContent::Fe;
     render::View view;
-    QString stage;  ///< "original", "final stage"; takes the place of the content in the caption, empty: none
+    QString stage;        ///< "original", "final stage"; takes the place of the content in the caption, empty: none
+    bool framed = false;  ///< its camera shows what it shows: what lies outside all the same is counted in the caption
 };
 
 /// A figure for print: panels in rows of equal columns, each with its caption below.
 struct Sheet {
     int columns = 1;
+    std::vector<int> choices;  ///< numbers of columns to choose from; empty: `columns`
     std::vector<SheetPanel> panels;
+    bool pairs = false;         ///< panels belong together by twos, of which the second stands below the first
     bool commonLegend = false;  ///< one at the foot, without counts, instead of one below each picture
+    bool framed = false;        ///< cameras are to show what the pictures show, as large as it goes, from `look`
+    render::Preset look = render::Preset::Side;
+    double around = 1.0;  ///< so many times what is shown is seen in plan
 
     int rows() const { return (static_cast<int>(panels.size()) + columns - 1) / columns; }
 };
 
 /// The panes of a view as panels.
 Sheet sheetOf(const render::View& view);
+
+/// Settles columns, cameras and, where the height of the figure is 0 pixels, that height, so that what is shown fills the pictures.
+/// @param framing  of all of them
+void arrange(Sheet& sheet, const render::Framing& framing, QSize& pixels, double dpi, bool provenance, bool cautions);
 
 /// Arrangements of published figures (DESIGN.md 2.6).
 enum class FigurePreset : std::uint8_t {
@@ -66,15 +77,15 @@ struct PresetRequest {
     double end = 0.0;                    ///< s, last instant that can be shown
 };
 
-/// Pixels of a figure of which no size was asked for: six pictures one below the other take more height than one.
+/// Pixels of a figure of which no size was asked for; of an arrangement the height is 0, which arrange() settles.
 QSize usualSize(std::optional<FigurePreset> preset);
 
 /// How many instants a preset shows.
 std::size_t presetInstants(FigurePreset preset);
 
-/// A preset as a sheet of a size. @param like  colours, style, hidden parts and so on
+/// A preset as a sheet that arrange() has yet to settle. @param like  colours, style, hidden parts and so on
 /// Throws UsageError for another number of times than it shows.
-Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data, QSize pixels, double dpi);
+Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data);
 
 /// Where the pictures of a sheet lie and how high its lines of text are, in pixels of the figure.
 struct SheetLayout {
@@ -89,8 +100,6 @@ struct SheetLayout {
     QSize panel;
 
     QRect panelAt(int column, int row) const;
-    /// There is a line of text below each picture.
-    bool lineBelow() const { return key > 0 || caption > text; }
 };
 /// Where the legends of a sheet stand: nothing of the pictures is covered by one that fits into a line.
 enum class SheetLegend : std::uint8_t {
@@ -98,8 +107,7 @@ enum class SheetLegend : std::uint8_t {
     Foot,  ///< one for all
     Below  ///< one below each picture
 };
-/// @param captioned  whether there is a caption below each panel
-SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi,
+SheetLayout layOutSheet(int columns, int rows, SheetLegend legend, bool provenance, QSize pixels, double dpi,
                         bool cautions = false);
 
 /// Height of two lines of cautions, pixels. @param text  height of the text of the picture
@@ -111,7 +119,7 @@ void paintCautions(QPainter& painter, const QRectF& strip, const QString& cautio
 struct ShownPanel {
     render::PaneContent content = render::PaneContent::Fe;
     render::PaneStatus status;
-    QString caption;  ///< "a) Conventional FE result (t = 1.68 s)"
+    QString caption;  ///< "a) Conventional FE result (t = 1.68 s, computed)"
 };
 
 /// A figure that was drawn: pictures of the scene, and everything that stands over and below them as it can be painted anywhere.
@@ -163,10 +171,13 @@ void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout);
 /// What a pane shows, without a time: "Conventional FE result".
 QString paneName(render::PaneContent content);
 
-/// "a) Conventional FE result (t = 1.68 s)", with what else is to be known in the brackets: simulated, interpolated.
-/// @param stage  instead of the name of what is shown, empty: none
+/// "a) Conventional FE result (t = 1.68 s, computed)": the class of what is shown always stands in the brackets.
+/// @param stage    instead of the name of what is shown, empty: none
+/// @param outside  elements and fragments that lie outside the picture
 QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status, double timeOrigin,
-                     const QString& stage = {});
+                     const QString& stage = {}, std::size_t outside = 0);
+/// That class alone: "computed", "simulated, interpolated", "illustrative, not simulated".
+QString classWords(render::PaneContent content, const render::PaneStatus& status);
 
 /// The class of what a panel showed: "FE", "FE, interpolated between two states", "simulated", ..., "illustrative" where nothing
 /// was simulated.

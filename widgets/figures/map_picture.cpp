@@ -16,6 +16,7 @@
 
 #include "core/base/error.h"
 #include "core/evidence/maps/height_contours.h"
+#include "core/fe/north.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/map_edges.h"
@@ -326,7 +327,7 @@ private:
     void drawNorth(QPainter& painter) {
         const double x = m_legend.left() + 0.5 * m_line;
         const double top = m_legend.top() + 1.2 * m_line;
-        const QString letter = m_style.system.empty() && m_style.place.angle == 0.0 ? QStringLiteral("y") : tr("N");
+        const QString letter = northOf(m_style.place, m_style.system) ? tr("N") : QStringLiteral("y");
         painter.save();
         painter.translate(x, top + 0.5 * m_line);
         painter.rotate(m_style.place.angle / std::numbers::pi * 180.0);

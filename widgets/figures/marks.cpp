@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
+#include "widgets/figures/translated.h"
 #include "widgets/render/basics/camera.h"
 
 namespace rubble::figures {
@@ -129,13 +131,17 @@ QRectF axesSquare(const render::Pane& pane, double unit, Corner corner) {
     return {right ? pane.x + pane.width - side : pane.x, upper ? pane.y : pane.y + pane.height - side, side, side};
 }
 
+bool axesFit(const render::Pane& pane, double unit) {
+    return pane.width >= 60.0 * unit && pane.height >= 40.0 * unit;
+}
+
 /// The directions of x, y and z as the camera sees them, in a corner.
 void paintAxes(QPainter& painter, const Pen& pen, Corner corner) {
     const render::Camera& camera = render::cameraOf(pen.view, pen.pane.content);
     const Vec3 forward = (camera.focalPoint - camera.position).normalized();
     const Vec3 right = forward.cross(camera.up).normalized();
     const Vec3 up = right.cross(forward);
-    if (!right.allFinite() || pen.pane.width < 60.0 * pen.unit || pen.pane.height < 40.0 * pen.unit) {
+    if (!right.allFinite() || !axesFit(pen.pane, pen.unit)) {
         return;
     }
     const bool atRight = corner == Corner::UpperRight || corner == Corner::LowerRight;
@@ -173,21 +179,49 @@ double axesRoom(double textHeight) {
     return axesSide * unitOf(textHeight);
 }
 
-std::optional<Corner> axesCorner(const render::View& view, const render::Pane& pane, const Aabb& box, double textHeight) {
-    QPolygonF corners;
-    for (int k = 0; k < 8 && !box.isEmpty(); ++k) {
-        const auto pixel = pixelOf(view, pane, box.corner(static_cast<Aabb::CornerType>(k)));
-        if (!pixel) {
-            return Corner::UpperRight;
-        }
-        corners << *pixel;
+std::optional<Corner> axesCorner(const render::Pane& pane, double textHeight,
+                                 const std::function<std::vector<bool>(std::span<const std::array<double, 4>>)>& covered) {
+    const double unit = unitOf(textHeight);
+    if (!axesFit(pane, unit)) {
+        return std::nullopt;
     }
-    for (const Corner corner : {Corner::UpperRight, Corner::UpperLeft, Corner::LowerRight, Corner::LowerLeft}) {
-        if (!corners.boundingRect().intersects(axesSquare(pane, unitOf(textHeight), corner))) {
-            return corner;
+    constexpr std::array<Corner, 4> corners{Corner::UpperRight, Corner::UpperLeft, Corner::LowerRight, Corner::LowerLeft};
+    std::array<std::array<double, 4>, 4> squares{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const QRectF square = axesSquare(pane, unit, corners[i]);
+        squares[i] = {square.left(), square.top(), square.right(), square.bottom()};
+    }
+    const std::vector<bool> taken = covered(squares);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (!taken[i]) {
+            return corners[i];
         }
     }
     return std::nullopt;
+}
+
+QString lookingText(const render::Camera& camera, std::optional<double> north) {
+    constexpr double steep = 0.97;
+    const Vec3 forward = (camera.focalPoint - camera.position).normalized();
+    const auto degrees = [](double radians) {
+        const long whole = std::lround(radians / std::numbers::pi * 180.0) % 360;
+        return static_cast<int>(whole < 0 ? whole + 360 : whole);
+    };
+    if (!(std::abs(forward.z()) < steep)) {
+        const int turned = degrees(std::atan2(camera.up.x(), camera.up.y()) - north.value_or(0.0));
+        const int up = forward.z() < 0.0 ? (360 - turned) % 360 : turned;
+        if (north) {
+            return up == 0 ? tr("north is up") : tr("north %1° clockwise from up").arg(up);
+        }
+        return up == 0 ? tr("y is up") : tr("y %1° clockwise from up").arg(up);
+    }
+    if (!north) {
+        return tr("looking %1° from x towards y").arg(degrees(std::atan2(forward.y(), forward.x())));
+    }
+    const int heading = degrees(std::atan2(forward.x(), forward.y()) - *north);
+    const std::array<QString, 8> names{tr("north"), tr("north-east"), tr("east"), tr("south-east"),
+                                       tr("south"), tr("south-west"), tr("west"), tr("north-west")};
+    return tr("looking %1 (%2°)").arg(names[static_cast<std::size_t>((heading + 22) / 45 % 8)]).arg(heading);
 }
 
 QString measuredText(double length) {

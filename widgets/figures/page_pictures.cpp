@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/fe/north.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/report/report_photograph.h"
@@ -13,7 +14,7 @@
 namespace rubble::figures {
 namespace {
 
-constexpr QSize viewPixels(1280, 720);
+constexpr QSize viewPixels(1280, 720);  // the height follows what is shown
 constexpr QSize mapPixels(1500, 900);
 constexpr double dpi = 130.0;
 constexpr double mapDpi = 170.0;
@@ -67,13 +68,27 @@ std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const P
     std::vector<PagePicture> pictures;
     Studio studio(data);
     FigureStyle style;
-    style.pixels = viewPixels;
     style.dpi = dpi;
     render::View view = render::defaultView(data, viewPixels.width(), viewPixels.height());
+    // One camera for all instants, so that they can be compared.
+    Sheet all;
+    for (const double time : drawing.times) {
+        view.time = time;
+        const Sheet each = sheetOf(view);
+        all.panels.insert(all.panels.end(), each.panels.begin(), each.panels.end());
+    }
+    studio.setCheck([&execution] { execution.check(); });
+    const render::Framing framing = studio.framing(all);
     for (std::size_t i = 0; i < drawing.times.size(); ++i) {
         execution.report(stage, static_cast<double>(i) / static_cast<double>(drawing.times.size() + 1));
         view.time = drawing.times[i];
-        const QImage image = studio.sheet(sheetOf(view), style).image();
+        Sheet sheet = sheetOf(view);
+        sheet.framed = true;
+        sheet.choices = {1, 2};
+        style.pixels = {viewPixels.width(), 0};
+        style.north = northOf(drawing.mapStyle.place, drawing.mapStyle.system);
+        arrange(sheet, framing, style.pixels, style.dpi, false, false);
+        const QImage image = studio.sheet(sheet, style).image();
         pictures.push_back({PagePictureKind::Views, view.time, {}, "image/png", fileOf(image, "PNG"), {}});
     }
     if (drawing.map != nullptr) {

@@ -484,6 +484,59 @@ std::vector<ElementIndex> Scene::elementsWhere(PaneContent content, const std::f
     return geometry ? geometry->elementsWhere(inside) : std::vector<ElementIndex>();
 }
 
+std::vector<Vec3> Scene::shownPoints(PaneContent content) const {
+    m_impl->settle();
+    const auto& geometry = m_impl->geometries[indexOf(content)];
+    std::vector<Vec3> shown;
+    if (geometry) {
+        const std::vector<float>& points = geometry->points();
+        std::vector<bool> drawn(points.size() / 3);
+        for (const std::vector<std::int32_t>* corners : {&geometry->triangles(), &geometry->lines()}) {
+            for (const std::int32_t corner : *corners) {
+                const auto i = static_cast<std::size_t>(corner);
+                if (!drawn[i]) {
+                    drawn[i] = true;
+                    shown.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+                }
+            }
+        }
+    }
+    return shown;
+}
+
+std::vector<bool> Scene::covered(const Pane& pane, std::span<const std::array<double, 4>> rectangles) const {
+    std::vector<bool> found(rectangles.size(), false);
+    m_impl->settle();
+    const auto& geometry = m_impl->geometries[indexOf(pane.content)];
+    if (!geometry) {
+        return found;
+    }
+    const Camera& camera = cameraOf(m_impl->view, pane.content);
+    const std::vector<float>& points = geometry->points();
+    std::vector<std::optional<Projected>> places;
+    for (std::size_t i = 0; 3 * i + 2 < points.size(); ++i) {
+        places.push_back(project(camera, Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), pane.aspect()));
+    }
+    const auto take = [&](const std::vector<std::int32_t>& corners, std::size_t each) {
+        for (std::size_t t = 0; t + each <= corners.size(); t += each) {
+            Eigen::AlignedBox2d face;
+            for (std::size_t k = 0; k < each; ++k) {
+                if (const auto& place = places[static_cast<std::size_t>(corners[t + k])]) {
+                    face.extend(Eigen::Vector2d(pane.x + place->u * pane.width, pane.y + place->v * pane.height));
+                }
+            }
+            for (std::size_t r = 0; r < rectangles.size() && !face.isEmpty(); ++r) {
+                const auto& [left, top, right, bottom] = rectangles[r];
+                found[r] =
+                    found[r] || face.intersects(Eigen::AlignedBox2d(Eigen::Vector2d(left, top), Eigen::Vector2d(right, bottom)));
+            }
+        }
+    };
+    take(geometry->triangles(), 3);
+    take(geometry->lines(), 2);
+    return found;
+}
+
 std::optional<Vec3> Scene::groundAt(int x, int y) const {
     const auto pane = paneAt(m_impl->view.layout, m_impl->width, m_impl->height, x, y);
     if (!pane || m_impl->bounds.isEmpty()) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "widgets/render/basics/colours.h"
@@ -110,6 +112,10 @@ public:
     /// The elements shown in a pane, active or as fragments, whose centres [m] pass a test, ascending; as of the last update(), a
     /// simplified picture at full detail.
     std::vector<ElementIndex> elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const;
+    /// Corners of what is drawn of the model in a pane, m, as of the last update(), a simplified picture at full detail.
+    std::vector<Vec3> shownPoints(PaneContent content) const;
+    /// Of each rectangle of pixels (left, top, right, bottom), whether a face of the model may lie in it.
+    std::vector<bool> covered(const Pane& pane, std::span<const std::array<double, 4>> rectangles) const;
     /// The point of the ground under a pixel, as of the last update().
     std::optional<Vec3> groundAt(int x, int y) const;
 

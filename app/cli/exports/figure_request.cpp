@@ -12,10 +12,12 @@
 #include "core/base/error.h"
 #include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
+#include "core/fe/north.h"
 #include "core/fe/regrouping.h"
 #include "core/pipeline/loose_scene.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_cautions.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/view_json.h"
@@ -88,7 +90,8 @@ std::vector<Option> FigureRequest::viewOptions() {
         {"--hide", "NAME", true, "leaves a component out; may be repeated"},
         {"--shadows", "on|off", false, "the sun's shadow on the ground (default: as the saved view, else on)"},
         {"--selection", "on|off", false, "the elements that the saved view has selected in their colour (default: off)"},
-        {"--size", "WxH", false, "pixels of a figure (default: 1600x1000, of fe_against_fragments 1600x1600; of a movie 1280x720)"},
+        {"--size", "WxH", false,
+         "pixels of a figure (default: 1600 and as high as what is shown needs; of a saved view 1600x1000; of a movie 1280x720)"},
         {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
 }
 
@@ -116,7 +119,9 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
     readPreset(arguments);
     m_colourBy = choiceOf(arguments, "--colour", colourNames, "highlight, component, birth_time, speed, cluster or island");
     const auto size = arguments.value("--size");
-    m_style.pixels = size ? parsePictureSize(*size) : figures::usualSize(m_preset);
+    const QSize usual = figures::usualSize({});
+    // Without cameras of its own a figure is as high as what it shows.
+    m_style.pixels = size ? parsePictureSize(*size) : QSize(usual.width(), m_view && !m_preset ? usual.height() : 0);
     if (const auto dpi = arguments.value("--dpi")) {
         if (!parseNumber(*dpi, m_style.dpi) || !(m_style.dpi >= 20.0 && m_style.dpi <= 2400.0)) {
             throw wrongValue("--dpi", *dpi, "pixels per inch from 20 to 2400");
@@ -254,10 +259,19 @@ double FigureRequest::timeIn(const io::RunReader& run, const FeResult& fe) const
 }
 
 figures::Sheet FigureRequest::sheetOf(const render::SceneData& data, const io::RunReader& run) const {
+    // A height that is not settled yet: the layout is chosen as for a page.
+    const QSize pixels(m_style.pixels.width(),
+                       m_style.pixels.height() > 0 ? m_style.pixels.height() : 5 * m_style.pixels.width() / 8);
     if (!m_preset) {
-        render::View view = viewOf(data, m_style.pixels);
+        render::View view = viewOf(data, pixels);
         view.time = timeIn(run, *data.fe);
-        return figures::sheetOf(view);
+        figures::Sheet sheet = figures::sheetOf(view);
+        if (!m_view) {
+            sheet.framed = true;
+            sheet.look = m_look.value_or(render::Preset::Side);
+            sheet.choices = sheet.panels.size() == 2 ? std::vector{1, 2} : std::vector<int>();
+        }
+        return sheet;
     }
     const auto [first, last] = spanOfRun(run, *data.fe);
     for (const double time : m_times) {
@@ -273,7 +287,18 @@ figures::Sheet FigureRequest::sheetOf(const render::SceneData& data, const io::R
     request.look = m_look;
     request.camerasOfView = m_view.has_value() && !m_look;
     request.end = last;
-    return figures::presetSheet(request, viewOf(data, m_style.pixels), data, m_style.pixels, m_style.dpi);
+    return figures::presetSheet(request, viewOf(data, pixels), data);
+}
+
+/// The view of which the pictures are panes, with their cameras.
+render::View FigureRequest::shownView(const render::SceneData& data, const io::RunReader& run,
+                                      const figures::SheetPicture& picture) const {
+    render::View view = viewOf(data, picture.pixels());
+    view.time = timeIn(run, *data.fe);
+    for (const figures::SheetPicture::Panel& panel : picture.panels()) {
+        render::cameraOf(view, panel.shown.content) = render::cameraOf(panel.view, panel.shown.content);
+    }
+    return view;
 }
 
 void FigureRequest::checkFormat(const std::string& option, const std::string& path) {
@@ -294,11 +319,12 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     figures::FigureStyle style = m_style;
     style.provenance = io::footLine(run->origin());
     style.cautions = pictureCautions(runCautions(io::standingOf(*run)));
+    style.north = northOf(io::SitePlace(run->origin().frame, run->origin().site).transform(), run->origin().frame.crs);
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheet, style);
     io::ExportRecord record{"figure",
                             {},
-                            figures::settingsText(m_style.pixels, m_style.dpi, m_preset, picture.panels().back().place.size()),
+                            figures::settingsText(picture.pixels(), m_style.dpi, m_preset, picture.panels().back().place.size()),
                             {},
                             around.casePath,
                             io::shownFiles(around.shown)};
@@ -307,11 +333,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
         record.shown.push_back(
             {shown.caption.toStdString(), shown.status.time, std::nullopt, figures::shownAs(shown.content, shown.status)});
     }
-    render::View view = m_preset ? picture.panels().back().view : viewOf(data, m_style.pixels);
-    if (!m_preset) {
-        view.time = timeIn(*run, *inputs.fe);
-    }
-    record.view = figures::toJson(view);
+    record.view = figures::toJson(m_preset ? picture.panels().back().view : shownView(data, *run, picture));
     figures::writeSheet(path, picture, style, io::exportProvenance(record, run->origin(), run.get()));
 }
 

@@ -46,6 +46,7 @@ private:
     void readPreset(const Arguments& arguments);
     figures::Sheet sheetOf(const render::SceneData& data, const io::RunReader& run) const;
     double timeIn(const io::RunReader& run, const FeResult& fe) const;
+    render::View shownView(const render::SceneData& data, const io::RunReader& run, const figures::SheetPicture& picture) const;
 
     /// One half of the model that is left out.
     struct Cut {

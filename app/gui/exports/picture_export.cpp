@@ -6,7 +6,9 @@
 
 #include "app/gui/exports/export_source.h"
 #include "app/gui/session/session.h"
+#include "core/fe/north.h"
 #include "io/run/run_cautions.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
@@ -24,15 +26,14 @@ double lastInstant(const render::SceneData& data) {
     return run != nullptr && run->frameCount() > 0 ? std::max(end, run->frameTime(run->frameCount() - 1)) : end;
 }
 
-figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View& view, const render::SceneData& data, QSize pixels,
-                        double dpi) {
+figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View& view, const render::SceneData& data) {
     if (!choice.preset) {
         return figures::sheetOf(view);
     }
     figures::PresetRequest request;
     request.preset = *choice.preset;
     request.end = lastInstant(data);
-    return figures::presetSheet(request, view, data, pixels, dpi);
+    return figures::presetSheet(request, view, data);
 }
 
 /// A figure shows what is selected only if that was asked for.
@@ -43,6 +44,10 @@ render::View shownIn(const widgets::FigureChoice& choice, render::View view) {
     return view;
 }
 
+std::optional<double> northOfSite(const PictureExport::Made& made) {
+    return northOf(io::SitePlace(made.origin.frame, made.origin.site).transform(), made.origin.frame.crs);
+}
+
 void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& shown,
                      const render::SceneData& data, const PictureExport::Made& made) {
     const render::View view = shownIn(choice, shown);
@@ -51,15 +56,17 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
     style.dpi = choice.dpi;
     style.provenance = io::footLine(made.origin, made.run != nullptr);
     style.cautions = made.cautions.toStdString();
+    style.north = northOfSite(made);
     figures::Studio studio(data);
-    const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
+    const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data), style);
     const std::string drawn = figures::toJson(choice.preset ? picture.panels().back().view : view);
-    io::ExportRecord record{"figure",
-                            {},
-                            figures::settingsText(choice.pixels, choice.dpi, choice.preset, picture.panels().back().place.size()),
-                            drawn,
-                            made.casePath,
-                            made.around};
+    io::ExportRecord record{
+        "figure",
+        {},
+        figures::settingsText(picture.pixels(), choice.dpi, choice.preset, picture.panels().back().place.size()),
+        drawn,
+        made.casePath,
+        made.around};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         record.shown.push_back({panel.shown.caption.toStdString(), panel.shown.status.time, std::nullopt,
                                 figures::shownAs(panel.shown.content, panel.shown.status)});
@@ -144,12 +151,13 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
             const double scale = std::min(1.0, longest / std::max(choice.pixels.width(), choice.pixels.height()));
             figures::FigureStyle style;
             style.pixels = {std::max(100, static_cast<int>(scale * choice.pixels.width())),
-                            std::max(100, static_cast<int>(scale * choice.pixels.height()))};
+                            choice.pixels.height() > 0 ? std::max(100, static_cast<int>(scale * choice.pixels.height())) : 0};
             style.dpi = std::max(20.0, scale * choice.dpi);
             style.provenance = io::footLine(made.origin, data.trajectory != nullptr);
             style.cautions = made.cautions.toStdString();
+            style.north = northOfSite(made);
             figures::Studio studio(data);
-            dialog.setPreview(studio.sheet(sheetFor(choice, shownIn(choice, shown), data, style.pixels, style.dpi), style).image());
+            dialog.setPreview(studio.sheet(sheetFor(choice, shownIn(choice, shown), data), style).image());
         } catch (...) {
             const auto failure = failureOf(std::current_exception());
             dialog.setPreview({}, failure ? failure->inOneLine() : QString());

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/build.h"
+#include "core/fe/north.h"
 #include "core/scenario/differences.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/run/acknowledgements.h"
@@ -147,6 +149,12 @@ json provenanceFacts(const RunReader& run, const PageExtras& extras) {
     return facts;
 }
 
+/// Rad from y of the page's frame, clockwise.
+json northFact(const RunOrigin& origin) {
+    const std::optional<double> north = northOf(SitePlace(origin.frame, origin.site).transform(), origin.frame.crs);
+    return north ? json(*north) : json();
+}
+
 json groundFacts(const RunReader& run, const PageExtras& extras) {
     const Scenario& scenario = run.origin().scenario;
     json facts = {{"height", scenario.simulation.groundHeight}, {"terrain", nullptr}, {"water", nullptr}};
@@ -215,6 +223,7 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["chapters"] = chapterFacts(run, fe, extras);
     facts["provenance"] = provenanceFacts(run, extras);
     facts["ground"] = groundFacts(run, extras);
+    facts["north"] = northFact(origin);
     facts["map"] = mapFacts(extras);
     facts["precision"] = {{"place", scene.placeError},
                           {"node", scene.nodeError},

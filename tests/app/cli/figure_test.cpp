@@ -100,7 +100,8 @@ TEST_F(Figure, IsAnExportToo) {
     const Outcome outcome =
         CommandRun().with("DISPLAY", std::nullopt).cli({"export", m_run, "--export", "figure=" + png, "--colour", "component"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_EQ(pngSize(png), std::make_pair(1600u, 1000u));
+    EXPECT_EQ(pngSize(png).first, 1600u);
+    EXPECT_THAT(pngSize(png).second, testing::AllOf(testing::Gt(200u), testing::Le(2000u))) << "as high as what is shown needs";
 }
 
 TEST_F(Figure, LooseStructureIsColouredByItsIsland) {
@@ -138,7 +139,7 @@ TEST_F(Figure, ADisplayThatDoesNotAnswerIsPassedOver) {
     const std::string png = m_folder / "a.png";
     const Outcome outcome = CommandRun().with("DISPLAY", ":4711").cli({"figure", m_run, "--out", png});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_EQ(pngSize(png), std::make_pair(1600u, 1000u));
+    EXPECT_EQ(pngSize(png).first, 1600u);
 }
 
 }  // namespace

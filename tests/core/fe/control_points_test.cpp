@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "core/base/error.h"
+#include "core/fe/north.h"
 
 namespace rubble {
 namespace {
@@ -71,6 +74,18 @@ TEST(ControlPoints, TooFewOrOnePlaceAreRefused) {
     EXPECT_THROW(fitControlPoints(points), UsageError);
     points.back().world.x() = NAN;
     EXPECT_THROW(fitControlPoints(points), UsageError);
+}
+
+TEST(ControlPoints, NorthIsKnownFromASystemOrATurn) {
+    SiteFit place;
+    EXPECT_EQ(northOf(place, ""), std::nullopt);
+    EXPECT_EQ(northOf(place, "EPSG:25832"), 0.0);
+    // A quarter turn counter-clockwise takes local x to north.
+    place = fitControlPoints(turned(1.0, 0.5 * std::numbers::pi));
+    const double north = northOf(place, "").value();
+    const Vec3 way = place.toWorld(Vec3(std::sin(north), std::cos(north), 0.0)) - place.toWorld(Vec3::Zero());
+    EXPECT_NEAR(way.x(), 0.0, 1e-9);
+    EXPECT_GT(way.y(), 0.9);
 }
 
 }  // namespace

@@ -5,11 +5,17 @@
 #include <QBuffer>
 #include <QFile>
 
+#include <cmath>
+#include <span>
+#include <vector>
+
 #include "core/base/error.h"
 #include "tests/scenes/fe_scenes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/framing.h"
 
 namespace rubble::figures {
 namespace {
@@ -26,16 +32,23 @@ render::PaneStatus statusAt(double time) {
 
 TEST(FigureCaption, NamesContentAndTime) {
     render::PaneStatus status = statusAt(1.68);
-    EXPECT_EQ(captionBelow(0, PaneContent::Fe, status, 0.0).toStdString(), "a) Conventional FE result (t = 1.68 s)");
-    EXPECT_EQ(captionBelow(0, PaneContent::Fe, status, 1.0).toStdString(), "a) Conventional FE result (t = 0.68 s)");
+    EXPECT_EQ(captionBelow(0, PaneContent::Fe, status, 0.0).toStdString(), "a) Conventional FE result (t = 1.68 s, computed)");
+    EXPECT_EQ(captionBelow(0, PaneContent::Fe, status, 1.0).toStdString(), "a) Conventional FE result (t = 0.68 s, computed)");
     status.interpolated = true;
     EXPECT_EQ(captionBelow(2, PaneContent::Fe, status, 0.0).toStdString(),
-              "c) Conventional FE result (t = 1.68 s, between two states)");
-    EXPECT_EQ(captionBelow(1, PaneContent::Fragments, status, 0.0).toStdString(), "b) Fragments (t = 1.68 s, not simulated)");
+              "c) Conventional FE result (t = 1.68 s, computed, between two states)");
+    EXPECT_EQ(captionBelow(1, PaneContent::Fragments, status, 0.0).toStdString(),
+              "b) Fragments (t = 1.68 s, illustrative, not simulated)");
     status.simulated = true;
     status.kind = FrameKind::Simulated;
     EXPECT_EQ(captionBelow(3, PaneContent::Fragments, status, 0.0, "Final stage").toStdString(),
               "d) Final stage (t = 1.68 s, simulated)");
+    EXPECT_EQ(captionBelow(3, PaneContent::Fragments, status, 0.0, "Final stage", 1234).toStdString(),
+              "d) Final stage (t = 1.68 s, simulated, 1,234 outside the picture)");
+    status.fragments = 0;
+    EXPECT_EQ(captionBelow(0, PaneContent::Fragments, status, 0.0, "Original").toStdString(), "a) Original (t = 1.68 s, computed)")
+        << "nothing has come off yet";
+    status.fragments = 5;
     status.kind = FrameKind::Interpolated;
     EXPECT_EQ(captionBelow(1, PaneContent::Plan, status, 0.0).toStdString(),
               "b) Fragments in plan (t = 1.68 s, simulated, interpolated)");
@@ -60,7 +73,11 @@ protected:
         PresetRequest request;
         request.preset = preset;
         request.end = 1.5;
-        return presetSheet(request, m_view, m_data, pixels, 200.0);
+        Sheet made = presetSheet(request, m_view, m_data);
+        render::Framing framing(made.look);
+        framing.add(m_data.fe->mesh().nodes, {}, Aabb(), 0.0);
+        arrange(made, framing, pixels, 200.0, true, false);
+        return made;
     }
 };
 
@@ -103,14 +120,107 @@ TEST_F(Preset, EndSurroundingsAndStagesShowWhatTheirFiguresShow) {
 TEST_F(Preset, TakesTheInstantsItIsGivenAndNoOtherNumber) {
     PresetRequest request;
     request.times = {0.1, 0.2, 0.3};
-    const Sheet pairs = presetSheet(request, m_view, m_data, {1600, 1000}, 200.0);
+    const Sheet pairs = presetSheet(request, m_view, m_data);
     EXPECT_EQ(pairs.panels.back().view.time, 0.3);
     request.times = {0.1};
-    EXPECT_THROW(presetSheet(request, m_view, m_data, {1600, 1000}, 200.0), UsageError);
+    EXPECT_THROW(presetSheet(request, m_view, m_data), UsageError);
+}
+
+/// A bridge of 100 x 8 x 18 m, as a lattice of points.
+std::vector<Vec3> longBridge() {
+    std::vector<Vec3> points;
+    for (int x = -50; x <= 50; x += 2) {
+        for (const double y : {-4.0, 4.0}) {
+            points.emplace_back(x, y, 18.0);
+            points.emplace_back(x, y, 18.0 * std::abs(x) / 50.0 * 0.9);
+        }
+    }
+    return points;
+}
+
+/// Least of the shares of width and height of a picture that points take.
+double shareFilled(std::span<const Vec3> points, const render::Camera& camera, double aspect) {
+    Eigen::AlignedBox2d box;
+    for (const Vec3& point : points) {
+        const auto place = render::project(camera, point, aspect);
+        EXPECT_TRUE(place && place->u >= 0.0 && place->u <= 1.0 && place->v >= 0.0 && place->v <= 1.0) << point.transpose();
+        if (place) {
+            box.extend(Eigen::Vector2d(place->u, place->v));
+        }
+    }
+    return box.sizes().minCoeff();
+}
+
+TEST(Arrange, AFigureWithoutAHeightIsFilledByWhatItShows) {
+    const std::vector<Vec3> bridge = longBridge();
+    for (const render::Preset look : {render::Preset::Side, render::Preset::Corner, render::Preset::Top}) {
+        render::Framing framing(look);
+        framing.add(bridge, bridge, Aabb(), 1.0);
+        Sheet sheet;
+        sheet.framed = true;
+        sheet.look = look;
+        sheet.choices = {1, 2};
+        sheet.panels.resize(2);
+        QSize pixels(1600, 0);
+        arrange(sheet, framing, pixels, 200.0, true, false);
+        EXPECT_GT(pixels.height(), 0);
+        const QSize panel = layOutSheet(sheet.columns, sheet.rows(), legendOf(sheet), true, pixels, 200.0).panel;
+        const double aspect = static_cast<double>(panel.width()) / panel.height();
+        EXPECT_GT(shareFilled(bridge, sheet.panels[1].view.cameras[0], aspect), 0.9) << static_cast<int>(look);
+        EXPECT_FALSE(sheet.framed) << "settled";
+    }
+}
+
+TEST(Arrange, AGivenHeightIsKeptAndTheModelIsAsLargeAsItGoes) {
+    const std::vector<Vec3> bridge = longBridge();
+    render::Framing framing(render::Preset::Side);
+    framing.add(bridge, bridge, Aabb(), 1.0);
+    Sheet sheet;
+    sheet.framed = true;
+    sheet.choices = {2, 1};
+    sheet.panels.resize(2);
+    QSize pixels(1600, 900);
+    arrange(sheet, framing, pixels, 200.0, true, false);
+    EXPECT_EQ(pixels, QSize(1600, 900));
+    EXPECT_EQ(sheet.columns, 1) << "one below the other a long bridge is larger";
+    // Cameras that were chosen stay.
+    Sheet own;
+    own.panels.resize(1);
+    own.panels[0].view.cameras[0].position = Vec3(1.0, 2.0, 3.0);
+    const auto before = own.panels[0].view.cameras;
+    QSize free(1600, 0);
+    arrange(own, framing, free, 200.0, true, false);
+    EXPECT_EQ(own.panels[0].view.cameras, before);
+    EXPECT_GT(free.height(), 0);
+}
+
+TEST(Framing, LeavesOutTheFewThatLieFarOut) {
+    std::vector<Vec3> points = longBridge();
+    std::vector<Vec3> pile;
+    for (int i = 0; i < 2000; ++i) {
+        pile.emplace_back(-50.0 + 0.05 * i, 0.0, 1.0 + 0.001 * i);
+    }
+    points.insert(points.end(), pile.begin(), pile.end());
+    render::Framing framing(render::Preset::Side);
+    framing.add(points, pile, Aabb(), 1.0);
+    const double filled = framing.aspect();
+    pile.emplace_back(5000.0, 0.0, 1.0);
+    points.push_back(pile.back());
+    render::Framing stray(render::Preset::Side);
+    stray.add(points, pile, Aabb(), 1.0);
+    EXPECT_NEAR(stray.aspect(), filled, 0.01 * filled);
+    // Where everything runs out, all of it is seen.
+    for (int i = 0; i < 200; ++i) {
+        pile.emplace_back(300.0 + i, 0.0, 1.0);
+        points.push_back(pile.back());
+    }
+    render::Framing wide(render::Preset::Side);
+    wide.add(points, pile, Aabb(), 1.0);
+    EXPECT_GT(render::metresPerPixel(wide.camera(2.0), 100.0), 3.0 * render::metresPerPixel(stray.camera(2.0), 100.0));
 }
 
 TEST(SheetLayout, PanelsFillTheFigureWithoutOverlap) {
-    const SheetLayout layout = layOutSheet(3, 2, true, SheetLegend::Foot, true, {1600, 1000}, 200.0);
+    const SheetLayout layout = layOutSheet(3, 2, SheetLegend::Foot, true, {1600, 1000}, 200.0);
     const QRect whole(0, 0, 1600, 1000);
     std::vector<QRect> places;
     for (int row = 0; row < 2; ++row) {
@@ -129,12 +239,12 @@ TEST(SheetLayout, PanelsFillTheFigureWithoutOverlap) {
 
 /// A figure whose scene is a grey picture: what is around it needs no GL.
 SheetPicture paintedFigure() {
-    SheetPicture picture({900, 500}, layOutSheet(1, 1, true, SheetLegend::None, true, {900, 500}, 150.0));
+    SheetPicture picture({900, 500}, layOutSheet(1, 1, SheetLegend::None, true, {900, 500}, 150.0));
     SheetPicture::Panel panel;
-    panel.place = layOutSheet(1, 1, true, SheetLegend::None, true, {900, 500}, 150.0).panelAt(0, 0);
+    panel.place = layOutSheet(1, 1, SheetLegend::None, true, {900, 500}, 150.0).panelAt(0, 0);
     panel.picture = QImage(panel.place.size(), QImage::Format_RGB32);
     panel.picture.fill(Qt::gray);
-    panel.shown.caption = QStringLiteral("a) Conventional FE result (t = 1.68 s)");
+    panel.shown.caption = QStringLiteral("a) Conventional FE result (t = 1.68 s, computed)");
     picture.add(panel);
     picture.setFoot({}, {}, QStringLiteral("FE 1a2b"));
     return picture;
@@ -143,7 +253,7 @@ SheetPicture paintedFigure() {
 TEST(SheetLegend, StandsBelowThePictureAndCoversNothing) {
     ensureGuiApplication();
     const QSize pixels(900, 500);
-    const SheetLayout layout = layOutSheet(1, 1, true, SheetLegend::Below, false, pixels, 150.0);
+    const SheetLayout layout = layOutSheet(1, 1, SheetLegend::Below, false, pixels, 150.0);
     SheetPicture::Panel panel;
     panel.place = layout.panelAt(0, 0);
     panel.picture = QImage(panel.place.size(), QImage::Format_RGB32);

@@ -128,6 +128,49 @@ TEST_F(GlFigures, FramedFiguresAreWhiteWithCaptionsBelow) {
     EXPECT_GT(dark, 200);
 }
 
+TEST_F(GlFigures, ArrangementsAreFilledByWhatTheyShow) {
+    Studio studio(m_data);
+    for (const auto& [name, preset] : figurePresets) {
+        PresetRequest request;
+        request.preset = preset;
+        request.end = 0.9;
+        FigureStyle style;
+        style.pixels = {800, 0};
+        style.dpi = 100;
+        const SheetPicture picture = studio.sheet(presetSheet(request, m_view, m_data), style);
+        EXPECT_GT(picture.pixels().height(), 0) << name;
+        const SheetPicture::Panel& last = picture.panels().back();
+        EXPECT_FALSE(last.shown.caption.contains(QStringLiteral("outside"))) << name;
+        Eigen::AlignedBox2d seen;
+        for (const Vec3& point : studio.scene().shownPoints(last.shown.content)) {
+            const auto place =
+                render::project(last.view.cameras[0], point, static_cast<double>(last.place.width()) / last.place.height());
+            ASSERT_TRUE(place);
+            seen.extend(Eigen::Vector2d(place->u, place->v));
+        }
+        EXPECT_GE(seen.min().minCoeff(), 0.0) << name;
+        EXPECT_LE(seen.max().maxCoeff(), 1.0) << name;
+        // Others show more than their last picture does.
+        if (preset == FigurePreset::End) {
+            EXPECT_GT(seen.sizes().minCoeff(), 0.85) << name;
+        }
+    }
+}
+
+TEST_F(GlFigures, WhereAPictureLooksStandsBelowWhereNorthIsKnown) {
+    Studio studio(m_data);
+    m_view.legends = m_view.axes = true;
+    FigureStyle style;
+    style.pixels = {800, 0};
+    style.dpi = 100;
+    style.north = 0.0;
+    PresetRequest request;
+    request.preset = FigurePreset::End;
+    request.end = 0.9;
+    const SheetPicture picture = studio.sheet(presetSheet(request, m_view, m_data), style);
+    EXPECT_EQ(picture.panels()[0].legend.back().text.toStdString(), "looking north (0°)");
+}
+
 TEST_F(GlFigures, WritesPngAndSaysWhenItCannot) {
     const auto folder = std::filesystem::path(testing::TempDir()) / "rubble_gl_figures";
     std::filesystem::create_directories(folder);

@@ -76,7 +76,7 @@ protected:
         request.end = 1.5;
         Studio studio(m_data);
         const render::View view = render::defaultView(m_data, m_style.pixels.width(), m_style.pixels.height());
-        return studio.sheet(presetSheet(request, view, m_data, m_style.pixels, m_style.dpi), m_style).image();
+        return studio.sheet(presetSheet(request, view, m_data), m_style).image();
     }
     render::SceneData m_data;
     FigureStyle m_style;

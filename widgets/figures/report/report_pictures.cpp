@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/fe/north.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/report/report_photograph.h"
 #include "widgets/figures/survey_picture.h"
@@ -13,13 +14,10 @@
 namespace rubble::figures {
 namespace {
 
-constexpr QSize widePixels(1800, 1150);
-constexpr QSize endPixels(1800, 1100);
-constexpr QSize mapPixels(1800, 1050);
+constexpr int pictureWidth = 1800;  // px; the height follows what is shown
+constexpr QSize mapPixels(pictureWidth, 1050);
 constexpr double dpi = 250.0;
-constexpr int rowHeight = 380;  // px, of pictures that stand one below the other
 constexpr int lowestMap = 620;  // px, that its legend needs
-constexpr int tallest = 2200;   // px
 constexpr double textPixels = 9.0 / 72.0 * dpi;
 
 /// Pixels for a map of so many cells: a long bridge makes a low one.
@@ -45,24 +43,19 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
     ReportPictures pictures;
     FigureStyle style;
     style.dpi = dpi;
-    const auto draw = [&](FigurePreset preset, QSize pixels, double share) {
+    style.pixels = {pictureWidth, 0};
+    style.north = northOf(place.place, place.system);
+    const render::View view = render::defaultView(data, pictureWidth, pictureWidth);
+    const auto draw = [&](FigurePreset preset, double share) {
         execution.report({"report.drawing", "Drawing the figures", {}}, share);
-        style.pixels = pixels;
         PresetRequest request;
         request.preset = preset;
         request.end = std::max(facts.result->endTime, facts.fe->times().back());
-        const render::View view = render::defaultView(data, pixels.width(), pixels.height());
-        Sheet sheet = presetSheet(request, view, data, pixels, dpi);
-        if (sheet.columns == 1 && sheet.rows() > 2) {
-            // One below the other they need height.
-            style.pixels.setHeight(std::min(tallest, sheet.rows() * rowHeight));
-            sheet = presetSheet(request, view, data, style.pixels, dpi);
-        }
-        return studio.sheet(sheet, style).image();
+        return studio.sheet(presetSheet(request, view, data), style).image();
     };
-    pictures.pairs = draw(FigurePreset::Pairs, widePixels, 0.0);
-    pictures.end = draw(FigurePreset::End, endPixels, 0.4);
-    pictures.stages = draw(FigurePreset::Stages, widePixels, 0.6);
+    pictures.pairs = draw(FigurePreset::Pairs, 0.0);
+    pictures.end = draw(FigurePreset::End, 0.4);
+    pictures.stages = draw(FigurePreset::Stages, 0.6);
     execution.report({"report.drawing", "Drawing the figures", {}}, 0.9);
     MapPictureStyle map = place;
     map.pixels = mapPixels;
@@ -71,7 +64,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
     pictures.map = mapPicture(facts.map.map, MapLayer::Mass, map);
     for (const ReportPhoto& photo : facts.photographs) {
         execution.check();
-        pictures.photographs.push_back(photographPicture(photo, widePixels.width()));
+        pictures.photographs.push_back(photographPicture(photo, pictureWidth));
     }
     for (const ReportSurvey& survey : facts.surveys) {
         execution.check();

@@ -24,13 +24,13 @@ void ReportSections::addResults() {
         }
     };
     figure(m_pictures.pairs,
-           tr("The collapse at three instants: the conventional FE result, and the fragments with the structure that "
-              "still stands, from the same camera"));
-    figure(m_pictures.end, tr("The conventional FE result and the fragments at the end"));
+           tr("The collapse at three instants: the conventional FE result (computed), and the fragments (simulated) with the "
+              "structure that still stands, from the same camera"));
+    figure(m_pictures.end, tr("The conventional FE result (computed) and the fragments (simulated) at the end"));
     addMeasures();
-    figure(m_pictures.map, tr("Mass of the debris per area at the end"));
+    figure(m_pictures.map, tr("Mass of the simulated debris per area at the end"));
     addComponentDebris();
-    figure(m_pictures.stages, tr("Four stages of the collapse, fragments in red"));
+    figure(m_pictures.stages, tr("Four stages of the collapse, simulated, fragments in red"));
     addCourse();
 }
 
@@ -135,12 +135,13 @@ void ReportSections::addCourse() {
     }
     chart.series = {kinetic, potential};
     ReportFigure figure;
-    figure.caption = figure.words =
-        m_facts.result->carried.islands > 0
-            ? tr("Energy of the bodies over time; they enter as their elements are deactivated, or as loose structure that the "
-                 "engine takes over")
-            : tr("Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE "
-                 "result");
+    figure.caption = figure.words = m_facts.result->carried.islands > 0
+                                        ? tr("Simulated energy of the bodies over time; they enter as their elements are "
+                                             "deactivated, or as loose structure that the "
+                                             "engine takes over")
+                                        : tr("Simulated energy of the bodies over time; they enter as their elements are "
+                                             "deactivated, or released at the end of the FE "
+                                             "result");
     figure.paint = [chart](QPainter& painter, const QRectF& area, double text) { chart.paint(painter, area, text); };
     figure.aspect = 2.2;
     figure.source = source();

@@ -1,9 +1,11 @@
 #include "widgets/render/basics/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace rubble::render {
 namespace {
@@ -36,48 +38,8 @@ double halfHeight(const Camera& camera) {
     return camera.parallel ? camera.parallelScale : tangent(camera) * (camera.focalPoint - camera.position).norm();
 }
 
-}  // namespace
-
-Camera refit(const Camera& start, const Aabb& bounds, double aspect, double heightShare) {
-    if (bounds.isEmpty() || !bounds.min().allFinite() || !bounds.max().allFinite() || !(aspect > 0)) {
-        return start;
-    }
-    Camera camera = start;
-    const Axes axes = axesOf(start);
-    const double tanV = tangent(start) * heightShare;
-    const double tanH = tangent(start) * aspect;
-    camera.focalPoint = bounds.center();
-    double distance = smallestDistance;
-    // Two rounds: perspective moves the picture's middle, so centre what was seen and fit again.
-    for (int round = 0; round < 3; ++round) {
-        distance = smallestDistance;
-        double lowU = std::numeric_limits<double>::infinity(), highU = -lowU, lowV = lowU, highV = -lowU, scale = smallestDistance;
-        std::array<Vec3, 8> local;
-        for (int i = 0; i < 8; ++i) {
-            const Vec3 d = bounds.corner(static_cast<Aabb::CornerType>(i)) - camera.focalPoint;
-            local[i] = Vec3(d.dot(axes.right), d.dot(axes.up), d.dot(axes.forward));
-            distance = std::max({distance, margin * std::abs(local[i].x()) / tanH - local[i].z(),
-                                 margin * std::abs(local[i].y()) / tanV - local[i].z()});
-            scale = std::max({scale, margin * std::abs(local[i].x()) / aspect, margin * std::abs(local[i].y()) / heightShare});
-        }
-        camera.parallelScale = scale;
-        for (const Vec3& p : local) {
-            const double w = start.parallel ? 1.0 : distance / std::max(distance + p.z(), 1e-6 * distance);
-            lowU = std::min(lowU, p.x() * w);
-            highU = std::max(highU, p.x() * w);
-            lowV = std::min(lowV, p.y() * w);
-            highV = std::max(highV, p.y() * w);
-        }
-        if (round < 2) {
-            camera.focalPoint += axes.right * 0.5 * (lowU + highU) + axes.up * 0.5 * (lowV + highV);
-        }
-    }
-    camera.position = camera.focalPoint - axes.forward * distance;
-    camera.up = axes.up;
-    return camera;
-}
-
-Camera fitCamera(const Aabb& bounds, double aspect, Preset preset) {
+/// What is seen in a standard direction, from nowhere in particular.
+Camera directed(double aspect, Preset preset) {
     Camera camera;
     camera.focalPoint = Vec3::Zero();
     camera.up = preset == Preset::Top || preset == Preset::Bottom ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
@@ -107,14 +69,76 @@ Camera fitCamera(const Aabb& bounds, double aspect, Preset preset) {
             camera.position = Vec3(-1.0, -1.6, 0.9).normalized();
             break;
     }
-    if (bounds.isEmpty()) {
-        return Camera{};
-    }
     if (aspect > 0) {
         const double half = std::tan(0.5 * widestAngle * std::numbers::pi / 180.0) / aspect;
         camera.viewAngle = std::min(camera.viewAngle, 2.0 * std::atan(half) * 180.0 / std::numbers::pi);
     }
-    return refit(camera, bounds, aspect);
+    return camera;
+}
+
+/// The same direction, moved so that points fit. @param middle  m, about which they lie
+Camera around(const Camera& start, std::span<const Vec3> points, const Vec3& middle, double aspect, double heightShare) {
+    Camera camera = start;
+    const Axes axes = axesOf(start);
+    const double tanV = tangent(start) * heightShare;
+    const double tanH = tangent(start) * aspect;
+    camera.focalPoint = middle;
+    double distance = smallestDistance;
+    std::vector<Vec3> local(points.size());
+    // Two rounds: perspective moves the picture's middle, so centre what was seen and fit again.
+    for (int round = 0; round < 3; ++round) {
+        distance = smallestDistance;
+        double lowU = std::numeric_limits<double>::infinity(), highU = -lowU, lowV = lowU, highV = -lowU, scale = smallestDistance;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec3 d = points[i] - camera.focalPoint;
+            local[i] = Vec3(d.dot(axes.right), d.dot(axes.up), d.dot(axes.forward));
+            distance = std::max({distance, margin * std::abs(local[i].x()) / tanH - local[i].z(),
+                                 margin * std::abs(local[i].y()) / tanV - local[i].z()});
+            scale = std::max({scale, margin * std::abs(local[i].x()) / aspect, margin * std::abs(local[i].y()) / heightShare});
+        }
+        camera.parallelScale = scale;
+        for (const Vec3& p : local) {
+            const double w = start.parallel ? 1.0 : distance / std::max(distance + p.z(), 1e-6 * distance);
+            lowU = std::min(lowU, p.x() * w);
+            highU = std::max(highU, p.x() * w);
+            lowV = std::min(lowV, p.y() * w);
+            highV = std::max(highV, p.y() * w);
+        }
+        if (round < 2) {
+            camera.focalPoint += axes.right * 0.5 * (lowU + highU) + axes.up * 0.5 * (lowV + highV);
+        }
+    }
+    camera.position = camera.focalPoint - axes.forward * distance;
+    camera.up = axes.up;
+    return camera;
+}
+
+}  // namespace
+
+Camera refit(const Camera& start, const Aabb& bounds, double aspect, double heightShare) {
+    if (bounds.isEmpty() || !bounds.min().allFinite() || !bounds.max().allFinite() || !(aspect > 0)) {
+        return start;
+    }
+    std::array<Vec3, 8> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners[static_cast<std::size_t>(i)] = bounds.corner(static_cast<Aabb::CornerType>(i));
+    }
+    return around(start, corners, bounds.center(), aspect, heightShare);
+}
+
+Camera fitCamera(const Aabb& bounds, double aspect, Preset preset) {
+    return bounds.isEmpty() ? Camera{} : refit(directed(aspect, preset), bounds, aspect);
+}
+
+Camera fitCamera(std::span<const Vec3> points, double aspect, Preset preset) {
+    Aabb box;
+    for (const Vec3& point : points) {
+        box.extend(point);
+    }
+    if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite() || !(aspect > 0)) {
+        return Camera{};
+    }
+    return around(directed(aspect, preset), points, box.center(), aspect, 1.0);
 }
 
 Ray rayThrough(const Camera& camera, double u, double v, double aspect) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/base/geometry.h"
 #include "widgets/render/basics/view.h"
@@ -18,6 +19,8 @@ Camera fitCamera(const Aabb& bounds, double aspect, Preset preset = Preset::Side
 /// The same direction, moved so that the box fits.
 /// @param heightShare  of the height of the view that the model may take, about its middle: captions take the rest
 Camera refit(const Camera& camera, const Aabb& bounds, double aspect, double heightShare = 1.0);
+/// The same of points, m: closer than their box would be. As fitCamera() of a box without any.
+Camera fitCamera(std::span<const Vec3> points, double aspect, Preset preset);
 
 /// Half-line from the eye (or the parallel picture plane) through a point of a pane.
 struct Ray {

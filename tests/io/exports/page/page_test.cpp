@@ -195,6 +195,8 @@ TEST_F(Page, FragmentsLieWhereTheRunHasThemAtEveryFrame) {
     const ReadPage page = exported();
     EXPECT_LE(m_report.placeError, 5e-3);
     EXPECT_EQ(page.facts["precision"]["place"], m_report.placeError);
+    EXPECT_TRUE(page.facts.contains("north"));
+    EXPECT_TRUE(page.facts["north"].is_null()) << "nobody said where north is";
     const PlayedBodies bodies(page);
     const FragmentPlaces places(*m_run);
     const std::vector<BodyRecord> records = m_run->bodies();

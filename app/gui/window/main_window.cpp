@@ -54,7 +54,7 @@ struct MainWindow::Kept {
     bool keepsLayout = false;                    ///< also from one start of the program to the next
     bool preferencesOpen = false;
     bool toldOfCase = false;  ///< the sentence of the status line is about the case that is open
-    QString manualPage;  ///< that was open; empty: none was
+    QString manualPage;       ///< that was open; empty: none was
 };
 
 MainWindow::MainWindow(Session& session, QWidget* parent)

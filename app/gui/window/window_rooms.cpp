@@ -17,8 +17,8 @@
 #include "widgets/accuracy/calibration_view.h"
 #include "widgets/evidence/cause_chart.h"
 #include "widgets/evidence/causes_page.h"
-#include "widgets/views/history_panel.h"
 #include "widgets/run/health_list.h"
+#include "widgets/views/history_panel.h"
 #include "widgets/views/status_line.h"
 #include "widgets/views/timeline.h"
 

@@ -8,6 +8,7 @@
 
 #include "bench/engine_run.h"
 #include "bench/engine_scene.h"
+#include "bench/no_sink.h"
 #include "core/base/build.h"
 #include "core/pipeline/pipeline.h"
 #include "core/simulation/run/collapse_run.h"
@@ -33,16 +34,6 @@ constexpr const char* usage =
     "  --threads N,N   without it all of the machine\n"
     "  --solvers N,N   soft-step, bullet, plain (Bullet as it comes); without it soft-step\n"
     "  --repeats N     runs each so many times, in turns; the hash of the end tells equal bits\n";
-
-/// Takes everything and keeps nothing.
-class NoSink : public TrajectorySink {
-public:
-    void begin(const RunDescription&) override {}
-    void addBodies(std::span<const BodyRecord>, std::span<const Carrier>) override {}
-    void commit(const TrajectoryFrame&) override {}
-    void addLedger(const LedgerRow&) override {}
-    void finish(const SimulationResult&) override {}
-};
 
 std::vector<std::string> parts(const std::string& text) {
     std::vector<std::string> all;

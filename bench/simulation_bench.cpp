@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/no_sink.h"
 #include "core/analysis/debris/debris.h"
 #include "core/clusters/clustering.h"
 #include "core/clusters/sizing.h"
@@ -15,16 +16,6 @@
 
 namespace rubble {
 namespace {
-
-/// Takes everything and keeps nothing: what recording to memory costs is measured with the command line.
-class NoTrajectory : public TrajectorySink {
-public:
-    void begin(const RunDescription&) override {}
-    void addBodies(std::span<const BodyRecord>, std::span<const Carrier>) override {}
-    void commit(const TrajectoryFrame&) override {}
-    void addLedger(const LedgerRow&) override {}
-    void finish(const SimulationResult&) override {}
-};
 
 /// The stone arch of the sample case, clustered, or every fragment its own body.
 RunDescription clusteredArch(PieceKind pieces, bool reference = false) {
@@ -68,7 +59,7 @@ void countPlain(benchmark::State& state, const SimulationResult& plain, const Si
 /// PieceKind.
 void clusteredCollapse(benchmark::State& state, PieceKind pieces) {
     const RunDescription description = clusteredArch(pieces);
-    NoTrajectory sink;
+    NoSink sink;
     const Execution execution;
     for (auto _ : state) {
         const SimulationResult ours = simulate(description, sink, execution);

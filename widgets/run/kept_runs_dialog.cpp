@@ -21,7 +21,7 @@ namespace rubble::widgets {
 
 namespace {
 
-enum Column { CaseName, When, Scenario, State, Size, ColumnCount };
+enum Column { CaseName, When, ScenarioName, State, Size, ColumnCount };
 
 QString shownSize(qint64 bytes) {
     return QLocale().formattedDataSize(bytes, 2, QLocale::DataSizeIecFormat);
@@ -60,7 +60,7 @@ KeptRunsDialog::KeptRunsDialog(QWidget* parent)
     m_table->setHorizontalHeaderLabels({tr("Case"), tr("Ended"), tr("Scenario"), tr("State"), tr("Size")});
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(Scenario, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(ScenarioName, QHeaderView::Stretch);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
@@ -129,7 +129,7 @@ void KeptRunsDialog::fill() {
         const QString state = line.shown ? tr("%1 · shown").arg(line.state) : line.state;
         m_table->setItem(i, CaseName, tableCell(caseName(line), true, line.casePath));
         m_table->setItem(i, When, tableCell(when, true, when));
-        m_table->setItem(i, Scenario, tableCell(line.scenario, true, line.scenario));
+        m_table->setItem(i, ScenarioName, tableCell(line.scenario, true, line.scenario));
         m_table->setItem(i, State, tableCell(state, true, line.path));
         m_table->setItem(i, Size, tableCell(shownSize(line.bytes), false, line.path));
     }

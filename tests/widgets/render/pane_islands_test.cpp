@@ -15,7 +15,7 @@ namespace {
 
 constexpr Rgb grey{100, 100, 100};
 
-ColourScale scaleOfTests() {
+ColourScale scaleOfIslands() {
     ColourScale scale;
     scale.colours.fragment = {213, 94, 0};
     scale.colours.released = {9, 9, 9};
@@ -65,7 +65,7 @@ protected:
 
     std::shared_ptr<const FeResult> m_fe;
     SceneData m_data;
-    ColourScale m_scale = scaleOfTests();
+    ColourScale m_scale = scaleOfIslands();
 };
 
 TEST_F(PaneIslands, StructureIsColouredByTheIslandOfTheShownState) {
@@ -152,7 +152,7 @@ TEST_F(PaneIslands, WhatABodyCarriesHasTheColourOfItsIslandToo) {
 }
 
 TEST(IslandColours, NoneIsThatOfAFragment) {
-    SceneColours colours = scaleOfTests().colours;
+    SceneColours colours = scaleOfIslands().colours;
     EXPECT_EQ(colour_choice::unlikeFragments(colours).size(), 9u);
     colours.categories[1] = colours.fragment;
     EXPECT_EQ(colour_choice::unlikeFragments(colours), (std::vector<std::uint32_t>{0, 2, 3, 5, 6, 8})) << "in no lightness";

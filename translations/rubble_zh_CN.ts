@@ -14578,15 +14578,15 @@
     </message>
     <message>
         <source>computed, between two states</source>
-        <translation>计算，两个状态之间</translation>
+        <translation>计算结果，两个状态之间</translation>
     </message>
     <message>
         <source>computed, last state</source>
-        <translation>计算，最后状态</translation>
+        <translation>计算结果，最后状态</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>计算</translation>
+        <translation>计算结果</translation>
     </message>
     <message>
         <source>illustrative, not simulated</source>
@@ -15170,7 +15170,7 @@
     </message>
     <message>
         <source>reason</source>
-        <translation>原因</translation>
+        <translation>理由</translation>
     </message>
     <message>
         <source>ms per step</source>
@@ -15970,7 +15970,7 @@
     </message>
     <message>
         <source>evidence</source>
-        <translation>证据</translation>
+        <translation>补充证据</translation>
     </message>
     <message>
         <source>named rightly</source>

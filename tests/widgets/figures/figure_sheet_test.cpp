@@ -126,11 +126,11 @@ TEST_F(Preset, TakesTheInstantsItIsGivenAndNoOtherNumber) {
     EXPECT_THROW(presetSheet(request, m_view, m_data), UsageError);
 }
 
-/// A bridge of 100 x 8 x 18 m, as a lattice of points.
+/// A bridge of 100 x 16 x 18 m, as a lattice of points.
 std::vector<Vec3> longBridge() {
     std::vector<Vec3> points;
     for (int x = -50; x <= 50; x += 2) {
-        for (const double y : {-4.0, 4.0}) {
+        for (const double y : {-8.0, 8.0}) {
             points.emplace_back(x, y, 18.0);
             points.emplace_back(x, y, 18.0 * std::abs(x) / 50.0 * 0.9);
         }

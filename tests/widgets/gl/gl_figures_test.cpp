@@ -150,9 +150,9 @@ TEST_F(GlFigures, ArrangementsAreFilledByWhatTheyShow) {
         }
         EXPECT_GE(seen.min().minCoeff(), 0.0) << name;
         EXPECT_LE(seen.max().maxCoeff(), 1.0) << name;
-        // Others show more than their last picture does.
+        // Others show more than their last picture does. A page is not higher than it should be, so one way may have room.
         if (preset == FigurePreset::End) {
-            EXPECT_GT(seen.sizes().minCoeff(), 0.85) << name;
+            EXPECT_GT(seen.sizes().maxCoeff(), 0.85) << name;
         }
     }
 }

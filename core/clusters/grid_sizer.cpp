@@ -29,18 +29,18 @@ void reportFps(Sizing& sizing) {
         "sizing.fps.remedy",
         "Accept a live rate of about {0}, merge small components into their neighbours, or raise bodies_max if this "
         "machine moves more",
-        {Argument(sizing.reachableFps, "frames/s")}};
+        {Argument(sizing.reachableFps, "FPS")}};
     if (byHand) {
         sizing.findings.add({"sizing.more_than_bodies_max",
                              "The grid set by hand has {0} clusters awake at once, more than the {1} bodies that reach {2}",
-                             {sizing.awake, sizing.bodiesMax, Argument(sizing.fpsTarget, "frames/s")}},
+                             {sizing.awake, sizing.bodiesMax, Argument(sizing.fpsTarget, "FPS")}},
                             remedy);
     } else {
         sizing.findings.add(
             {"sizing.fps_unreachable",
              "A live rate of {0} is out of reach: even at the upper bounds {1} clusters are awake at once, {2} are allowed; "
              "about {3} can be reached",
-             {Argument(sizing.fpsTarget, "frames/s"), sizing.awake, sizing.bodiesMax, Argument(sizing.reachableFps, "frames/s")}},
+             {Argument(sizing.fpsTarget, "FPS"), sizing.awake, sizing.bodiesMax, Argument(sizing.reachableFps, "FPS")}},
             remedy);
     }
 }

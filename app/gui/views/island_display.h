@@ -21,6 +21,8 @@ public:
 
     /// What views tell apart; null: nothing, or not found yet.
     std::shared_ptr<const LooseStructure> loose() const;
+    /// They are looked for.
+    bool busy() const { return m_worker.busy(); }
     /// Structure is coloured by island, or no longer.
     void setShown(bool shown);
     /// The FE result or the scenario has changed.

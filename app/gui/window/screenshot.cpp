@@ -78,8 +78,9 @@ void Screenshot::look() {
     if (m_taken) {
         return;
     }
-    // What the photographs show, and studies, are made in the background.
-    if (!m_window.rooms().evidence->settled() || m_window.rooms().survey->busy() || m_window.rooms().studies->work().running()) {
+    // What the photographs show, islands and studies are made in the background.
+    if (!m_window.rooms().evidence->settled() || m_window.rooms().islands->busy() || m_window.rooms().survey->busy() ||
+        m_window.rooms().studies->work().running()) {
         return;
     }
     m_timer.stop();
@@ -101,9 +102,14 @@ void Screenshot::prepare() {
     }
     m_window.rooms().studies->causes().addCauses(m_options.causes);
     m_window.rooms().studies->causes().addEvidence(m_options.against);
-    m_window.rooms().playback->scrub(m_options.time.value_or(m_window.rooms().playback->clock().last()));
+    const auto scrub = [this](double time) { m_window.rooms().playback->scrub(time); };
+    scrub(m_window.rooms().playback->clock().last());
     if (!m_options.view.isEmpty()) {
         m_window.rooms().scene->look(figures::viewFromFile(m_options.view.toStdString()));
+    }
+    // What is asked for takes the place of the instant of a view.
+    if (m_options.time) {
+        scrub(*m_options.time);
     }
     m_dialogs.start();
     for (const ActionId id : m_options.actions) {

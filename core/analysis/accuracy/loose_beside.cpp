@@ -32,7 +32,7 @@ Finding looseBesideCaution(double fpsTarget, const LooseAtOnce& beside, std::siz
         {"sizing.loose_beside",
          "The bodies that {0} allow are fragments alone. The engine moves loose structure beside them (loose_structure), "
          "{1} of {2} elements at one time (at {3}), which takes from that rate",
-         {Argument(fpsTarget, "frames/s"), beside.elements, elements, Argument(beside.time, "s")}});
+         {Argument(fpsTarget, "FPS"), beside.elements, elements, Argument(beside.time, "s")}});
 }
 
 std::optional<Finding> looseBesideCaution(double fpsTarget, const SimulationResult& run, std::size_t elements) {
@@ -43,7 +43,7 @@ std::optional<Finding> looseBesideCaution(double fpsTarget, const SimulationResu
         {"sizing.loose_beside.run",
          "The bodies that {0} allow are fragments alone. The engine moved loose structure beside them (loose_structure), "
          "{1} of {2} elements in all, and simulated at {3} times real time while fragments were born",
-         {Argument(fpsTarget, "frames/s"), run.carried.elements, elements, run.stepTimes.realTimeFactor}});
+         {Argument(fpsTarget, "FPS"), run.carried.elements, elements, run.stepTimes.realTimeFactor}});
 }
 
 }  // namespace rubble

@@ -563,6 +563,7 @@ void EvidenceDisplay::showPage() {
     }
     render::View view = m_page.model().view();
     view.theme = widgets::currentTheme();
+    view.style = m_scene.style();
     view.legends = false;
     m_page.model().setView(view);
 }

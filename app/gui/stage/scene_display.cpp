@@ -105,6 +105,10 @@ void SceneDisplay::setView(const render::View& view) {
     emit viewSet(view);
 }
 
+render::Style SceneDisplay::style() const {
+    return m_area.views().view().style;
+}
+
 void SceneDisplay::setLayout(render::Layout layout) {
     render::View view = m_area.views().view();
     view.layout = layout;

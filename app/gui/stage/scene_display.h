@@ -35,6 +35,8 @@ public:
     /// Shows in a new window what an earlier one showed.
     void goOn();
     void setView(const render::View& view);
+    /// What the elements of the views look like now.
+    render::Style style() const;
     /// Looks at the model as a saved view does; the theme stays.
     void look(render::View view);
     /// The whole model as it is seen first; colours and style stay as they are.

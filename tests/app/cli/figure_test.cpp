@@ -109,7 +109,7 @@ TEST_F(Figure, LooseStructureIsColouredByItsIsland) {
     const Outcome outcome = figure({"--out", svg, "--pane", "fe", "--time", "0.3", "--colour", "island"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(textOf(svg), HasSubstr("in loose islands "));
-    EXPECT_THAT(textOf(svg), HasSubstr("island 1"));
+    EXPECT_THAT(textOf(svg), HasSubstr("island 2"));
     const Outcome movie = cli({"movie", m_run, "--out", m_folder / "movie", "--colour", "island", "--pane", "fe", "--from", "0.2",
                                "--to", "0.3", "--fps", "20", "--size", "320x200"});
     EXPECT_EQ(movie.exitCode, 0) << movie.err;

@@ -345,8 +345,8 @@ TEST(GridPanel, SaysWhatTheBodiesAllowedLeaveOut) {
     };
     EXPECT_TRUE(told().isEmpty());
     panel.setBeside(looseBesideCaution(24.0, LooseAtOnce{3.4, 10, 30117}, 60660));
-    EXPECT_TRUE(told().contains(QStringLiteral("24 FPS"))) << told().toStdString();
-    EXPECT_TRUE(told().contains(QStringLiteral("30,117 of 60,660 elements at one time (at 3.4 s)"))) << told().toStdString();
+    EXPECT_TRUE(told().contains(QStringLiteral("24.00 FPS"))) << told().toStdString();
+    EXPECT_TRUE(told().contains(QStringLiteral("30,117 of 60,660 elements at one time (at 3.400 s)"))) << told().toStdString();
     EXPECT_TRUE(told().contains(QStringLiteral("“Loose structure” = "))) << "the remedy";
     panel.setBeside(std::nullopt);
     EXPECT_TRUE(told().isEmpty());

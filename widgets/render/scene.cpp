@@ -65,7 +65,7 @@ double roundedUp(double value) {
 
 /// True if the FE pane looks the same with either.
 bool sameStructure(const SceneData& a, const SceneData& b) {
-    return a.fe == b.fe && a.components == b.components && a.groundHeight == b.groundHeight;
+    return a.fe == b.fe && a.components == b.components && a.loose == b.loose && a.groundHeight == b.groundHeight;
 }
 
 }  // namespace

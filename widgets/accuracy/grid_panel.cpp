@@ -78,6 +78,7 @@ GridPanel::GridPanel(QWidget* parent)
     buildSize();
     buildResult();
     addPrediction();
+    addWide(m_beside);
     addWide(m_findings);
     setAdvice({});
     setPublishedCounts({});
@@ -104,7 +105,6 @@ void GridPanel::buildTarget() {
     row->addStretch();
     target->addWide(buttons);
     target->addWide(m_advice);
-    target->addWide(m_beside);
     connect(m_use, &QPushButton::clicked, this, [this] { emit edited(QStringLiteral("bodies_max"), ParameterValue(m_offered)); });
     connect(calibrate, &QPushButton::clicked, this, &GridPanel::calibrationRequested);
 }

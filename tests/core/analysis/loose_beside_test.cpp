@@ -51,10 +51,9 @@ TEST_F(LooseBeside, IsNothingWhereNothingComesLoose) {
 
 TEST_F(LooseBeside, SaysWhatTheFrameRateLeavesOutAndWhatToDo) {
     const Finding before = looseBesideCaution(24.0, {3.4, 2, 1}, 60660);
-    EXPECT_EQ(
-        englishText(before.what),
-        "The bodies that 24 FPS allow are fragments alone. The engine moves loose structure beside them (loose_structure), "
-        "1 of 60,660 elements at one time (at 3.4 s), which takes from that rate");
+    EXPECT_EQ(englishText(before.what),
+              "The bodies that 24 FPS allow are fragments alone. The engine moves loose structure beside them (loose_structure), "
+              "1 of 60,660 elements at one time (at 3.4 s), which takes from that rate");
     EXPECT_FALSE(before.remedy.empty());
     SimulationResult run;
     EXPECT_FALSE(looseBesideCaution(24.0, run, 60660).has_value()) << "nothing was loose";

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/selftest/trajectory_hashes.h"
+
 namespace rubble::selftest {
 
-CollapseScene::CollapseScene(const CaseSetting& setting) : execution(setting.execution) {
+CollapseScene::CollapseScene(const CaseSetting& setting) : execution(setting.execution), hashes(setting.hashes) {
     scenario.simulation.solver = setting.solver;
     scenario.simulation.settleTime = 4.0;
     scenario.grid.oneBodyPerFragment = true;
@@ -13,7 +15,14 @@ CollapseScene::CollapseScene(const CaseSetting& setting) : execution(setting.exe
 
 const SimulationResult& CollapseScene::run(std::shared_ptr<const FeResult> fe) {
     results = rubble::run({std::move(fe), frame}, scenario, Stage::Simulation, {}, &trajectory, execution);
+    took(*results.simulation);
     return *results.simulation;
+}
+
+void CollapseScene::took(const SimulationResult& run) const {
+    if (hashes) {
+        hashes->add(run.trajectoryHash);
+    }
 }
 
 std::int64_t CollapseScene::lost() const {

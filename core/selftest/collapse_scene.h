@@ -16,6 +16,9 @@ struct CollapseScene {
     const SimulationResult& run(std::shared_ptr<const FeResult> fe);
     const SimulationResult& result() const { return *results.simulation; }
 
+    /// A run that was made with parts of this one.
+    void took(const SimulationResult& run) const;
+
     /// Bodies that lie with their centre below the level ground or at no place at all, at the end.
     std::int64_t lost() const;
     /// Places of the fragments at the end that are not numbers.
@@ -26,6 +29,7 @@ struct CollapseScene {
     Scenario scenario;
     Frame frame;
     Execution execution;
+    std::shared_ptr<TrajectoryHashes> hashes;  ///< takes what the run moves, if asked for
     Results results;
     MemoryTrajectory trajectory;
 };

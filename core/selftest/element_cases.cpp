@@ -229,6 +229,7 @@ void refusedBodies(const CaseSetting& setting, Outcome& outcome) {
     results.fragments = fragments;
     const RunDescription description = describeRun(inputs, collapse.scenario, results);
     const SimulationResult result = simulate(description, collapse.trajectory, collapse.execution);
+    collapse.took(result);
     outcome.near("refused with a named warning", static_cast<double>(result.findings.count("simulation.body_refused")), 6, 0);
     outcome.near("bodies that entered", static_cast<double>(collapse.trajectory.bodies().size()), 2, 0);
     outcome.none("bodies whose place is not a number", static_cast<double>([&] {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -9,11 +10,14 @@
 
 namespace rubble::selftest {
 
+class TrajectoryHashes;
+
 /// How the cases are to run.
 struct CaseSetting {
     SolverKind solver = SolverKind::SoftStep;
     bool small = false;  ///< a smaller size of the long cases, for tests; their criteria stay
     Execution execution;
+    std::shared_ptr<TrajectoryHashes> hashes;  ///< of what moves in the case; null: nobody asks for them
 };
 
 /// One hard case: a scene, what could go wrong in it, and what must hold.

@@ -188,6 +188,7 @@ void killAndResume(const CaseSetting& setting, Outcome& outcome) {
                  hashOfFrames(killed, killed.frameCount()) != hashOfFrames(whole.trajectory, killed.frameCount()));
     MemoryTrajectory resumed;
     const SimulationResult result = simulate(describeWall(whole.scenario), resumed, setting.execution, &checkpoint);
+    whole.took(result);
     // The stock solver is replayed: the frames that were kept must come again, and then the rest.
     const bool goesOn = setting.solver == SolverKind::SoftStep;
     const double from = result.checkpoints.resumedAt.value_or(result.firstTime);

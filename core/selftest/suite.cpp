@@ -10,6 +10,7 @@
 #include "core/base/elapsed.h"
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
+#include "core/selftest/trajectory_hashes.h"
 
 namespace rubble::selftest {
 
@@ -78,10 +79,16 @@ CaseResult runCase(const HardCase& hardCase, const SuiteSettings& settings, cons
     setting.solver = settings.solver;
     setting.small = settings.small;
     setting.execution = execution;
+    if (settings.hashes) {
+        setting.hashes = std::make_shared<TrajectoryHashes>();
+    }
     try {
         execution.check();
         hardCase.run(setting, result.outcome);
         result.finished = true;
+        if (setting.hashes) {
+            result.trajectories = setting.hashes->finish();
+        }
     } catch (const Cancelled&) {
         result.outcome = {};
     } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/hash.h"
 #include "core/selftest/hard_case.h"
 
 namespace rubble::selftest {
@@ -27,13 +28,15 @@ struct CaseResult {
     Outcome outcome;
     std::string error;  ///< the case could not be run to its end; empty if it could
     double seconds = 0.0;
+    Digest trajectories;  ///< of all that moved, where it was asked for
     bool pass() const { return finished && error.empty() && outcome.pass(); }
 };
 
 struct SuiteSettings {
     SolverKind solver = SolverKind::SoftStep;
     bool small = false;
-    int threads = 2;  ///< cases at a time; no result depends on it
+    bool hashes = false;  ///< hash what moves in each case as well
+    int threads = 2;      ///< cases at a time; no result depends on it
 };
 
 /// Runs cases, long ones first, each in worlds of its own. What was not finished when the execution was cancelled is marked so.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/selftest/trajectory_hashes.h"
+
 namespace rubble::selftest {
 
 CollisionShape boxShape(const Vec3& size) {
@@ -32,6 +34,9 @@ RigidWorld& WorldScene::world() {
             settings.cancelled = [flag = execution] { return flag.cancelled(); };
         }
         m_world = makeWorld(solver, settings);
+        if (hashes) {
+            m_world = TrajectoryHashes::watched(std::move(m_world), hashes);
+        }
     }
     return *m_world;
 }

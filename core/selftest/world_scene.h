@@ -13,13 +13,15 @@ namespace rubble::selftest {
 class WorldScene {
 public:
     WorldScene() = default;
-    explicit WorldScene(const CaseSetting& setting) : solver(setting.solver), execution(setting.execution) {}
+    explicit WorldScene(const CaseSetting& setting)
+        : solver(setting.solver), execution(setting.execution), hashes(setting.hashes) {}
 
     /// Settings are read when the first body or piece enters.
     WorldSettings settings;
     SolverKind solver = SolverKind::Bullet;
-    double dt = 1.0 / 60.0;  ///< s
-    Execution execution;     ///< run() throws Cancelled once it is cancelled
+    double dt = 1.0 / 60.0;                    ///< s
+    Execution execution;                       ///< run() throws Cancelled once it is cancelled
+    std::shared_ptr<TrajectoryHashes> hashes;  ///< of what moves here, if asked for
 
     RigidWorld& world();
     /// A solid box of 2,400 kg/m3.

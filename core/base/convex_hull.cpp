@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 namespace {
@@ -27,7 +29,7 @@ std::vector<std::uint32_t> polygonOf(std::span<const Vec3> points, const Vec3& n
         while (polygon.size() > fixed + 1) {
             const auto [ax, ay] = place(polygon[polygon.size() - 2]);
             const auto [bx, by] = place(polygon.back());
-            const double length = std::hypot(x - ax, y - ay);
+            const double length = lengthOf(x - ax, y - ay);
             if ((bx - ax) * (y - ay) - (by - ay) * (x - ax) > tolerance * length) {
                 break;
             }

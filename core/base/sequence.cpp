@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 std::uint64_t Sequence::next() {
@@ -25,13 +27,13 @@ std::size_t Sequence::below(std::size_t count) {
 Quat Sequence::turn() {
     const double u = between(0, 1), a = between(0, 2 * std::numbers::pi), b = between(0, 2 * std::numbers::pi);
     const double r = std::sqrt(1 - u), s = std::sqrt(u);
-    return Quat(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b)).normalized();
+    return Quat(s * cosineOf(b), r * sineOf(a), r * cosineOf(a), s * sineOf(b)).normalized();
 }
 
 Vec3 Sequence::direction() {
     const double z = between(-1, 1), a = between(0, 2 * std::numbers::pi);
     const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(a), r * std::sin(a), z};
+    return {r * cosineOf(a), r * sineOf(a), z};
 }
 
 }  // namespace rubble

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/same_bits.h"
 #include "core/base/standard_gravity.h"
 #include "core/engine/world/constants.h"
 #include "core/pipeline/pipeline.h"
@@ -61,7 +62,7 @@ void incline(const CaseSetting& setting, Outcome& outcome) {
         WorldScene scene(setting);
         scene.settings.pairs = PairTable::uniform(0.5, 0.1);
         scene.settings.ground = false;
-        const Quat turn(Eigen::AngleAxisd(radians(degrees), Vec3::UnitY()));
+        const Quat turn(turnAbout(Vec3::UnitY(), radians(degrees)));
         scene.piece(turn * Vec3(0, 0, -1), {80, 20, 2}, turn);
         const BodyId body = scene.box(turn * Vec3(0, 0, 0.25), {1, 1, 0.5}, Vec3::Zero(), turn);
         scene.run(0.5);

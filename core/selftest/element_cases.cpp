@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/same_bits.h"
 #include "core/base/standard_gravity.h"
 #include "core/base/unknown.h"
 #include "core/selftest/collapse_scene.h"
@@ -115,7 +116,7 @@ void coarseOutput(const CaseSetting& setting, Outcome& outcome) {
         if (x.z() < 2.0) {
             return x;
         }
-        const Quat turn(Eigen::AngleAxisd(1.5 * t, Vec3::UnitY()));
+        const Quat turn(turnAbout(Vec3::UnitY(), 1.5 * t));
         const Vec3 pivot(0, 0, 30.3);
         return pivot + turn * (x - pivot) - Vec3(0, 0, 12.0 * t + 0.5 * standardGravity * t * t);
     };

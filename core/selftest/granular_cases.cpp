@@ -7,6 +7,7 @@
 
 #include "core/analysis/debris/box_outline.h"
 #include "core/base/message.h"
+#include "core/base/same_bits.h"
 #include "core/selftest/pile.h"
 
 namespace rubble::selftest {
@@ -172,7 +173,8 @@ double fill(WorldScene& scene, Pile& pile, std::uint64_t seed, double halfX, dou
         }
     }
     // A lattice of this spacing settles to a solid fraction of about 0.5.
-    const auto layers = static_cast<int>(std::ceil(height / spacing * std::pow(spacing / cubeSide, 3) * 0.5));
+    const auto layers =
+        static_cast<int>(std::ceil(height / spacing * (spacing * spacing * spacing) / (cubeSide * cubeSide * cubeSide) * 0.5));
     double top = 0.0;
     for (int poured = 0; poured < layers; poured += layersAtOnce) {
         for (int k = 0; k < std::min(layersAtOnce, layers - poured); ++k) {
@@ -199,7 +201,7 @@ Collapse axisymmetric(const CaseSetting& setting, double aspect) {
     const double tall = 3.0 * aspect * radius + 2.0;
     std::vector<PieceId> walls;
     for (int i = 0; i < sides; ++i) {
-        const Quat turn(Eigen::AngleAxisd(2.0 * std::numbers::pi * i / sides, Vec3::UnitZ()));
+        const Quat turn(turnAbout(Vec3::UnitZ(), 2.0 * std::numbers::pi * i / sides));
         walls.push_back(wall(scene, turn * Vec3(radius + 0.5, 0, 0.5 * tall), {1.0, 0.8, tall}, turn));
     }
     const double height = fill(scene, pile, 11, radius, radius, std::numbers::pi * radius * radius, aspect * radius,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/same_bits.h"
 #include "core/base/standard_gravity.h"
 #include "core/selftest/pile.h"
 
@@ -44,7 +45,7 @@ std::shared_ptr<const TerrainGrid> hills() {
     std::vector<double> heights;
     for (std::size_t j = 0; j < n; ++j) {
         for (std::size_t i = 0; i < n; ++i) {
-            heights.push_back(3.0 * std::sin(0.4 * static_cast<double>(i)) * std::cos(0.3 * static_cast<double>(j)));
+            heights.push_back(3.0 * sineOf(0.4 * static_cast<double>(i)) * cosineOf(0.3 * static_cast<double>(j)));
         }
     }
     return std::make_shared<const TerrainGrid>(-30.0, -30.0, 1.0, n, n, std::move(heights));
@@ -59,8 +60,11 @@ void terrain(const CaseSetting& setting, Outcome& outcome) {
         for (int i = 0; i < 100; ++i) {
             const double height = 6.0 + random.between(0.0, speed / 60.0);
             const double side = i % 2 == 0 ? 0.05 : 0.3;
+            // One draw a line: compilers take arguments in an order of their own.
+            const Quat turn = random.turn();
+            const double across = random.between(-0.3, 0.3), along = random.between(-0.3, 0.3);
             scene.box({2.0 * (i % 10) - 9.0, 2.0 * (i / 10) - 9.0, height}, Vec3::Constant(side),
-                      speed * Vec3(random.between(-0.3, 0.3), random.between(-0.3, 0.3), -0.9).normalized(), random.turn());
+                      speed * Vec3(along, across, -0.9).normalized(), turn);
         }
         int below = 0;
         for (int i = 0; i < 20; ++i) {
@@ -87,8 +91,9 @@ void thinDeck(const CaseSetting& setting, Outcome& outcome) {
     constexpr int count = 64;
     const double sides[]{0.05, 0.1, 0.3, 0.6};
     for (int i = 0; i < count; ++i) {
+        const Quat turn = random.turn();
         scene.box({1.2 * (i % 8) - 4.2, 1.2 * (i / 8) - 4.2, drop + random.between(-1.0, 1.0)}, Vec3::Constant(sides[i % 4]),
-                  Vec3::Zero(), random.turn());
+                  Vec3::Zero(), turn);
     }
     double fastest = 0.0;
     scene.run(fall + 0.7, [&](double time) {
@@ -127,7 +132,7 @@ void bouncy(const CaseSetting& setting, Outcome& outcome) {
 /// Cubes let go on a slope of 30 degrees that ends level, turned in every way, each as if alone.
 void roughSlope(const CaseSetting& setting, Outcome& outcome) {
     constexpr std::size_t columns = 61, rows = 41;
-    const double fall = std::tan(std::numbers::pi / 6.0);
+    const double fall = std::numbers::inv_sqrt3;
     std::vector<double> heights;
     for (std::size_t j = 0; j < rows; ++j) {
         for (std::size_t i = 0; i < columns; ++i) {
@@ -170,7 +175,9 @@ Pose tossed(const CaseSetting& setting, bool hull, bool ground, std::uint64_t se
         scene.piece({0, 0, -0.5}, {20, 20, 1});
     }
     Sequence random(seed);
-    NewBody body = boxBody({0, 0, 1}, {0.4, 0.4, 0.4}, {random.between(0.5, 1.5), 0, -1}, random.turn(), 3.0 * random.direction());
+    const Vec3 spin = 3.0 * random.direction();
+    const Quat turn = random.turn();
+    NewBody body = boxBody({0, 0, 1}, {0.4, 0.4, 0.4}, {random.between(0.5, 1.5), 0, -1}, turn, spin);
     if (hull) {
         for (int i = 0; i < 8; ++i) {
             body.shape.front().points.emplace_back(i & 1 ? 0.2 : -0.2, i & 2 ? 0.2 : -0.2, i & 4 ? 0.2 : -0.2);

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/same_bits.h"
 #include "core/base/standard_gravity.h"
 #include "core/selftest/world_scene.h"
 
@@ -11,7 +12,7 @@ namespace rubble::selftest {
 namespace {
 
 Quat tilt(double degrees) {
-    return Quat(Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, Vec3::UnitY()));
+    return Quat(turnAbout(Vec3::UnitY(), degrees * std::numbers::pi / 180.0));
 }
 
 std::string inUnits(double value, std::string_view unit) {
@@ -92,7 +93,7 @@ void slideToRest(const CaseSetting& setting, Outcome& outcome) {
         WorldScene scene(setting);
         scene.settings.pairs = PairTable::uniform(0.5, 0.1);
         const double angle = heading * std::numbers::pi / 180.0;
-        const BodyId body = scene.box({0, 0, 0.15}, {1, 1, 0.3}, 5.0 * Vec3(std::cos(angle), std::sin(angle), 0));
+        const BodyId body = scene.box({0, 0, 0.15}, {1, 1, 0.3}, 5.0 * Vec3(cosineOf(angle), sineOf(angle), 0));
         scene.run(2.0);
         const Vec3 end = scene.place(body);
         const double law = 25.0 / (2.0 * 0.5 * standardGravity);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/same_bits.h"
 #include "core/base/standard_gravity.h"
 #include "core/engine/world/constants.h"
 #include "core/selftest/pile.h"
@@ -55,7 +56,7 @@ void closingPiece(const CaseSetting& setting, Outcome& outcome) {
             }
             const auto highAt = [&](double time) { return Vec3(0, 0, 3.0 - std::min(2.5, speed * time)); };
             const PieceId high = scene.piece(highAt(0), {4, 4, 2});
-            const BodyId body = scene.box({0.1, 0.05, 0.5}, {1, 1, 1}, Vec3::Zero(), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())));
+            const BodyId body = scene.box({0.1, 0.05, 0.5}, {1, 1, 1}, Vec3::Zero(), Quat(turnAbout(Vec3::UnitZ(), 0.3)));
             double fastest = 0.0;
             scene.run(3.0 / speed + 1.0, [&](double time) {
                 scene.world().movePiece(high, {highAt(time), Quat::Identity()});

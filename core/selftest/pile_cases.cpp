@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/same_bits.h"
 #include "core/selftest/pile.h"
 
 namespace rubble::selftest {
@@ -29,7 +30,7 @@ void manyBodies(const CaseSetting& setting, Outcome& outcome) {
     for (int k = 0; k < layers; ++k) {
         for (int j = 0; j < across; ++j) {
             for (int i = 0; i < across; ++i) {
-                const Quat turn(Eigen::AngleAxisd(random.between(-0.05, 0.05), Vec3::UnitZ()));
+                const Quat turn(turnAbout(Vec3::UnitZ(), random.between(-0.05, 0.05)));
                 pile.add({0.33 * i + random.between(-0.005, 0.005), 0.33 * j + random.between(-0.005, 0.005), cube * (k + 0.5)},
                          {cube, cube, cube}, turn);
             }

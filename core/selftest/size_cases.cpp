@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/same_bits.h"
 #include "core/selftest/pile.h"
 
 namespace rubble::selftest {
@@ -41,7 +42,7 @@ void stackSizes(Pile& pile, const std::vector<Vec3>& sizes, double width, Sequen
                 floor = std::max(floor, other.top);
             }
         }
-        const Quat turn(Eigen::AngleAxisd(random.between(0.0, 3.0), Vec3::UnitZ()));
+        const Quat turn(turnAbout(Vec3::UnitZ(), random.between(0.0, 3.0)));
         pile.add({x, y, floor + 0.5 * size.z() + 0.002}, size, turn);
         placed.push_back({x, y, half, floor + size.z() + 0.002});
     }
@@ -60,7 +61,7 @@ HeapOfSizes heapOfSizes(const CaseSetting& setting, std::uint64_t seed) {
     std::vector<Vec3> sizes;
     // Sides from 1 cm to 10 m, evenly in their logarithm.
     for (int i = 0; i < 400; ++i) {
-        sizes.push_back(Vec3::Constant(std::pow(10.0, random.between(-2.0, 1.0))));
+        sizes.push_back(Vec3::Constant(powerOfTen(random.between(-2.0, 1.0))));
     }
     sizes[0] = Vec3::Constant(10.0);
     sizes[200] = Vec3::Constant(0.01);

@@ -6,6 +6,7 @@
 
 #include "core/base/convex_body.h"
 #include "core/base/convex_hull.h"
+#include "core/base/same_bits.h"
 #include "core/engine/world/bricks.h"
 #include "core/engine/world/bullet_shapes.h"
 #include "core/engine/world/tight_box.h"
@@ -88,7 +89,7 @@ std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, std::size_t dir
         const double z = 1.0 - 2.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(directions);
         const double r = std::sqrt(1.0 - z * z);
         const double angle = golden * static_cast<double>(i);
-        const Vec3 direction(r * std::cos(angle), r * std::sin(angle), z);
+        const Vec3 direction(r * cosineOf(angle), r * sineOf(angle), z);
         const auto best = std::max_element(points.begin(), points.end(),
                                            [&](const Vec3& a, const Vec3& b) { return direction.dot(a) < direction.dot(b); });
         chosen.push_back(static_cast<std::size_t>(best - points.begin()));

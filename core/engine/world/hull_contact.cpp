@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 namespace {
@@ -188,7 +190,7 @@ ContactPatch faceContact(const Turned& reference, const Turned& incident, std::s
     for (std::size_t k = 0; k < around.size(); ++k) {
         const PlanePoint from = place(reference.corners[around[k]], 0);
         const PlanePoint to = place(reference.corners[around[(k + 1) % around.size()]], 0);
-        const double length = std::hypot(to.u - from.u, to.v - from.v);
+        const double length = lengthOf(to.u - from.u, to.v - from.v);
         const double outU = (to.v - from.v) / length, outV = -(to.u - from.u) / length;
         clip(polygon, outU, outV, outU * from.u + outV * from.v, static_cast<std::uint32_t>(k));
     }

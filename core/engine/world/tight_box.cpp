@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numbers>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 namespace {
@@ -73,7 +75,7 @@ OrientedBox tightBox(std::span<const Vec3> points, std::span<const Mat3> candida
             for (int axis = 0; axis < 3; ++axis) {
                 for (const double sign : {1.0, -1.0}) {
                     const double angle = sign * degrees * std::numbers::pi / 180.0;
-                    better = consider(Mat3(best * Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix())) || better;
+                    better = consider(Mat3(best * axesTurned(Vec3::Unit(axis), angle))) || better;
                 }
             }
         }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/base/same_bits.h"
 #include "core/engine/world/body_shapes.h"
 #include "core/engine/world/bricks.h"
 #include "core/engine/world/constants.h"
@@ -379,7 +380,7 @@ void Pieces::keep(Archive& archive) {
 void Pieces::moveTo(RigidWorld& world, double share) {
     for (Group* group : m_moving) {
         group->pose = {group->start.position + share * (group->finish.position - group->start.position),
-                       group->start.orientation.slerp(share, group->finish.orientation)};
+                       turnBetween(group->start.orientation, share, group->finish.orientation)};
         if (share >= 1.0) {
             group->pose = group->finish;
         }

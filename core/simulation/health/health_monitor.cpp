@@ -163,7 +163,7 @@ void HealthMonitor::watchPlace(Watched& watched, const Vec3& place, double time)
         m_report.farthest = std::sqrt(squared);
     }
     watched.outside = 0.0;
-    if (squared > m_reach * m_reach && squared > std::pow(reachAt(place), 2)) {
+    if (squared > m_reach * m_reach && squared > reachAt(place) * reachAt(place)) {
         watched.outside = std::sqrt(squared);
     }
     watched.everOutside = watched.everOutside || watched.outside > 0.0;

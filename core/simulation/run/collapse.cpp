@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/same_bits.h"
 #include "core/engine/world/constants.h"
 #include "core/fe/site_surface.h"
 #include "core/fragments/birth_windows.h"
@@ -61,7 +62,7 @@ HealthSite healthSite(const RunDescription& description, const EffectDecisions& 
     const EffectSettings& effects = description.scenario.effects;
     if (isOn(decisions, EffectKind::Water)) {
         site.waterLevel = effects.waterLevel;
-        site.current = std::hypot(effects.currentX, effects.currentY);
+        site.current = lengthOf(effects.currentX, effects.currentY);
     }
     return site;
 }

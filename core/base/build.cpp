@@ -45,13 +45,12 @@ std::string_view versionText() {
 }
 
 std::string_view buildText() {
-    // EIGEN_MAX_ALIGN_BYTES tells which vector width the code was compiled for; it decides the order of sums. The C library chooses
-    // its sines and powers by the processor: with fused operations they round otherwise.
-    static const std::string text =
-        "Rubble " RUBBLE_VERSION ", sources " RUBBLE_SOURCE_DIGEST ", g++ " __VERSION__ ", " RUBBLE_BUILD_TYPE
-        ", Eigen " RUBBLE_TEXT(EIGEN_WORLD_VERSION) "." RUBBLE_TEXT(EIGEN_MAJOR_VERSION) "." RUBBLE_TEXT(
-            EIGEN_MINOR_VERSION) ", vectors of " RUBBLE_TEXT(EIGEN_MAX_ALIGN_BYTES) " bytes, C library " +
-        libraryText() + (fusedOperations() ? " with" : " without") + " fused operations";
+    // Trajectories take no sines and powers of the C library, but readings of results and Bullet do: it chooses them by the
+    // processor, and with fused operations they round otherwise.
+    static const std::string text = "Rubble " RUBBLE_VERSION ", sources " RUBBLE_SOURCE_DIGEST ", g++ " __VERSION__
+                                    ", " RUBBLE_BUILD_TYPE ", Eigen " RUBBLE_TEXT(EIGEN_WORLD_VERSION) "." RUBBLE_TEXT(
+                                        EIGEN_MAJOR_VERSION) "." RUBBLE_TEXT(EIGEN_MINOR_VERSION) ", C library " +
+                                    libraryText() + (fusedOperations() ? " with" : " without") + " fused operations";
     return text;
 }
 

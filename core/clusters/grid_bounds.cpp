@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 #include <string>
 
+#include "core/base/same_bits.h"
 #include "core/clusters/fragment_order.h"
 
 namespace rubble {
@@ -81,7 +81,7 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
 }
 
 double guideSize(double meanDistance, std::size_t fragments, std::int64_t bodiesMax) {
-    return meanDistance * std::cbrt(static_cast<double>(fragments) / static_cast<double>(std::max<std::int64_t>(1, bodiesMax)));
+    return meanDistance * cubeRootOf(static_cast<double>(fragments) / static_cast<double>(std::max<std::int64_t>(1, bodiesMax)));
 }
 
 BoundConflict conflictOf(const AxisSizing& axis) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/same_bits.h"
 #include "core/clusters/grid_bounds.h"
 #include "core/clusters/grid_search.h"
 
@@ -126,7 +127,7 @@ void GridSizer::reportManyBirths(const GridSettings& settings, const Execution& 
     if (clusters <= static_cast<std::size_t>(sizing.bodiesMax)) {
         return;
     }
-    const double multiple = std::cbrt(fragments / static_cast<double>(sizing.bodiesMax));
+    const double multiple = cubeRootOf(fragments / static_cast<double>(sizing.bodiesMax));
     sizing.findings.add(
         {"sizing.many_births",
          "{0} fragments are born at {1} instants: at the guide of {2} mean distances, which would give {3} clusters for one birth "

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 namespace {
@@ -60,7 +62,7 @@ NestedCuts::NestedCuts(const FragmentSet& fragments, const Mesh& mesh) {
     }
     if (const Mat3 moment = matrixOf(all); moment.trace() > 0.0) {
         const Vec3 squares = thickened(moment).diagonal();
-        m_usual = (squares / std::cbrt(squares.prod())).cwiseSqrt();
+        m_usual = (squares / cubeRootOf(squares.prod())).cwiseSqrt();
     }
     std::vector<std::tuple<double, std::int64_t, std::uint32_t>> keys(fragments.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -96,7 +98,7 @@ NestedCuts::Form NestedCuts::formOf(std::span<const std::uint32_t> members, cons
     form.between = matrixOf(between - square(moment) / mass);
     const Mat3 within = matrixOf(own);
     const Mat3 shape = thickened(within);
-    form.box = stretch.asDiagonal() * (shape / std::cbrt(shape.determinant())) * stretch.asDiagonal();
+    form.box = stretch.asDiagonal() * (shape / cubeRootOf(shape.determinant())) * stretch.asDiagonal();
     form.inverse = form.box.inverse();
     form.perMass = form.inverse.cwiseProduct(form.between + within).sum() / mass;
     return form;

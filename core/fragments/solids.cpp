@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 namespace {
@@ -150,7 +152,7 @@ Mat3 nearestRotation(const Mat3& matrix) {
         return nearestRotationBySvd(matrix);
     }
     // Newton's iteration for the polar factor (Higham 1986), quadratic from here on.
-    Mat3 rotation = matrix / std::cbrt(determinant);
+    Mat3 rotation = matrix / cubeRootOf(determinant);
     for (int i = 0; i < 30; ++i) {
         const Mat3 next = 0.5 * (rotation + rotation.inverse().transpose());
         const double change = (next - rotation).squaredNorm();

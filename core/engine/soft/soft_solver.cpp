@@ -1,11 +1,11 @@
 #include "core/engine/soft/soft_solver.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
+#include "core/base/same_bits.h"
 #include "core/engine/soft/restitution.h"
 
 namespace rubble {
@@ -37,7 +37,7 @@ constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
 constexpr KeptNumber unlimited = std::numeric_limits<KeptNumber>::max();
 int correctionPassesFor(std::size_t contacts) {
-    const double wanted = fewestCorrectionPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
+    const double wanted = fewestCorrectionPasses * cubeRootOf(static_cast<double>(contacts) / contactsOfFewest);
     return static_cast<int>(std::clamp<double>(wanted, fewestCorrectionPasses, mostCorrectionPasses));
 }
 

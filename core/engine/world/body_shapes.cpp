@@ -36,7 +36,7 @@ OrientedBox drawnIn(OrientedBox box, const FragmentSet& fragments, std::span<con
     for (const FragmentId f : members) {
         material += fragments.list[at(f)].box.volume();
     }
-    const double scale = std::cbrt(bulking * material / box.volume());
+    const double scale = cubeRootOf(bulking * material / box.volume());
     if (scale < 1.0) {
         box.centre *= scale;
         box.halfExtents *= scale;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <queue>
 
+#include "core/base/same_bits.h"
 #include "core/engine/world/tight_box.h"
 
 namespace rubble {
@@ -37,7 +38,7 @@ double volumeOf(ElementShape solid, std::span<const Vec3> c) {
 
 /// The box, drawn in towards its centre until it has the volume.
 OrientedBox ofVolume(OrientedBox box, double volume) {
-    const double scale = std::cbrt(volume / box.volume());
+    const double scale = cubeRootOf(volume / box.volume());
     if (std::isfinite(scale) && scale < 1.0) {
         box.halfExtents *= scale;
     }
@@ -58,7 +59,7 @@ OrientedBox brickOfHexahedron(std::span<const Vec3> c) {
         const Vec3 v = (b - u.dot(b) * u).normalized();
         const Vec3 w = u.cross(v);
         // What the edges lose when they are laid square.
-        const double lost = std::pow(u.dot(b), 2) + std::pow(u.dot(d), 2) + std::pow(v.dot(d), 2);
+        const double lost = u.dot(b) * u.dot(b) + u.dot(d) * u.dot(d) + v.dot(d) * v.dot(d);
         if (lost < (1.0 - 1e-6) * least && u.allFinite() && v.allFinite()) {
             least = lost;
             Mat3 axes;

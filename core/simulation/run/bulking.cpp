@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/same_bits.h"
+
 namespace rubble {
 
 namespace {
@@ -137,7 +139,7 @@ PileMeasure measurePile(const std::vector<DebrisBox>& debris, const std::vector<
     }
     PileMeasure pile{raster.volume() / material, 0.0};
     if (const double covered = raster.coveredArea(); covered > 0.0) {
-        pile.layers = raster.volume() / covered / std::cbrt(material / count);
+        pile.layers = raster.volume() / covered / cubeRootOf(material / count);
     }
     return pile;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/same_bits.h"
 #include "core/simulation/effects/effect_run.h"
 
 namespace rubble {
@@ -63,8 +64,8 @@ StepRate chosenStepRate(const RunDescription& description, const EffectDecisions
     }
     const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
     std::nth_element(volumes.begin(), middle, volumes.end());
-    const double size = std::cbrt(*middle);
-    const double layers = std::cbrt(static_cast<double>(volumes.size()) / fewBodies);
+    const double size = cubeRootOf(*middle);
+    const double layers = cubeRootOf(static_cast<double>(volumes.size()) / fewBodies);
     const double finest = std::clamp(finestRate * layers, finestRate, deepestRate);
     if (description.fe->contents().looseBodies && size > 0.0) {
         const double tumbling = turningOverEdge * std::sqrt(settings.gravity / size) / turnPerStep;

@@ -22,7 +22,8 @@ TEST(SameBits, AreWithinALastPlaceOfTheStandardLibrary) {
         EXPECT_LE(apart(sineOf(x), std::sin(x)), 1.0) << x;
         EXPECT_LE(apart(cosineOf(x), std::cos(x)), 1.0) << x;
         EXPECT_LE(apart(arcCosineOf(c), std::acos(c)), 1.0) << c;
-        EXPECT_LE(apart(cubeRootOf(x), std::cbrt(x)), 1.0) << x;
+        // The library's own in double precision is up to four off.
+        EXPECT_LE(apart(cubeRootOf(x), static_cast<double>(std::cbrt(static_cast<long double>(x)))), 1.0) << x;
         EXPECT_LE(apart(lengthOf(x, y), std::hypot(x, y)), 1.0) << x << ' ' << y;
         EXPECT_LE(apart(powerOfTen(y), std::pow(10.0, y)), 1.0) << y;
     }

@@ -164,9 +164,9 @@ void runScenes(const Wanted& wanted) {
             const EngineScene read = bench::readScene(name);
             const EngineScene written = wanted.pieces ? read : read.withoutPieces();
             for (const auto& rate : wanted.rates) {
-                EngineScene scene = rate ? written.inSteps(*rate) : written;
+                const EngineScene stepped = rate ? written.inSteps(*rate) : written;
                 for (const auto& substeps : wanted.substeps) {
-                    scene.settings.substeps = substeps.value_or(read.settings.substeps);
+                    EngineScene scene = substeps ? stepped.inSubsteps(*substeps) : stepped;
                     for (const int threads : wanted.threads) {
                         scene.settings.threads = threads;
                         for (const std::string& solver : wanted.solvers) {

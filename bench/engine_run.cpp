@@ -68,6 +68,7 @@ private:
     void perform(const EngineScene::PieceEnters& call) { m_world.addPiece(call.shape, call.pose, call.material); }
     void perform(const EngineScene::PieceLeaves& call) { m_world.removePiece(call.piece); }
     void perform(const EngineScene::PieceMoves& call) { m_world.movePiece(call.piece, call.pose); }
+    void perform(const EngineScene::Substeps& call) { m_world.setSubsteps(call.count); }
     void perform(const EngineScene::Step& call) {
         const double processors = processorSeconds(), wall = wallSeconds();
         m_world.step(call.dt);

@@ -100,6 +100,13 @@ EngineScene EngineScene::withoutPieces() const {
     return scene;
 }
 
+EngineScene EngineScene::inSubsteps(int count) const {
+    EngineScene scene = *this;
+    scene.settings.substeps = count;
+    std::erase_if(scene.calls, [](const Call& call) { return std::holds_alternative<Substeps>(call); });
+    return scene;
+}
+
 EngineScene EngineScene::inSteps(double perSecond) const {
     EngineScene scene{settings, {}};
     Interval interval;
@@ -161,6 +168,11 @@ void SceneRecorder::movePiece(PieceId piece, const Pose& atStepEnd) {
     ForwardingWorld::movePiece(piece, atStepEnd);
 }
 
+void SceneRecorder::setSubsteps(int substeps) {
+    m_scene.calls.emplace_back(EngineScene::Substeps{substeps});
+    ForwardingWorld::setSubsteps(substeps);
+}
+
 void SceneRecorder::step(double dt) {
     m_scene.calls.emplace_back(EngineScene::Step{dt});
     ForwardingWorld::step(dt);
@@ -175,7 +187,7 @@ constexpr std::string_view legend =
     "#      loose (1: structure that came loose)  parts, and for each: centre (3)  orientation (4)  half sides (3), in its axes\n"
     "# piece place (3)  orientation (4)  MATERIAL  parts, as for a body. Bodies and pieces are numbered from 0 as they enter.\n"
     "# body-leaves NUMBER. piece-leaves NUMBER. move NUMBER place (3) orientation (4): where the piece is after the next step.\n"
-    "# step seconds.\n";
+    "# substeps NUMBER: of all steps from now on. step seconds.\n";
 
 /// A line of numbers and words.
 class LineWriter {
@@ -398,6 +410,11 @@ void readLine(LineReader& line, EngineScene& scene, Entered& entered) {
     } else if (word == "move") {
         const PieceId piece{line.count(entered.pieces)};
         scene.calls.emplace_back(EngineScene::PieceMoves{piece, line.pose()});
+    } else if (word == "substeps") {
+        scene.calls.emplace_back(EngineScene::Substeps{static_cast<int>(line.count(65))});
+        if (std::get<EngineScene::Substeps>(scene.calls.back()).count < 1) {
+            line.fail("a step has one substep at least");
+        }
     } else if (word == "step") {
         const double dt = line.number();
         if (dt <= 0.0) {
@@ -430,6 +447,7 @@ void writeScene(const EngineScene& scene, const std::filesystem::path& file) {
                        },
                        [&](const EngineScene::PieceLeaves& c) { LineWriter(out, "piece-leaves") << std::size_t{at(c.piece)}; },
                        [&](const EngineScene::PieceMoves& c) { LineWriter(out, "move") << std::size_t{at(c.piece)} << c.pose; },
+                       [&](const EngineScene::Substeps& c) { LineWriter(out, "substeps") << static_cast<std::size_t>(c.count); },
                        [&](const EngineScene::Step& c) { LineWriter(out, "step") << c.dt; },
                    },
                    call);

@@ -30,10 +30,14 @@ struct EngineScene {
         PieceId piece;
         Pose pose;
     };
+    /// Substeps of all steps from now on.
+    struct Substeps {
+        int count = 0;
+    };
     struct Step {
         double dt = 0.0;  ///< s
     };
-    using Call = std::variant<BodyEnters, BodyLeaves, PieceEnters, PieceLeaves, PieceMoves, Step>;
+    using Call = std::variant<BodyEnters, BodyLeaves, PieceEnters, PieceLeaves, PieceMoves, Substeps, Step>;
 
     WorldSettings settings;  ///< on level ground or none; its threads and its way to cancel are not kept
     std::vector<Call> calls;
@@ -42,6 +46,8 @@ struct EngineScene {
     double seconds() const;
     /// The same without pieces of the structure.
     EngineScene withoutPieces() const;
+    /// The same with so many substeps in all steps.
+    EngineScene inSubsteps(int count) const;
     /// The same in equal steps, at least so many a second, that end whenever bodies or pieces enter or leave. Pieces go on where
     /// they were between two steps of the scene, from place to place in a straight line and at constant spin.
     EngineScene inSteps(double perSecond) const;
@@ -58,6 +64,7 @@ public:
     PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override;
     void removePiece(PieceId piece) override;
     void movePiece(PieceId piece, const Pose& atStepEnd) override;
+    void setSubsteps(int substeps) override;
     void step(double dt) override;
 
 private:

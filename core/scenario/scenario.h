@@ -148,6 +148,10 @@ struct Scenario {
 inline int substepsOf(const Scenario& scenario) {
     return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 16);
 }
+/// The same from the end of the FE result on, when few spans are left that press on debris.
+inline int settlingSubstepsOf(const Scenario& scenario) {
+    return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 8);
+}
 
 /// Friction and restitution of every pair of materials as a run takes them: at its levels, less what was set for pairs or for all.
 inline PairTable actingPairs(const Scenario& scenario) {

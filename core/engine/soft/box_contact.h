@@ -9,6 +9,7 @@ struct PlacedBox {
     Vec3 centre = Vec3::Zero();
     Mat3 axes = Mat3::Identity();
     Vec3 halfExtents = Vec3::Zero();
+    double radius = 0.0;  ///< m, of a sphere around it; contact does not ask for it
 };
 
 /// Contact between two boxes by separating axes and face clipping; points up to `margin` [m] apart are reported too (speculative).

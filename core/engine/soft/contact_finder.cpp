@@ -31,7 +31,7 @@ ConvexHull hullOfPart(const ConvexPart& part) {
 }
 
 bool apart(const PlacedBox& a, const PlacedBox& b, double margin) {
-    const double reach = std::sqrt(a.halfExtents.squaredNorm()) + std::sqrt(b.halfExtents.squaredNorm()) + margin;
+    const double reach = a.radius + b.radius + margin;
     return (a.centre - b.centre).squaredNorm() > reach * reach;
 }
 
@@ -69,6 +69,7 @@ void ContactFinder::place(const SoftBody& body) {
         placed[i].centre = body.pose * box.centre;
         placed[i].axes = (body.pose.orientation * box.orientation).toRotationMatrix();
         placed[i].halfExtents = box.halfExtents;
+        placed[i].radius = std::sqrt(box.halfExtents.squaredNorm());
     }
 }
 

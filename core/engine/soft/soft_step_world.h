@@ -27,6 +27,7 @@ class SoftStepWorld : public SceneWorld {
 public:
     explicit SoftStepWorld(const WorldSettings& settings);
 
+    void setSubsteps(int substeps) override { m_settings.substeps = substeps; }
     void movePiece(PieceId piece, const Pose& atStepEnd) override;
     void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const override;
     double mass(BodyId body) const override { return stateOf(body).mass(); }

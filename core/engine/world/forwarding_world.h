@@ -20,6 +20,7 @@ public:
     void movePiece(PieceId piece, const Pose& atStepEnd) override { m_world->movePiece(piece, atStepEnd); }
     void onSubstep(SubstepHook hook) override { m_world->onSubstep(std::move(hook)); }
     void wake(BodyId body) override { m_world->wake(body); }
+    void setSubsteps(int substeps) override { m_world->setSubsteps(substeps); }
     void step(double dt) override { m_world->step(dt); }
     void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const override {
         m_world->onThreads(count, grain, work);

@@ -127,6 +127,8 @@ public:
     virtual void onSubstep(SubstepHook hook) = 0;
     /// Thaws a frozen body before the next step.
     virtual void wake(BodyId body) = 0;
+    /// Substeps of the steps from now on in place of those of the settings, soft-step solver; others have none.
+    virtual void setSubsteps(int) {}
     /// Advances by dt [s].
     virtual void step(double dt) = 0;
     /// Calls work(first, last) for [0, count) in parts of at most `grain`, on the threads that steps run on. Not from within such a

@@ -355,7 +355,8 @@ double Collapse::asleep() const {
 }
 
 void Collapse::settle() {
-    const auto steps = static_cast<std::int64_t>(std::ceil(m_settings.settleTime * m_stepRate.perSecond - 1e-6));
+    const auto steps = static_cast<std::int64_t>(std::ceil(m_settings.settleTime * m_stepRate.settling - 1e-6));
+    m_world->setSubsteps(settlingSubstepsOf(m_description.scenario));
     const double from = m_times.back();
     if (!m_place.settling) {
         m_place = {true, m_times.size() - 1, 0, from + 1.0};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/base/same_bits.h"
@@ -50,17 +51,18 @@ std::vector<double> bodyVolumes(const RunDescription& description, bool apart) {
 }  // namespace
 
 StepRate chosenStepRate(const RunDescription& description, const EffectDecisions& decisions) {
+    const auto throughout = [](double rate, Message reason) { return StepRate{rate, rate, std::move(reason)}; };
     const SimulationSettings& settings = description.scenario.simulation;
     if (settings.stepRate) {
-        return {*settings.stepRate, {"simulation.step_rate.set", "set by step_rate", {}}};
+        return throughout(*settings.stepRate, {"simulation.step_rate.set", "set by step_rate", {}});
     }
     if (settings.solver == SolverKind::Bullet) {
-        return {bulletRate,
-                {"simulation.step_rate.bullet", "at longer steps piles of Bullet's solver are pressed into themselves", {}}};
+        return throughout(bulletRate,
+                          {"simulation.step_rate.bullet", "at longer steps piles of Bullet's solver are pressed into themselves", {}});
     }
     std::vector<double> volumes = bodyVolumes(description, isOn(decisions, EffectKind::BreakUp));
     if (volumes.empty()) {
-        return {finestRate, {"simulation.step_rate.none", "there are no bodies", {}}};
+        return throughout(finestRate, {"simulation.step_rate.none", "there are no bodies", {}});
     }
     const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
     std::nth_element(volumes.begin(), middle, volumes.end());
@@ -69,13 +71,15 @@ StepRate chosenStepRate(const RunDescription& description, const EffectDecisions
     const double finest = std::clamp(finestRate * layers, finestRate, deepestRate);
     if (description.fe->contents().looseBodies && size > 0.0) {
         const double tumbling = turningOverEdge * std::sqrt(settings.gravity / size) / turnPerStep;
-        return {std::clamp(tumbling, finest, tumblingRate),
-                {"simulation.step_rate.tumbling",
-                 "bodies of {0}: one that falls over its edge turns by 3 degrees in a step (at least {1}, at most {2} a second)",
-                 {{size, "m"}, finest, tumblingRate}}};
+        return throughout(
+            std::clamp(tumbling, finest, tumblingRate),
+            {"simulation.step_rate.tumbling",
+             "bodies of {0}: one that falls over its edge turns by 3 degrees in a step (at least {1}, at most {2} a second)",
+             {{size, "m"}, finest, tumblingRate}});
     }
-    const double coarsest = description.scenario.effects.loose == LooseStructurePolicy::Fe ? coarsestRate : looseRate;
-    return {size > 0.0 ? std::clamp(finest * std::sqrt(finestSize / size), coarsest, finest) : finest,
+    const double bySize = size > 0.0 ? std::clamp(finest * std::sqrt(finestSize / size), coarsestRate, finest) : finest;
+    const bool fe = description.scenario.effects.loose == LooseStructurePolicy::Fe;
+    return {fe ? bySize : std::max(bySize, looseRate), bySize,
             {"simulation.step_rate.size", "by size and number of the bodies, {0} and {1}", {{size, "m"}, volumes.size()}}};
 }
 

@@ -15,8 +15,10 @@ namespace rubble {
 /// would be half a body deep in them after one longer step. 60 for Bullet's solver, whose piles squeeze together at larger steps.
 /// Bodies of a table, each let go by itself, are judged one by one, not by their pile: a cube of side d that falls over its edge
 /// turns at 0.79 sqrt(g / d), and by no more than 3 degrees in a step (15 sqrt(g / d)), from 40 to 240.
+/// From the end of the FE result on nothing is born and few spans are left, so the least for these no longer holds.
 struct StepRate {
     double perSecond = 0.0;
+    double settling = 0.0;  ///< 1/s, from the end of the FE result on
     Message reason;
 };
 StepRate chosenStepRate(const RunDescription& description, const EffectDecisions& decisions);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <string>
 
@@ -21,6 +22,30 @@ namespace {
 constexpr double deathTimeSlack = 1e-3;
 /// Cancel is looked at after so many fragments.
 constexpr std::size_t checkInterval = 1024;
+
+/// Reads the next state on a thread of its own while fragments are made of this one.
+class StateAhead {
+public:
+    StateAhead(const FeResult& fe, bool threads) : m_fe(fe), m_threads(threads) {}
+
+    void read(std::uint32_t state) {
+        if (m_threads) {
+            m_state = std::async(std::launch::async, [this, state] { return m_fe.state(state); });
+        }
+    }
+    /// Until it is there. Who takes it from the result then meets what went wrong.
+    void wait() {
+        if (m_state.valid()) {
+            m_state.wait();
+            m_state = {};
+        }
+    }
+
+private:
+    const FeResult& m_fe;
+    const bool m_threads;
+    std::future<std::shared_ptr<const FeState>> m_state;
+};
 
 /// Makes the fragments of one FE result, one lifetime at a time.
 class FragmentMaker {
@@ -58,12 +83,21 @@ FragmentSet FragmentMaker::make(const Execution& execution) {
     m_set.vertexOffsets.reserve(lives.size() + 1);
     m_set.vertexOffsets.push_back(0);
     const std::vector<bool> needed = m_motion.statesNeeded(lives);
-    std::size_t next = 0;
+    std::vector<std::uint32_t> states;
     for (std::uint32_t state = 0; state < m_fe.stateCount(); ++state) {
-        if (!needed[state]) {
-            continue;
+        if (needed[state]) {
+            states.push_back(state);
         }
+    }
+    std::size_t next = 0;
+    StateAhead ahead(m_fe, execution.threads() > 1);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const std::uint32_t state = states[i];
+        ahead.wait();
         m_motion.advance(state);
+        if (i + 1 < states.size()) {
+            ahead.read(states[i + 1]);
+        }
         for (; next < lives.size() && lives[next].lastActive == state; ++next) {
             if (next % checkInterval == 0) {
                 execution.report(stage, static_cast<double>(next) / static_cast<double>(lives.size()));

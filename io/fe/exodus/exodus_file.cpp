@@ -63,6 +63,7 @@ ExodusFile::ExodusFile(const std::string& path) : m_path(path) {
         readBlocks();
         readVariables();
         readTimes();
+        m_chunks.emplace(path, m_written.empty() ? 0 : *std::ranges::max_element(m_written) + 1);
         readParts();
         readDecomposition();
     } catch (...) {
@@ -245,7 +246,7 @@ std::vector<double> ExodusFile::attribute(std::size_t block, std::size_t index) 
 
 void ExodusFile::readNodal(std::size_t state, int variable, std::span<double> values) const {
     assert(values.size() == m_nodes);
-    if (values.empty()) {
+    if (values.empty() || m_chunks->read("vals_nod_var" + std::to_string(variable + 1), m_written[state], values)) {
         return;
     }
     const LibraryLock lock;
@@ -257,7 +258,8 @@ void ExodusFile::readNodal(std::size_t state, int variable, std::span<double> va
 void ExodusFile::readElement(std::size_t state, int variable, std::size_t block, std::span<double> values) const {
     const ExodusBlock& b = m_blocks[block];
     assert(values.size() == static_cast<std::size_t>(b.elements));
-    if (values.empty()) {
+    const std::string dataset = "vals_elem_var" + std::to_string(variable + 1) + "eb" + std::to_string(block + 1);
+    if (values.empty() || m_chunks->read(dataset, m_written[state], values)) {
         return;
     }
     const LibraryLock lock;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/finding.h"
+#include "io/fe/exodus/exodus_chunks.h"
 
 namespace rubble::io {
 
@@ -90,6 +92,7 @@ private:
     std::vector<std::string> m_elementVariables;
     std::vector<std::int64_t> m_partsOfBlocks;
     std::vector<int> m_truthTable;  ///< [blocks x element variables]
+    std::optional<ExodusChunks> m_chunks;
 };
 
 }  // namespace rubble::io

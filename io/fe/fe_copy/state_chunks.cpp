@@ -44,13 +44,12 @@ std::optional<std::vector<unsigned char>> inflated(const std::vector<unsigned ch
 
 // First all first bytes of the numbers, then all second ones, and so on.
 template <class Number, class Bits>
-std::vector<Vec3> unshuffled(const std::vector<unsigned char>& bytes) {
-    static_assert(sizeof(Number) == sizeof(Bits) && sizeof(Vec3) == 3 * sizeof(double));
+void unshuffle(const std::vector<unsigned char>& bytes, double* numbers) {
+    static_assert(sizeof(Number) == sizeof(Bits));
     constexpr std::size_t block = 512;  // numbers that are put together at once, byte by byte, so that the compiler does several
     const std::size_t count = bytes.size() / sizeof(Number);
-    std::vector<Vec3> vectors(count / 3);
-    for (std::size_t first = 0; first < 3 * vectors.size(); first += block) {
-        const std::size_t length = std::min(block, 3 * vectors.size() - first);
+    for (std::size_t first = 0; first < count; first += block) {
+        const std::size_t length = std::min(block, count - first);
         std::array<Bits, block> bits{};
         for (std::size_t b = 0; b < sizeof(Bits); ++b) {
             const unsigned char* plane = bytes.data() + b * count + first;
@@ -58,12 +57,28 @@ std::vector<Vec3> unshuffled(const std::vector<unsigned char>& bytes) {
                 bits[i] |= static_cast<Bits>(plane[i]) << (8 * b);
             }
         }
-        double* numbers = vectors.front().data() + first;
         for (std::size_t i = 0; i < length; ++i) {
-            numbers[i] = static_cast<double>(std::bit_cast<Number>(bits[i]));
+            numbers[first + i] = static_cast<double>(std::bit_cast<Number>(bits[i]));
         }
     }
-    return vectors;
+}
+
+template <class Number>
+void unpack(const std::vector<unsigned char>& bytes, double* numbers) {
+    for (std::size_t i = 0; i < bytes.size() / sizeof(Number); ++i) {
+        Number number;
+        std::memcpy(&number, bytes.data() + i * sizeof(Number), sizeof(Number));
+        numbers[i] = static_cast<double>(number);
+    }
+}
+
+void unpack(const std::vector<unsigned char>& bytes, std::span<double> numbers, bool shuffled) {
+    const bool single = bytes.size() == sizeof(float) * numbers.size();
+    if (shuffled) {
+        single ? unshuffle<float, std::uint32_t>(bytes, numbers.data()) : unshuffle<double, std::uint64_t>(bytes, numbers.data());
+    } else {
+        single ? unpack<float>(bytes, numbers.data()) : unpack<double>(bytes, numbers.data());
+    }
 }
 
 }  // namespace
@@ -79,7 +94,8 @@ StateChunks::~StateChunks() {
     ::close(m_file);
 }
 
-std::optional<std::vector<Vec3>> StateChunks::read(const ChunkPlace& place, std::size_t count) const {
+/// Unpacked, but still shuffled.
+std::optional<std::vector<unsigned char>> StateChunks::bytesOf(const ChunkPlace& place, std::size_t numbers) const {
     struct stat status{};
     if (::fstat(m_file, &status) != 0 || place.address < 0 || place.bytes <= 0 || place.bytes > status.st_size ||
         place.address > status.st_size - place.bytes) {
@@ -93,17 +109,35 @@ std::optional<std::vector<Vec3>> StateChunks::read(const ChunkPlace& place, std:
         }
         done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
     }
-    const std::size_t single = 3 * sizeof(float) * count, full = 3 * sizeof(double) * count;
+    const std::size_t single = sizeof(float) * numbers, full = sizeof(double) * numbers;
     std::optional<std::vector<unsigned char>> bytes;
     if (place.filtersLeftOut == 0) {
         bytes = inflated(stored, full);
     } else if (place.filtersLeftOut == deflateLeftOut) {
         bytes = std::move(stored);
     }
-    if (!bytes || (bytes->size() != single && bytes->size() != full)) {
+    return bytes && (bytes->size() == single || bytes->size() == full) ? std::move(bytes) : std::nullopt;
+}
+
+std::optional<std::vector<Vec3>> StateChunks::read(const ChunkPlace& place, std::size_t count) const {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    const auto bytes = bytesOf(place, 3 * count);
+    if (!bytes) {
         return std::nullopt;
     }
-    return bytes->size() == single ? unshuffled<float, std::uint32_t>(*bytes) : unshuffled<double, std::uint64_t>(*bytes);
+    std::vector<Vec3> vectors(count);
+    if (count > 0) {
+        unpack(*bytes, std::span(vectors.front().data(), 3 * count), true);
+    }
+    return vectors;
+}
+
+bool StateChunks::read(const ChunkPlace& place, std::span<double> numbers, bool shuffled) const {
+    const auto bytes = bytesOf(place, numbers.size());
+    if (bytes) {
+        unpack(*bytes, numbers, shuffled);
+    }
+    return bytes.has_value();
 }
 
 }  // namespace rubble::io

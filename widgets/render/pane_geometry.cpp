@@ -515,7 +515,8 @@ void PaneGeometry::takeGrain() {
     m_grain.resize(4 * (m_debrisPoints + m_structurePoints.size()));
     float* out = m_grain.data();
     const auto put = [&](std::uint32_t node, std::uint32_t look) {
-        Eigen::Map<Eigen::Vector3f>(out) = mesh.nodes[node].cast<float>();
+        Eigen::Map<Eigen::Vector3f> place(out);
+        place = mesh.nodes[node].cast<float>();
         out[3] = roughness[std::min<std::size_t>(look, materialCount - 1)];
         out += 4;
     };

@@ -92,6 +92,29 @@ TEST(EngineScene, RunsAsTheRunThatItNotes) {
     EXPECT_NEAR(scene.seconds(), 60 * dt, 1e-12);
 }
 
+TEST(EngineScene, TakesOtherSubstepsFromWhereTheRunTookThem) {
+    WorldSettings settings;
+    settings.substeps = 16;
+    EngineScene scene;
+    SceneRecorder world(softStep(settings), settings, scene);
+    NewBody tilted = boxAt({0.0, 0.0, 0.6});
+    tilted.pose.orientation = Quat(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
+    const BodyId body = world.addBody(tilted);
+    for (int i = 0; i < 30; ++i) {
+        if (i == 10) {
+            world.setSubsteps(2);
+        }
+        world.step(dt);
+    }
+    const io::TemporaryFolder folder;
+    writeScene(scene, folder / "a.scene");
+    EngineScene read = readScene(folder / "a.scene");
+    const EngineMeasure measure = measureEngine(read, softStep);
+    EXPECT_EQ(measure.meanHeight, world.motion(body).pose.position.z());
+    EXPECT_NE(measureEngine(read.inSubsteps(16), softStep).end, measure.end);
+    EXPECT_EQ(kindsOf(read).size(), kindsOf(read.inSubsteps(16)).size() + 1);
+}
+
 TEST(EngineScene, GoesInOtherStepsAndMeetsWhateverEntersOrLeaves) {
     const EngineScene scene = sinkingPiece();
     const EngineScene finer = scene.inSteps(100.0);

@@ -57,8 +57,9 @@ StepRate chosenStepRate(const RunDescription& description, const EffectDecisions
         return throughout(*settings.stepRate, {"simulation.step_rate.set", "set by step_rate", {}});
     }
     if (settings.solver == SolverKind::Bullet) {
-        return throughout(bulletRate,
-                          {"simulation.step_rate.bullet", "at longer steps piles of Bullet's solver are pressed into themselves", {}});
+        return throughout(
+            bulletRate,
+            {"simulation.step_rate.bullet", "at longer steps piles of Bullet's solver are pressed into themselves", {}});
     }
     std::vector<double> volumes = bodyVolumes(description, isOn(decisions, EffectKind::BreakUp));
     if (volumes.empty()) {
@@ -79,7 +80,8 @@ StepRate chosenStepRate(const RunDescription& description, const EffectDecisions
     }
     const double bySize = size > 0.0 ? std::clamp(finest * std::sqrt(finestSize / size), coarsestRate, finest) : finest;
     const bool fe = description.scenario.effects.loose == LooseStructurePolicy::Fe;
-    return {fe ? bySize : std::max(bySize, looseRate), bySize,
+    return {fe ? bySize : std::max(bySize, looseRate),
+            bySize,
             {"simulation.step_rate.size", "by size and number of the bodies, {0} and {1}", {{size, "m"}, volumes.size()}}};
 }
 

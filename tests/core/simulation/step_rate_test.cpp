@@ -12,7 +12,8 @@ namespace rubble {
 namespace {
 
 /// Cubes of one side that all die at one state, under a beam that stays.
-double rateOf(double side, Scenario scenario = {}, int cells = 3) {
+/// @param settled  as the effects settle it: nothing comes loose here, so the engine has nothing to move
+StepRate chosenFor(double side, Scenario scenario, int cells, bool settled) {
     scenes::Block wall;
     wall.name = "wall";
     wall.size = Vec3::Constant(cells * side);
@@ -27,8 +28,11 @@ double rateOf(double side, Scenario scenario = {}, int cells = 3) {
     scenario.grid.oneBodyPerFragment = true;
     const Results results = run(inputs, scenario, Stage::Clusters, {}, nullptr, Execution());
     const EffectScene scene{*inputs.fe, *results.components, *results.fragments, *results.clustering, nullptr, scenario};
-    const Scenario settled = settledScenario(scene);
-    return stepRateOf(describeRun(inputs, settled, results), decideEffects(scene));
+    return chosenStepRate(describeRun(inputs, settled ? settledScenario(scene) : scenario, results), decideEffects(scene));
+}
+
+double rateOf(double side, const Scenario& scenario = {}, int cells = 3) {
+    return chosenFor(side, scenario, cells, true).perSecond;
 }
 
 TEST(StepRate, FallsWithTheRootOfTheSize) {
@@ -50,6 +54,28 @@ TEST(StepRate, OfTheScenarioGoesFirst) {
     Scenario scenario;
     scenario.simulation.stepRate = 90.0;
     EXPECT_EQ(rateOf(5.0, scenario), 90.0);
+}
+
+TEST(StepRate, OfLooseStructureLastsUntilTheFeEnd) {
+    Scenario scenario;
+    scenario.effects.loose = LooseStructurePolicy::AtOnce;
+    const StepRate loose = chosenFor(5.0, scenario, 3, false);
+    EXPECT_EQ(loose.perSecond, 40.0);
+    EXPECT_EQ(loose.settling, 20.0);
+    EXPECT_EQ(substepsOf(scenario), 16);
+    EXPECT_EQ(settlingSubstepsOf(scenario), 8);
+    scenario.simulation.stepRate = 50.0;
+    scenario.simulation.substeps = 6;
+    EXPECT_EQ(chosenFor(5.0, scenario, 3, false).settling, 50.0);
+    EXPECT_EQ(settlingSubstepsOf(scenario), 6);
+}
+
+TEST(StepRate, IsTheSameThroughoutWhereTheFeResultMovesWhatIsLoose) {
+    Scenario scenario;
+    scenario.effects.loose = LooseStructurePolicy::Fe;
+    const StepRate rate = chosenFor(0.6, scenario, 3, true);
+    EXPECT_EQ(rate.settling, rate.perSecond);
+    EXPECT_EQ(settlingSubstepsOf(scenario), substepsOf(scenario));
 }
 
 TEST(StepRate, IsThatOfItsDefaultsForBullet) {

@@ -6,8 +6,8 @@
 
 #include "app/cli/exports/export_request.h"
 #include "app/cli/frame/commands.h"
-#include "core/base/bash_completion.h"
-#include "core/base/man_page.h"
+#include "core/base/help/bash_completion.h"
+#include "core/base/help/man_page.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble::cli {

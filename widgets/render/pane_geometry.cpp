@@ -512,13 +512,11 @@ void PaneGeometry::takeGrain() {
     // Rough to smooth, by Material: stone, concrete, steel, masonry, soil, water bed.
     constexpr std::array<float, materialCount> roughness{1.0f, 0.55f, 0.2f, 0.85f, 0.8f, 0.3f};
     const Mesh& mesh = m_data.fe->mesh();
-    m_grain.resize(4 * (m_debrisPoints + m_structurePoints.size()));
-    float* out = m_grain.data();
+    m_grain.reserve(4 * (m_debrisPoints + m_structurePoints.size()));
     const auto put = [&](std::uint32_t node, std::uint32_t look) {
-        Eigen::Map<Eigen::Vector3f> place(out);
-        place = mesh.nodes[node].cast<float>();
-        out[3] = roughness[std::min<std::size_t>(look, materialCount - 1)];
-        out += 4;
+        const Vec3& p = mesh.nodes[node];
+        m_grain.insert(m_grain.end(), {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()),
+                                       roughness[std::min<std::size_t>(look, materialCount - 1)]});
     };
     for (std::size_t i = 0; i < m_debrisPoints; ++i) {
         const DebrisGeometry::Vertex& vertex = drawnDebris().vertices()[i];

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -24,9 +23,6 @@ namespace {
 
 /// Geometries that panes show: the FE result, the fragments, the fragments of another scenario.
 constexpr std::size_t geometryCount = 3;
-
-/// Shadows of moving pictures are this old at most before they are baked anew.
-constexpr std::chrono::milliseconds shadeEvery(100);
 
 /// Share of light that the unevenness of earth takes at most.
 constexpr double earthTexture = 0.09;
@@ -107,8 +103,7 @@ struct Scene::Impl {
     std::array<PaneStatus, geometryCount> statuses;
     std::array<GroundShade, geometryCount> shades;
     std::array<std::pair<std::uint64_t, std::uint64_t>, geometryCount> shadeOf{};  ///< versions of points and triangles
-    std::array<std::chrono::steady_clock::time_point, geometryCount> shadedAt{};
-    SceneColours shownColours;  ///< as the style has them
+    SceneColours shownColours;                                                     ///< as the style has them
     std::optional<std::array<double, 3>> gridShown;
     std::vector<std::uint8_t> hidden;  ///< by element, or empty
     std::vector<std::string> hiddenComponents;
@@ -237,21 +232,13 @@ struct Scene::Impl {
     }
 
     /// Brings the shade on the ground to what a geometry shows.
-    /// @param simple  the picture moves: shadows may lag behind what throws them
-    void shade(std::size_t geometry, bool simple) {
+    void shade(std::size_t geometry) {
         const PaneGeometry& shown = *geometries[geometry];
         const std::pair versions(shown.pointsVersion(), shown.trianglesVersion());
-        if (!view.shadows || !view.ground || versions == shadeOf[geometry]) {
-            return;
+        if (view.shadows && view.ground && versions != shadeOf[geometry]) {
+            shades[geometry].bake(shown.points(), shown.triangles());
+            shadeOf[geometry] = versions;
         }
-        const auto now = std::chrono::steady_clock::now();
-        const bool any = shadeOf[geometry] != std::pair<std::uint64_t, std::uint64_t>();
-        if (simple && any && now - shadedAt[geometry] < shadeEvery) {
-            return;
-        }
-        shades[geometry].bake(shown.points(), shown.triangles());
-        shadeOf[geometry] = versions;
-        shadedAt[geometry] = now;
     }
 
     void update(bool simple);
@@ -405,7 +392,7 @@ void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) 
     for (auto geometry = shown.begin(); geometry != shown.end(); ++geometry) {
         const auto bring = [&, own = *geometry, index = static_cast<std::size_t>(geometry - shown.begin())] {
             own->update(view.time, view.colourBy, scale, view.selection);
-            shade(index, simple);
+            shade(index);
         };
         const bool last = std::all_of(geometry + 1, shown.end(), [](const PaneGeometry* later) { return later == nullptr; });
         if (*geometry && !last) {

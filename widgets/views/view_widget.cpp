@@ -20,7 +20,7 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr int restAfter = 120;  // ms
+constexpr int restAfter = 250;  // ms
 
 double& slowestDraw() {
     static double seconds = ViewWidget::slowDraw;

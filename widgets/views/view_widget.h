@@ -74,7 +74,7 @@ public:
     /// than this, s, and with fewer pixels if that is not enough; full detail comes back as soon as they rest. Infinite: always
     /// full detail.
     static void simplifyAbove(double seconds);
-    static constexpr double slowDraw = 1.0 / 60.0;
+    static constexpr double slowDraw = 1.0 / 24.0;
     /// Shaded edges switch themselves off in all such widgets after two pictures in a row that took longer than this with them, s.
     static void shadeUpTo(double seconds);
     static constexpr double slowShading = 0.5;

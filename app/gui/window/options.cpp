@@ -8,9 +8,9 @@
 #include <iterator>
 #include <map>
 
-#include "core/base/bash_completion.h"
+#include "core/base/help/bash_completion.h"
 #include "core/base/build.h"
-#include "core/base/man_page.h"
+#include "core/base/help/man_page.h"
 #include "widgets/basics/language.h"
 
 namespace rubble {

@@ -106,27 +106,31 @@ TEST_F(DropRun, TellsBreachesOfHealthOfEveryRepeat) {
 }
 
 TEST_F(DropRun, CountsALimitOnceHoweverOftenItIsPassed) {
-    // Thin slabs that heavy ones come down upon pass a limit again after they have held it.
-    const std::string bodies = table(
-        "a0,5000,0.5,2,0.05,-0.21,-0.69,0.30,-2.9,0,-18.0,concrete\n"
-        "a1,200,0.5,2,0.1,0.07,-0.45,0.60,2.0,0,-29.5,concrete\n"
-        "a2,20000,1,1,0.05,-0.61,-0.38,6.30,2.2,0,-1.6,concrete\n"
-        "a3,200,2,1,0.1,0.34,0.01,1.20,-1.5,0,-28.8,concrete\n"
-        "a4,5000,0.5,1,0.3,0.14,0.76,12.30,-1.8,0,-23.1,concrete\n"
-        "a5,5000,1,0.5,0.1,-0.53,-0.48,1.80,-2.5,0,-21.5,concrete\n"
-        "a6,20000,2,2,0.1,-0.06,-0.31,18.30,-1.8,0,-23.5,concrete\n"
-        "a7,20000,2,1,0.05,-0.45,-0.29,21.30,0.5,0,-14.6,concrete\n"
-        "a8,5000,0.5,0.5,0.05,0.42,-0.45,24.30,0.7,0,-30.5,concrete\n"
-        "a9,200,1,1,0.1,-0.95,-0.29,3.00,2.4,0,-1.8,concrete\n"
-        "a10,20000,1,0.5,0.3,-0.35,-0.36,3.30,1.7,0,-23.6,concrete\n"
-        "a11,20000,0.5,1,0.3,0.24,0.79,11.30,-2.2,0,-24.7,concrete\n");
+    // Thin slabs that heavy ones come down upon pass a limit again after they have held it. Which of these do is chance.
+    const std::vector<std::pair<std::string, double>> slabs{
+        {"a0,5000,0.5,2,0.05,-0.21,-0.69,0.30,-2.9,0", -18.0},  {"a1,200,0.5,2,0.1,0.07,-0.45,0.60,2.0,0", -29.5},
+        {"a2,20000,1,1,0.05,-0.61,-0.38,6.30,2.2,0", -1.6},     {"a3,200,2,1,0.1,0.34,0.01,1.20,-1.5,0", -28.8},
+        {"a4,5000,0.5,1,0.3,0.14,0.76,12.30,-1.8,0", -23.1},    {"a5,5000,1,0.5,0.1,-0.53,-0.48,1.80,-2.5,0", -21.5},
+        {"a6,20000,2,2,0.1,-0.06,-0.31,18.30,-1.8,0", -23.5},   {"a7,20000,2,1,0.05,-0.45,-0.29,21.30,0.5,0", -14.6},
+        {"a8,5000,0.5,0.5,0.05,0.42,-0.45,24.30,0.7,0", -30.5}, {"a9,200,1,1,0.1,-0.95,-0.29,3.00,2.4,0", -1.8},
+        {"a10,20000,1,0.5,0.3,-0.35,-0.36,3.30,1.7,0", -23.6},  {"a11,20000,0.5,1,0.3,0.24,0.79,11.30,-2.2,0", -24.7},
+    };
     const std::string file = m_folder / "slabs.run.h5";
-    const Outcome outcome = cli({"drop", bodies, "--out", file, "--json"});
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const auto breaches = io::openRun(file)->breaches();
-    const std::size_t limits = passedLimits(breaches).size();
-    ASSERT_GT(breaches.size(), limits) << "no limit was passed twice: this test needs harder bodies";
-    EXPECT_EQ(outcome.json()["health_breaches"], limits);
+    std::size_t breaches = 0, limits = 0;
+    for (int faster = 0; faster < 12 && breaches == limits; ++faster) {
+        std::string rows;
+        for (const auto& [slab, speed] : slabs) {
+            rows += slab + ',' + std::to_string(speed - 0.5 * faster) + ",concrete\n";
+        }
+        std::filesystem::remove(file);
+        const Outcome outcome = cli({"drop", table(rows), "--out", file, "--json"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        const auto told = io::openRun(file)->breaches();
+        breaches = told.size();
+        limits = passedLimits(told).size();
+        EXPECT_EQ(outcome.json()["health_breaches"], limits);
+    }
+    EXPECT_GT(breaches, limits) << "no limit was passed twice: this test needs harder bodies";
 }
 
 TEST_F(DropRun, RefusesWhatCannotBeMeant) {

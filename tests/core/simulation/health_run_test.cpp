@@ -220,7 +220,7 @@ TEST_F(HealthRun, BreachesAreToldWhileTheRunGoesOn) {
 TEST_F(HealthRun, ALaunchIsABreachOfSpeed) {
     const SimulationResult result = run(twoFallingBlocks(), [](double time, const SubstepBodies& bodies) {
         MovingBody* body = bodies.find(idAt<BodyId>(0));
-        if (body != nullptr && time > 0.3 && time < 0.32) {
+        if (body != nullptr && time > 0.3 && time < 0.36) {
             body->velocity.x() += 30.0;
         }
     });

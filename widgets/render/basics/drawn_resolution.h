@@ -9,13 +9,13 @@ namespace rubble::render {
 /// How many pixels a picture that moves is drawn with, settled from how long the last ones took: a fast machine keeps all of them.
 class DrawnResolution {
 public:
-    /// Share of the pixels in each direction: 1, 0.7, 0.5 or 0.35.
+    /// Share of the pixels in each direction: 1, 0.7 or 0.5.
     double share() const { return steps[m_step]; }
     /// A picture was drawn with that share. It becomes smaller after two pictures in a row that took longer than `limit`, s, and
     /// larger again when the pictures would keep well within it even if every pixel took its part of the time.
     void drew(double seconds, double limit);
 
-    static constexpr std::array steps{1.0, 0.7, 0.5, 0.35};
+    static constexpr std::array steps{1.0, 0.7, 0.5};
 
 private:
     std::size_t m_step = 0;

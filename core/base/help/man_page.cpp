@@ -1,4 +1,4 @@
-#include "core/base/man_page.h"
+#include "core/base/help/man_page.h"
 
 #include <algorithm>
 #include <cctype>

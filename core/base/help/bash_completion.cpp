@@ -1,4 +1,4 @@
-#include "core/base/bash_completion.h"
+#include "core/base/help/bash_completion.h"
 
 namespace rubble {
 

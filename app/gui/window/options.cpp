@@ -8,8 +8,8 @@
 #include <iterator>
 #include <map>
 
-#include "core/base/help/bash_completion.h"
 #include "core/base/build.h"
+#include "core/base/help/bash_completion.h"
 #include "core/base/help/man_page.h"
 #include "widgets/basics/language.h"
 

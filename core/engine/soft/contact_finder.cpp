@@ -114,6 +114,31 @@ PlacedHull ContactFinder::placedHull(const Collider& of, std::size_t part) const
             of.parts[part].box.halfExtents.minCoeff()};
 }
 
+/// Leaves out points that do not close in this step by the motion that the two begin it with: those of bodies that fall side by
+/// side, or that lie in a pile without touching. In the samples they were three quarters of all.
+void ContactFinder::leaveOutApart(ContactPatch& patch, const Collider& a, const Collider& b, double dt) const {
+    const double reach = restingReach + m_gravity * dt * dt;
+    const auto velocityAt = [&](const Collider& c, const Vec3& where) -> Vec3 {
+        if (c.kind == ColliderKind::Ground) {
+            return Vec3::Zero();
+        }
+        const SoftBody& body = m_bodies.of(c);
+        return body.velocity + body.spin.cross(where - body.pose.position);
+    };
+    const auto closes = [&](const PatchPoint& point) {
+        return point.separation <= reach ||
+               point.separation <= reach + dt * patch.normal.dot(velocityAt(a, point.position) - velocityAt(b, point.position));
+    };
+    int kept = 0;
+    for (int k = 0; k < patch.count; ++k) {
+        const PatchPoint point = patch.points[static_cast<std::size_t>(k)];
+        if (closes(point)) {
+            patch.points[static_cast<std::size_t>(kept++)] = point;
+        }
+    }
+    patch.count = kept;
+}
+
 void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<FoundContact>& found) const {
     const BroadPhaseEntry& a = m_pairs.entry(pair.a);
     const BroadPhaseEntry& b = m_pairs.entry(pair.b);
@@ -133,6 +158,7 @@ void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<Fou
             } else {
                 patch = collideHulls(placedHull(*a.collider, i), placedHull(*b.collider, j), margin);
             }
+            leaveOutApart(patch, *a.collider, *b.collider, dt);
             append(patch, static_cast<std::uint32_t>(i * partsPerShape + j), *a.collider, *b.collider, found);
         }
     }
@@ -184,8 +210,9 @@ void ContactFinder::collideBodyWithGround(const SoftBody& body, double dt, std::
     for (std::size_t part = 0; part < collider.parts.size(); ++part) {
         patches.clear();
         collideGround(m_surface, collider.parts[part], body.pose, body.velocity, dt, margin, patches);
-        for (const ContactPatch& patch : patches) {
+        for (ContactPatch& patch : patches) {
             const std::uint32_t feature = m_surface.terrain ? patch.points[0].feature : 0;
+            leaveOutApart(patch, m_ground, *body.collider, dt);
             assert(feature < 2 * patchesPerPart);
             append(patch, static_cast<std::uint32_t>(part) * 2 * patchesPerPart + feature, m_ground, *body.collider, found);
         }

@@ -61,6 +61,7 @@ private:
     std::span<PlacedBox> placedOf(const Collider& c) {
         return std::span(m_placed).subspan(m_pairs.entry(c.number).part, c.parts.size());
     }
+    void leaveOutApart(ContactPatch& patch, const Collider& a, const Collider& b, double dt) const;
     void collidePair(const NearPair& pair, double dt, std::vector<FoundContact>& found) const;
     PlacedHull placedHull(const Collider& of, std::size_t part) const;
     void collideBodyWithGround(const SoftBody& body, double dt, std::vector<FoundContact>& found);

@@ -1,6 +1,7 @@
 #include "core/engine/soft/soft_bodies.h"
 
 #include "core/engine/world/bullet_shapes.h"
+#include "core/engine/world/rigid_state.h"
 
 namespace rubble {
 

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "core/engine/world/collider.h"
-#include "core/engine/world/rigid_state.h"
 #include "core/engine/world/sleep.h"
 
 namespace rubble {
+
+struct RigidState;
 
 /// A body or piece of the soft-step world: where it is and how it moves. While substeps run, the solver has it.
 struct SoftBody {

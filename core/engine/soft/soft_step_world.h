@@ -13,6 +13,7 @@
 #include "core/engine/soft/soft_bodies.h"
 #include "core/engine/soft/soft_solver.h"
 #include "core/engine/soft/solver_assembly.h"
+#include "core/engine/world/rigid_state.h"
 #include "core/engine/world/scene_world.h"
 #include "core/engine/world/worker_pool.h"
 #include "core/fe/site_surface.h"

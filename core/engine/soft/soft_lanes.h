@@ -150,6 +150,7 @@ constexpr double stiffestContact = 1.1;
 struct LaneScene {
     LaneContacts* contacts = nullptr;
     LaneTally* tallies = nullptr;  ///< beside the contacts
+    std::uint8_t* acts = nullptr;  ///< likewise: zero where none of them carried anything in this substep
     LanePoint* points = nullptr;
     LanePointTally* pointTallies = nullptr;  ///< beside the points
     LanePointWork* works = nullptr;          ///< likewise

@@ -89,13 +89,26 @@ inline void applyFriction(const Pair& c, End& a, End& b, LanePoint& p) {
 template <bool Push, bool Moved, bool Last>
 inline void solve(const LaneScene& scene, std::size_t contact, double push) {
     const LaneContacts& c = scene.contacts[contact];
+    const Row zero = all(0.0);
+    // What carries nothing once the bodies have moved waits for the next substep: each contact by itself, whatever lies beside it.
+    Row loaded = zero;
+    if (!Push && !Moved) {
+        if (scene.acts[contact] == 0) {
+            return;
+        }
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            loaded = larger(loaded, get(scene.points[c.firstPoint + k].normalImpulse));
+        }
+        if (!anyAbove(loaded, zero)) {
+            return;
+        }
+    }
     const LaneTally& tally = scene.tallies[contact];
     End a = load(scene.bodies, c.a);
     End b = load(scene.bodies, c.b);
     LanePoint* points = scene.points + c.firstPoint;
     LanePointTally* tallies = scene.pointTallies + c.firstPoint;
     const Pair pair(c);
-    const Row zero = all(0.0);
     const Row perSubstep = all(1.0 / scene.h);
     RowVector moved{}, turnedA{}, turnedB{};
     if (Moved) {
@@ -133,7 +146,10 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
         } else {
             wanted = minusProduct(before, mass, speed + choose(apart, ahead, zero));
         }
-        const Row total = smaller(larger(wanted, zero), wide(c.impulseLimit));
+        Row total = smaller(larger(wanted, zero), wide(c.impulseLimit));
+        if (!Push && !Moved) {
+            total = choose(loaded > zero, total, zero);
+        }
         const Row change = keep(p.normalImpulse, total);
         carried = larger(carried, before);
         acted = larger(acted, total);
@@ -141,11 +157,15 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
     }
     if (!anyAbove(larger(carried, acted), zero)) {
         // Without load there is no friction either, and nothing has changed.
+        if (Push) {
+            scene.acts[contact] = 0;
+        }
         for (std::uint32_t k = 0; Push && c.countsWork && k < c.points; ++k) {
             put(scene.works[c.firstPoint + k].raised, zero);
         }
         return;
     }
+    scene.acts[contact] = 1;
     acted = choose(acted > zero, all(1.0), zero);
     for (std::uint32_t k = 0; k < c.points; ++k) {
         applyFriction(pair, a, b, points[k]);
@@ -214,6 +234,9 @@ void prepare(const LaneScene& scene, std::size_t first, std::size_t last) {
 
 void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, double growth) {
     for (std::size_t i = first; i < last; ++i) {
+        if (scene.acts[i] == 0) {
+            continue;
+        }
         const LaneContacts& c = scene.contacts[i];
         LanePoint* points = scene.points + c.firstPoint;
         const Row weight = wide(scene.tallies[i].weight);
@@ -380,7 +403,7 @@ void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
 void accumulateWork(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const LaneContacts& c = scene.contacts[i];
-        if (!c.countsWork) {
+        if (!c.countsWork || scene.acts[i] == 0) {
             continue;
         }
         const Pair pair(c);

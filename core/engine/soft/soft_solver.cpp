@@ -135,6 +135,8 @@ void SoftSolver::layOut(double h, const Source& source) {
     arrange();
     m_scene.contacts = m_lanes.data();
     m_scene.tallies = m_tallies.data();
+    m_acts.assign(m_groups.size(), 1);
+    m_scene.acts = m_acts.data();
     m_scene.points = m_lanePoints.data();
     m_scene.pointTallies = m_pointTallies.data();
     m_scene.works = m_laneWorks.data();

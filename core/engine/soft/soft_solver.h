@@ -204,6 +204,7 @@ private:
     std::vector<std::uint32_t> m_withWork;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LaneTally> m_tallies;  ///< beside them
+    std::vector<std::uint8_t> m_acts;  ///< likewise
     std::vector<LanePoint> m_lanePoints;
     std::vector<LanePointTally> m_pointTallies;  ///< beside them, as the next ones
     std::vector<LanePointWork> m_laneWorks;

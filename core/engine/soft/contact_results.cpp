@@ -68,25 +68,37 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
     return outcome;
 }
 
-/// J/kg, v^2 / 2 + g z of the fastest point of one side that pushes the other, or noPush if that is neither loose nor was pushed by
-/// what is, or if the other is loose itself. What a turning span carries along gets faster than by its fall, and hands that on, but
-/// not more.
+/// J/kg, v^2 / 2 + g z with the speed of the fastest point of one side that pushes the other and the height of the other's centre,
+/// or noPush if the first is neither loose nor was pushed by what is, or if the other is loose itself. What a turning span carries
+/// along gets faster than by its fall, and hands that on, but not more.
 double ContactResults::loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const {
     const Collider& pusher = sideA ? *contact.a : *contact.b;
     const Collider& pushed = sideA ? *contact.b : *contact.a;
-    if (pushed.loose || (!pusher.loose && pusher.loosePush == noPush)) {
+    if (pushed.kind != ColliderKind::Body || pushed.loose || (!pusher.loose && pusher.loosePush == noPush)) {
         return noPush;
     }
     const SolverBody& body = solver.bodies[sideA ? c.a : c.b];
+    const double gravity = m_scene.settings.gravity;
+    const Vec3 centre = m_scene.bodies.of(pushed).pose.position;
     double most = noPush;
     for (std::uint32_t k = 0; k < c.points; ++k) {
         const SolverPoint& p = solver.points[c.firstPoint + k];
-        const Vec3 velocity = body.velocity + body.spin.cross(sideA ? p.fromA : p.fromB);
         if (p.largestImpulse > 0.0) {
-            most = std::max(most, 0.5 * velocity.squaredNorm() + m_scene.settings.gravity * contact.points[k].position.z());
+            // What lies on it goes as fast as it would at the centre of what lies there.
+            const Vec3 arm = sideA ? p.fromA : p.fromB;
+            const Vec3 atCentre = arm + centre - contact.points[k].position;
+            most = std::max({most, (body.velocity + body.spin.cross(arm)).squaredNorm(),
+                             (body.velocity + body.spin.cross(atCentre)).squaredNorm()});
         }
     }
-    return pusher.loose ? most : std::min(most, pusher.loosePush);
+    if (most == noPush) {
+        return noPush;
+    }
+    const double speed = 0.5 * most;
+    // What was pushed itself hands on the speed that it may have where it is.
+    const double height = m_scene.bodies.of(pusher).pose.position.z();
+    const double own = pusher.loose ? speed : std::min(speed, pusher.loosePush - gravity * height);
+    return std::max(own, 0.0) + gravity * centre.z();
 }
 
 Vec3 ContactResults::loadOf(const SoftContact& contact) const {

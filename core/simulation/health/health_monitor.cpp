@@ -31,7 +31,7 @@ void HealthMonitor::take(const RigidWorld& world, std::span<const TrackedBody> b
         Watched watched;
         watched.side = world.smallestSide(idAt<BodyId>(i));
         watched.entered = time;
-        watched.energy = 0.5 * body.birthSpeedSquared + m_site.gravity * body.birthHeight;
+        watched.energy = body.birthEnergy + m_site.gravity * body.birthHeight;
         const Vec3& place = body.latest.pose.position;
         watched.bornBelow = m_site.surface.depth({place.x(), place.y(), body.birthHeight}) > 0.0;
         m_topEnergy = std::max(m_topEnergy, watched.energy);
@@ -105,7 +105,7 @@ void HealthMonitor::watchPenetration(Watched& watched, double depth, double time
 double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted, double push) const {
     const double z = body.latest.pose.position.z();
     double fall = body.birthHeight + lifted - z;
-    double own = body.birthSpeedSquared + speedFloor * speedFloor / (m_limits.speed * m_limits.speed);
+    double own = 2.0 * body.birthEnergy + speedFloor * speedFloor / (m_limits.speed * m_limits.speed);
     if (m_site.waterLevel) {
         // Buoyancy lifts what is lighter than water; the current carries.
         fall = z < *m_site.waterLevel ? std::abs(fall) : fall;

@@ -44,7 +44,7 @@ void Outcomes::entered(const HandOver& handOver, const RigidWorld& world) {
         TrackedBody body;
         body.mass = world.mass(record.body);
         body.latest = world.motion(record.body);
-        body.birthSpeedSquared = body.latest.velocity.squaredNorm();
+        body.birthEnergy = world.kineticEnergy(record.body) / body.mass;
         body.birthHeight = body.latest.pose.position.z();
         body.firstCarrier = static_cast<std::uint32_t>(m_carriers.size());
         while (next < handOver.carriers.size() && handOver.carriers[next].body == record.body) {

@@ -11,14 +11,14 @@ namespace rubble {
 struct TrackedBody {
     std::uint32_t firstCarrier = 0;
     std::uint32_t carriers = 0;
-    double birthSpeedSquared = 0.0;  ///< m2/s2
-    double birthHeight = 0.0;        ///< m
-    double mass = 0.0;               ///< kg
-    double kinetic = 0.0;            ///< J, spin included
-    double hardest = 0.0;            ///< m/s, change of velocity in the hardest hit; 0: nothing has hit it
-    BodyMotion before;               ///< just before it
-    BodyMotion latest;               ///< numbers always; of a lost or removed body where it was last
-    bool lost = false;               ///< its place or velocity is no number any more
+    double birthEnergy = 0.0;  ///< J/kg, kinetic, spin included: a span that turns about its foot makes speed of it
+    double birthHeight = 0.0;  ///< m
+    double mass = 0.0;         ///< kg
+    double kinetic = 0.0;      ///< J, spin included
+    double hardest = 0.0;      ///< m/s, change of velocity in the hardest hit; 0: nothing has hit it
+    BodyMotion before;         ///< just before it
+    BodyMotion latest;         ///< numbers always; of a lost or removed body where it was last
+    bool lost = false;         ///< its place or velocity is no number any more
 };
 
 /// Follows every body from step to step and knows at the end where each fragment went, how fast it was born and how hard it hit.

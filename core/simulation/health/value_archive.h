@@ -49,8 +49,8 @@ inline void keep(Archive& archive, IslandBody& of) {
 }
 
 inline void keep(Archive& archive, TrackedBody& of) {
-    archive(of.firstCarrier, of.carriers, of.birthSpeedSquared, of.birthHeight, of.mass, of.kinetic, of.hardest, of.before,
-            of.latest, of.lost);
+    archive(of.firstCarrier, of.carriers, of.birthEnergy, of.birthHeight, of.mass, of.kinetic, of.hardest, of.before, of.latest,
+            of.lost);
 }
 
 inline void keep(Archive& archive, HealthRemedy& of) {

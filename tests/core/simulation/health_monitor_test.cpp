@@ -218,7 +218,7 @@ TEST_F(HealthMonitorTest, WhatASpanCarriesAlongMayBeAsFastAsTheSpanIsThere) {
 }
 
 TEST_F(HealthMonitorTest, WhatWasHitMayBeAsFastAsWhateverHitIt) {
-    add(Vec3(20, 0, 20)).birthSpeedSquared = 100.0;
+    add(Vec3(20, 0, 20)).birthEnergy = 50.0;
     TrackedBody& low = add(Vec3(20, 0, 0.5));
     run(step);
     low.latest.velocity = Vec3(15, 0, 0);

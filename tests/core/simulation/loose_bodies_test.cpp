@@ -50,19 +50,40 @@ TEST(LooseBodies, NothingElseTellsSo) {
     EXPECT_EQ(turning.scene.world().loosePush(turning.second), noPush);
 }
 
-/// m, by which a block of 2,400 t has pressed itself into a cube that lies on the ground, some time after it came down.
-double leftInside(bool partsJammed) {
+TEST(LooseBodies, CarryWhatLiesOnThemAtTheHeightWhereItLies) {
     WorldScene scene;
     scene.solver = SolverKind::SoftStep;
-    scene.settings.partsJammed = partsJammed;
-    scene.settings.substeps = 4;
-    scene.dt = 1.0 / 25.0;
-    const BodyId cube = scene.box({0, 0, 0.25}, {0.5, 0.5, 0.5});
-    const BodyId other = scene.box({0, 0, 0.75}, {0.5, 0.5, 0.5});
-    scene.run(0.5);
-    scene.box({0, 0, 6.0}, {10, 10, 10}, {0, 0, -5});
-    scene.run(0.6);
-    return std::max(scene.world().penetration(cube), scene.world().penetration(other));
+    NewBody bar = boxBody({0, 0, 1}, {20, 2, 2}, {5, 0, 0});
+    bar.loose = true;
+    scene.world().addBody(bar);
+    const BodyId carried = scene.box({0, 0, 2.5}, {1, 1, 1}, {5, 0, 0});
+    scene.run(0.1);
+    const double energy = 0.5 * scene.velocity(carried).squaredNorm() + standardGravity * scene.place(carried).z();
+    EXPECT_GE(scene.world().loosePush(carried), 0.999 * energy) << "its centre lies half a metre above where it is pushed";
+}
+
+/// m, by which two cubes, one on the other on the ground, lie in others in the mean of the two seconds after a block of 2,400 t
+/// came down on them; mean of twelve places of the block, for one fall alone is chance.
+double leftInside(bool partsJammed) {
+    double sum = 0.0;
+    int count = 0;
+    for (int place = 0; place < 12; ++place) {
+        WorldScene scene;
+        scene.solver = SolverKind::SoftStep;
+        scene.settings.partsJammed = partsJammed;
+        scene.settings.substeps = 4;
+        scene.dt = 1.0 / 25.0;
+        const BodyId cube = scene.box({0, 0, 0.25}, {0.5, 0.5, 0.5});
+        const BodyId other = scene.box({0, 0, 0.75}, {0.5, 0.5, 0.5});
+        scene.run(0.5);
+        scene.box({0.2 * place, 0, 6.0}, {10, 10, 10}, {0, 0, -5});
+        scene.run(0.2);
+        for (int step = 0; step < 50; ++step, count += 2) {
+            scene.run(scene.dt);
+            sum += scene.world().penetration(cube) + scene.world().penetration(other);
+        }
+    }
+    return sum / count;
 }
 
 TEST(LooseBodies, WhatIsSqueezedComesApartByPosition) {

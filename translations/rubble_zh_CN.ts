@@ -11995,8 +11995,8 @@
         <translation>有限元结果结束时仍存活、没有路径通向支座且尚未由引擎带动（loose_structure）的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
     </message>
     <message>
-        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load. Automatic: 4, or 16 where the engine moves loose structure and 8 once the FE result has ended.</source>
-        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。自动：4，由引擎移动松脱结构时为 16，有限元结果结束后为 8。</translation>
+        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load. Automatic: 4, or 12 where the engine moves loose structure and 8 once the FE result has ended.</source>
+        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。自动：4，由引擎移动松脱结构时为 12，有限元结果结束后为 8。</translation>
     </message>
     <message>
         <source>Parts of the dead</source>

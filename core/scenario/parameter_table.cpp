@@ -135,7 +135,7 @@ std::vector<Parameter> simulationRows() {
         .integer(
             "substeps", 1, 64, RUBBLE_AT(simulation.substeps), "Substeps",
             "Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin "
-            "bodies would sink into each other under their load. Automatic: 4, or 16 where the engine moves loose structure and 8 "
+            "bodies would sink into each other under their load. Automatic: 4, or 12 where the engine moves loose structure and 8 "
             "once the FE result has ended.")
         .choice("cluster_shape", {"axis_box", "oriented_box", "hull", "compound", "bricks", "auto"}, RUBBLE_AT(simulation.shape),
                 "Cluster shape",

@@ -143,10 +143,10 @@ struct Scenario {
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// Parts in which the soft-step solver takes a step: 4, or 16 where the engine moves loose structure. What lies under spans that
+/// Parts in which the soft-step solver takes a step: 4, or 12 where the engine moves loose structure. What lies under spans that
 /// are a hundred times as heavy trembles and sinks in longer ones (docs/solver.md).
 inline int substepsOf(const Scenario& scenario) {
-    return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 16);
+    return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 12);
 }
 /// The same from the end of the FE result on, when few spans are left that press on debris.
 inline int settlingSubstepsOf(const Scenario& scenario) {

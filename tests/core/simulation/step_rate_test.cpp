@@ -62,7 +62,7 @@ TEST(StepRate, OfLooseStructureLastsUntilTheFeEnd) {
     const StepRate loose = chosenFor(5.0, scenario, 3, false);
     EXPECT_EQ(loose.perSecond, 40.0);
     EXPECT_EQ(loose.settling, 20.0);
-    EXPECT_EQ(substepsOf(scenario), 16);
+    EXPECT_EQ(substepsOf(scenario), 12);
     EXPECT_EQ(settlingSubstepsOf(scenario), 8);
     scenario.simulation.stepRate = 50.0;
     scenario.simulation.substeps = 6;

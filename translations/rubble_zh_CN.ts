@@ -28,6 +28,17 @@
     </message>
 </context>
 <context>
+    <name>PairsTable</name>
+    <message>
+        <source>Measured points that the pairs name</source>
+        <translation>点对所指的测量点</translation>
+    </message>
+    <message>
+        <source>Points of a total station (*.csv *.txt *.dxf);;All files (*)</source>
+        <translation>全站仪的点 (*.csv *.txt *.dxf);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>Save the run as one page that any browser opens without network, with both views and its sources</source>
@@ -13500,6 +13511,10 @@
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
     </message>
+    <message>
+        <source>The debris map is there: save it now.</source>
+        <translation>堆积物图已完成：现在可以保存。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::NewCase</name>
@@ -14651,6 +14666,10 @@
     <message>
         <source>looking %1 (%2°)</source>
         <translation>朝%1 (%2°)</translation>
+    </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1（假定）</translation>
     </message>
 </context>
 <context>
@@ -17799,6 +17818,10 @@ What the file fits: %2.</source>
         <source>Open a result first</source>
         <translation>请先打开结果</translation>
     </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1（假定）</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::ContactTable</name>
@@ -19972,6 +19995,22 @@ What the file fits: %2.</source>
         <source>Carried by the engine since %1 s, in a loose island.</source>
         <translation>自 %1 s 起由引擎带动，属于一个松散的孤立部分。</translation>
     </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1（假定）</translation>
+    </message>
+    <message>
+        <source>Nobody says what this component is made of: guessed from its density.</source>
+        <translation>没有说明此构件的材料：按其密度猜测。</translation>
+    </message>
+    <message>
+        <source>It is made of</source>
+        <translation>材料是</translation>
+    </message>
+    <message>
+        <source>Say what the component is made of; friction, bounce and break-up follow from it. Ctrl+Z takes it back</source>
+        <translation>指定构件的材料；摩擦、回弹和破碎由此确定。Ctrl+Z 可撤销</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::KeptRunsDialog</name>
@@ -21045,6 +21084,10 @@ What the file fits: %2.</source>
         <source>The window may be closed meanwhile: the worlds go on, and the case finds them again.</source>
         <translation>其间可以关闭窗口：各世界继续进行，案例会再次找到它们。</translation>
     </message>
+    <message>
+        <source>Slurm cluster (not reached)</source>
+        <translation>Slurm 集群（无法连接）</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::PlacePairsDialog</name>
@@ -21393,6 +21436,22 @@ What the file fits: %2.</source>
     <message>
         <source>The runs that are kept of all cases, with their sizes: open or remove them</source>
         <translation>所有案例保留的计算及其大小：可打开或移除</translation>
+    </message>
+    <message>
+        <source>Presentation: materials</source>
+        <translation>展示：材料</translation>
+    </message>
+    <message>
+        <source>Analysis: fragments in colour</source>
+        <translation>分析：着色碎块</translation>
+    </message>
+    <message>
+        <source>Style of the views</source>
+        <translation>视图样式</translation>
+    </message>
+    <message>
+        <source>What views begin with: components in the look of their materials, or fragments set off from the structure</source>
+        <translation>视图开始时的样式：构件呈现其材料的外观，或碎块与结构相区别</translation>
     </message>
 </context>
 <context>
@@ -23786,17 +23845,6 @@ Program: %3</source>
     <message>
         <source>All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below the valley floor.</source>
         <translation>所有混凝土均配筋；河水以 1 m/s 向北流动，水面低于谷底半米。</translation>
-    </message>
-</context>
-<context>
-    <name>PairsTable</name>
-    <message>
-        <source>Measured points that the pairs name</source>
-        <translation>点对所指的测量点</translation>
-    </message>
-    <message>
-        <source>Points of a total station (*.csv *.txt *.dxf);;All files (*)</source>
-        <translation>全站仪的点 (*.csv *.txt *.dxf);;所有文件 (*)</translation>
     </message>
 </context>
 </TS>

@@ -118,6 +118,8 @@ void GridPanel::buildSize() {
     m_slider->setAccessibleName(tr("Multiple of mean distance"));
     m_slider->setToolTip(tr("Drag to set the multiple; clusters are counted and the grid is drawn anew while you drag."));
     size->addWide(m_slider);
+    // Beside what is dragged, for the same look holds both.
+    m_clusters = size->addValue(tr("Clusters"), {}, tr("Rigid bodies that the engine moves, counted at these sizes"));
     for (const char* key : sizeKeys) {
         addParameter(size, key);
     }
@@ -170,7 +172,6 @@ void GridPanel::buildTable(PanelGroup* group) {
 void GridPanel::buildResult() {
     PanelGroup* result = addGroup(tr("Result"));
     m_fragments = result->addValue(tr("Fragments"));
-    m_clusters = result->addValue(tr("Clusters"), {}, tr("Rigid bodies that the engine moves, counted at these sizes"));
     m_awake = result->addValue(tr("Awake at once"), {},
                                tr("Most of them that move at the same time, each from its birth on for the time set above; bodies "
                                   "at rest cost next to nothing, so this is what the bodies allowed are held against"));

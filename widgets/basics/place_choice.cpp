@@ -13,6 +13,11 @@ namespace {
 
 constexpr int clusterItem = 1;
 
+QString placeTip() {
+    return PlaceChoice::tr(
+        "Who simulates: this machine, or a Slurm cluster that shares the cache folder with it, with one task for each world");
+}
+
 }  // namespace
 
 PlaceChoice::PlaceChoice(QWidget* parent)
@@ -27,8 +32,6 @@ PlaceChoice::PlaceChoice(QWidget* parent)
     m_place->setObjectName(QStringLiteral("place"));
     m_place->addItems({tr("this machine"), tr("Slurm cluster")});
     m_place->setAccessibleName(tr("Run on"));
-    m_place->setToolTip(
-        tr("Who simulates: this machine, or a Slurm cluster that shares the cache folder with it, with one task for each world"));
     row->addWidget(m_place, 1);
     column->addLayout(row);
     m_options->setObjectName(QStringLiteral("sbatch"));
@@ -69,11 +72,16 @@ void PlaceChoice::setReached(const QString& why, const QString& remedy) {
 
 void PlaceChoice::showChoice() {
     const bool reached = m_notReached.isEmpty();
-    qobject_cast<QStandardItemModel*>(m_place->model())->item(clusterItem)->setEnabled(reached);
+    // What keeps the cluster from being chosen stands with it, not beside a choice that works.
+    QStandardItem* cluster = qobject_cast<QStandardItemModel*>(m_place->model())->item(clusterItem);
+    cluster->setEnabled(reached);
+    cluster->setText(reached ? tr("Slurm cluster") : tr("Slurm cluster (not reached)"));
+    cluster->setToolTip(m_notReached);
+    m_place->setToolTip(placeTip() + (reached ? QString() : u'\n' + tr("Slurm cluster: %1").arg(m_notReached)));
     m_options->setVisible(onCluster());
-    m_why->setText(!reached      ? tr("Slurm cluster: %1").arg(m_notReached)
-                   : onCluster() ? tr("The window may be closed meanwhile: the worlds go on, and the case finds them again.")
-                                 : QString());
+    m_why->setText(!onCluster() ? QString()
+                   : reached    ? tr("The window may be closed meanwhile: the worlds go on, and the case finds them again.")
+                                : tr("Slurm cluster: %1").arg(m_notReached));
     m_why->setVisible(!m_why->text().isEmpty());
 }
 

@@ -112,7 +112,11 @@ void ComponentTree::setRows(const std::vector<Row>& rows) {
     m_filling = true;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_items[i]->setIcon(Name, swatch(m_rows[i].colour, m_rows[i].ownColour));
-        m_items[i]->setToolTip(Name, tr("%1, %2").arg(QString::fromStdString(m_rows[i].name), shownName(m_rows[i].material)));
+        const auto set = m_scenario.components.find(m_rows[i].name);
+        const bool guessed = set == m_scenario.components.end() || !set->second.material;
+        const QString material = shownName(m_rows[i].material);
+        m_items[i]->setToolTip(
+            Name, tr("%1, %2").arg(QString::fromStdString(m_rows[i].name), guessed ? tr("%1 (assumed)").arg(material) : material));
     }
     m_filling = false;
     for (ParameterEditor* editor : m_editors) {

@@ -34,6 +34,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent)
       m_language(new QComboBox),
       m_theme(new QComboBox),
       m_colours(new QComboBox),
+      m_style(new QComboBox),
       m_units(new QComboBox),
       m_threads(new QSpinBox),
       m_memory(new QSpinBox),
@@ -91,6 +92,11 @@ void PreferencesDialog::buildLook(QFormLayout& form) {
     addRow(form, tr("Fragments and structure"), m_colours,
            tr("Colours of fragments on the active structure. Both pairs can be told apart by the colour-blind; yellow on dark grey "
               "also in print without colour"));
+    m_style->setObjectName(QStringLiteral("style"));
+    m_style->addItem(tr("Presentation: materials"), true);
+    m_style->addItem(tr("Analysis: fragments in colour"), false);
+    addRow(form, tr("Style of the views"), m_style,
+           tr("What views begin with: components in the look of their materials, or fragments set off from the structure"));
     m_units->setObjectName(QStringLiteral("units"));
     m_units->addItem(tr("SI: m, kg, s"), static_cast<int>(figures::UnitSet::Si));
     m_units->addItem(tr("mm, t, s"), static_cast<int>(figures::UnitSet::MillimetreTonne));
@@ -102,7 +108,7 @@ void PreferencesDialog::buildLook(QFormLayout& form) {
     addRow(form, tr("Simplify moving views"), m_simplify,
            tr("Draw large models with less detail while they move, where this machine draws fewer than 24 pictures a second; the "
               "legend says so. Counts, picking and figures keep every detail"));
-    for (QComboBox* box : {m_language, m_theme, m_colours, m_units}) {
+    for (QComboBox* box : {m_language, m_theme, m_colours, m_style, m_units}) {
         connect(box, &QComboBox::activated, this, &PreferencesDialog::take);
     }
     connect(m_simplify, &QCheckBox::clicked, this, &PreferencesDialog::take);
@@ -169,6 +175,7 @@ void PreferencesDialog::show(const Preferences& preferences) {
     m_language->setCurrentIndex(m_language->findData(preferences.language));
     m_theme->setCurrentIndex(m_theme->findData(preferences.theme));
     m_colours->setCurrentIndex(m_colours->findData(static_cast<int>(preferences.colours)));
+    m_style->setCurrentIndex(m_style->findData(preferences.materials));
     m_units->setCurrentIndex(m_units->findData(static_cast<int>(preferences.units)));
     m_threads->setValue(preferences.threads);
     m_memory->setValue(preferences.memoryMib);
@@ -188,6 +195,7 @@ void PreferencesDialog::take() {
     next.language = m_language->currentData().toString();
     next.theme = m_theme->currentData().toString();
     next.colours = static_cast<figures::ColourSet>(m_colours->currentData().toInt());
+    next.materials = m_style->currentData().toBool();
     next.units = static_cast<figures::UnitSet>(m_units->currentData().toInt());
     next.threads = m_threads->value();
     next.memoryMib = m_memory->value();

@@ -27,6 +27,7 @@ struct Preferences {
     bool keepCopies = false;                        ///< of FE results that are read
     int keepRunsGib = 20;                           ///< GiB that the kept runs of a case may take; 0: none are kept
     QString runsFolder;                             ///< where they are kept; empty: beside each case
+    bool materials = true;                          ///< views show materials (presentation style), else the colours of analysis
     bool simplify = true;                           ///< views with less detail while they move, where they are slow
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
@@ -65,6 +66,7 @@ private:
     QComboBox* m_language;
     QComboBox* m_theme;
     QComboBox* m_colours;
+    QComboBox* m_style;
     QComboBox* m_units;
     QSpinBox* m_threads;
     QSpinBox* m_memory;

@@ -3,7 +3,7 @@
 #include <QPainter>
 
 #include "widgets/figures/marks.h"
-#include "widgets/figures/overlay.h"
+#include "widgets/figures/overlay/overlay.h"
 #include "widgets/figures/palette.h"
 
 namespace rubble::figures {

@@ -21,7 +21,7 @@
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/marks.h"
-#include "widgets/figures/overlay.h"
+#include "widgets/figures/overlay/overlay.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/render/panes.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "widgets/figures/marks.h"
-#include "widgets/figures/overlay.h"
+#include "widgets/figures/overlay/overlay.h"
 #include "widgets/render/basics/camera.h"
 #include "widgets/render/basics/scene_data.h"
 #include "widgets/render/basics/view.h"

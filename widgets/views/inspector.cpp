@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -149,8 +150,7 @@ void Inspector::showElement(const ElementFacts& facts) {
     addRow(solid, tr("mass"), shownIn(facts.mass, "kg"), tr("kg"), tr("Volume at rest times the density of its component"));
     addRow(solid, tr("volume"), shownIn(facts.volume, "m3"), tr("m³"), tr("At rest"));
     addRow(solid, tr("shape"), shownName(facts.shape), {}, tr("Shape of the finite element"));
-    addRow(solid, tr("material"), shownName(facts.material), {},
-           tr("Of its component; set in the component tree or the Case panel"));
+    addMaterial(*solid, facts);
     if (facts.carriedSince) {
         solid->addNote(
             tr("Carried by the engine since %1 s, in a loose island.").arg(QLocale().toString(*facts.carriedSince, 'f', 2)));
@@ -162,6 +162,34 @@ void Inspector::showElement(const ElementFacts& facts) {
     m_birth->setEnabled(facts.firstInactive.has_value());
     m_follow->setEnabled(facts.fragment && facts.fragment->path && !facts.fragment->path->points.empty());
     m_cluster->setEnabled(facts.fragment && facts.fragment->cluster);
+}
+
+void Inspector::addMaterial(PanelGroup& group, const ElementFacts& facts) {
+    const QString name = shownName(facts.material);
+    addRow(&group, tr("material"), facts.materialAssumed ? tr("%1 (assumed)").arg(name) : name, {},
+           tr("Of its component; set in the component tree or the Case panel"));
+    if (!facts.materialAssumed) {
+        return;
+    }
+    group.addNote(tr("Nobody says what this component is made of: guessed from its density."));
+    auto* say = new QToolButton;
+    say->setObjectName(QStringLiteral("sayMaterial"));
+    say->setText(tr("It is made of"));
+    say->setToolTip(tr("Say what the component is made of; friction, bounce and break-up follow from it. Ctrl+Z takes it back"));
+    say->setPopupMode(QToolButton::InstantPopup);
+    say->setFocusPolicy(Qt::StrongFocus);
+    auto* menu = new QMenu(say);
+    for (std::size_t m = 0; m < materialCount; ++m) {
+        const auto material = static_cast<Material>(m);
+        if (isBodyMaterial(material)) {
+            QAction* action = menu->addAction(shownName(materialName(material)));
+            connect(action, &QAction::triggered, this, [this, material, component = QString::fromStdString(facts.component)] {
+                emit materialChosen(component, material);
+            });
+        }
+    }
+    say->setMenu(menu);
+    group.addWide(say);
 }
 
 void Inspector::addDeath(const ElementFacts& facts) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evidence/maps/fragment_path.h"
+#include "core/fe/material.h"
 
 class QLabel;
 class QToolButton;
@@ -39,6 +40,7 @@ public:
         std::int64_t number = 0;  ///< user's element number
         std::string component;
         std::string material;
+        bool materialAssumed = false;  ///< guessed from the density of its component
         std::string shape;
         double mass = 0.0;                    ///< kg
         double volume = 0.0;                  ///< m3
@@ -76,6 +78,8 @@ signals:
     void hideRequested();
     void clusterRequested();
     void clearRequested();
+    /// The user says what a component is made of.
+    void materialChosen(const QString& component, rubble::Material material);
     /// An impact was chosen: go to its time, s.
     void timeRequested(double time);
 
@@ -83,6 +87,7 @@ private:
     QToolButton* addButton(QLayout* row, const QString& text, const QString& tip);
     void restart(const QString& title, const QString& subtitle);
     PanelGroup* addGroup(const QString& heading);
+    void addMaterial(PanelGroup& group, const ElementFacts& facts);
     void addDeath(const ElementFacts& facts);
     void addJourney(const FragmentFacts& fragment);
     void addImpacts(const FragmentPath& path);

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "widgets/figures/draw.h"
+#include "widgets/figures/overlay/overlay.h"
 #include "widgets/figures/palette.h"
 
 namespace rubble::widgets {
@@ -194,7 +195,13 @@ void ViewWidget::setView(const render::View& view) {
     const bool reselected = view.selection != m_view.selection;
     // A length that was begun lives here alone.
     m_measuring = m_measuring && view.measurements == m_view.measurements;
+    const bool fitted = m_fitted && !m_flight.isActive() && m_view.cameras == *m_fitted && view.cameras == *m_fitted;
+    const bool reworded = view.colourBy != m_view.colourBy || view.style != m_view.style || view.legends != m_view.legends ||
+                          view.captions != m_view.captions;
     m_view = view;
+    if (fitted && reworded) {
+        keepFitted();  // another legend leaves another room
+    }
     update();
     if (reselected) {
         emit selectionChanged();
@@ -227,8 +234,8 @@ void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
 }
 
 double ViewWidget::heightShare(const render::Pane& pane) const {
-    // A caption above, and as much below for legend and scale bar.
-    const double room = (fontMetrics().height() + 20.0) * devicePixelRatioF();
+    const double room =
+        figures::overlayRoom(figures::longestOverlay(m_view, m_scene, pane), pane.width, 13.0 * devicePixelRatioF());
     return pane.height > 0 ? std::max(0.5, 1.0 - 2.0 * room / pane.height) : 1.0;
 }
 

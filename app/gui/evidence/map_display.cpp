@@ -131,6 +131,8 @@ MapDisplay::MapDisplay(Session& session, Playback& playback, DockArea& docks, Ac
     connect(&m_computation, &Computation::prepared, this, &MapDisplay::refresh);
     connect(&m_document, &Document::surveysChanged, this, &MapDisplay::refresh);
     connect(&m_work, &MapWork::changed, this, &MapDisplay::show);
+    // What is told since is about something else.
+    connect(&session, &Session::told, this, [this] { m_waitTold = false; });
     QAction& shown = actions[ActionId::DebrisMap];
     connect(&shown, &QAction::triggered, this, [this, &docks](bool visible) {
         m_dock->setVisible(visible);
@@ -212,6 +214,9 @@ void MapDisplay::show() {
         content.why = failure ? failure->inOneLine() : EvidenceWork::whyNoDebris(m_computation.currentRun());
     }
     m_panel->setContent(content);
+    if (m_waitTold && !content.making) {
+        m_session.tell(made != nullptr ? tr("The debris map is there: save it now.") : QString());
+    }
     showGround();
 }
 
@@ -228,9 +233,10 @@ void MapDisplay::showGround() {
 
 void MapDisplay::save() {
     if (m_work.answer.result() == nullptr) {
-        m_session.tell(EvidenceWork::whyNoDebris(m_computation.currentRun()).isEmpty()
-                           ? tr("The debris is being mapped: save the map once it stands here.")
-                           : tr("Simulate first: there is no debris yet."));
+        const bool making = m_work.answer.running();
+        m_session.tell(making ? tr("The debris is being mapped: save the map once it stands here.")
+                              : tr("Simulate first: there is no debris yet."));
+        m_waitTold = making;
         return;
     }
     const QFileInfo base(m_document.base());

@@ -83,6 +83,7 @@ public:
     QDockWidget& dock() { return *m_dock; }
     /// Null: nothing lies on the ground.
     const std::shared_ptr<const Orthophoto>& groundPicture() const { return m_ground; }
+    bool m_waitTold = false;  ///< the status line says that the map is awaited
     /// Writes the map as GeoTIFF, GeoPackage, CSV or PNG, by the ending.
     void saveTo(const QString& path);
     void refresh();

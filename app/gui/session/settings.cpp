@@ -12,6 +12,7 @@ namespace {
 constexpr const char* languageKey = "language";
 constexpr const char* themeKey = "theme";
 constexpr const char* coloursKey = "colours";
+constexpr const char* materialsKey = "presentation_style";
 constexpr const char* unitsKey = "units";
 constexpr const char* threadsKey = "threads";
 constexpr const char* memoryKey = "memory_mib";
@@ -90,6 +91,7 @@ widgets::Preferences readPreferences(QSettings& settings, QStringList* complaint
     found.keepRunsGib = reader.number(keepRunsKey, 0, widgets::mostKeptGib, delivered.keepRunsGib);
     found.runsFolder = settings.value(QLatin1String(runsFolderKey)).toString();
     found.keepCopies = reader.flag(copiesKey, delivered.keepCopies);
+    found.materials = reader.flag(materialsKey, delivered.materials);
     found.simplify = reader.flag(simplifyKey, delivered.simplify);
     return found;
 }
@@ -105,6 +107,7 @@ void writePreferences(QSettings& settings, const widgets::Preferences& preferenc
     settings.setValue(QLatin1String(keepRunsKey), preferences.keepRunsGib);
     settings.setValue(QLatin1String(runsFolderKey), preferences.runsFolder);
     settings.setValue(QLatin1String(copiesKey), preferences.keepCopies);
+    settings.setValue(QLatin1String(materialsKey), preferences.materials);
     settings.setValue(QLatin1String(simplifyKey), preferences.simplify);
 }
 

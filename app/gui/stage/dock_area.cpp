@@ -28,6 +28,8 @@ QDockWidget* DockArea::addDock(QWidget* content, const QString& title, const QSt
     dock->setWidget(content);
     addDockWidget(side, dock);
     dock->hide();
+    // Once what comes or goes has its place.
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockArea::makeWay, Qt::QueuedConnection);
     return dock;
 }
 
@@ -66,12 +68,33 @@ void DockArea::arrange() {
         const QSize size(std::min(floatingSize.width(), width() - 2 * margin),
                          std::min(floatingSize.height(), height() - 2 * margin));
         m_floating->resize(size);
-        m_floating->move(mapToGlobal(QPoint(width() - margin - size.width(), margin)));
+        m_floating->move(freePlace());
+        m_place = m_floating->pos();
     } else if (!narrow() && m_floating->isFloating() && m_floated) {
         m_floating->setFloating(false);
         m_floated = false;
     }
     m_own = false;
+}
+
+QPoint DockArea::freePlace() const {
+    int right = width();
+    for (const QDockWidget* other : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+        const bool atRight = dockWidgetArea(const_cast<QDockWidget*>(other)) == Qt::RightDockWidgetArea;
+        if (other != m_floating && atRight && other->isVisible() && !other->isFloating()) {
+            right = std::min(right, other->x());
+        }
+    }
+    return mapToGlobal(QPoint(std::max(margin, right - margin - m_floating->width()), margin));
+}
+
+void DockArea::makeWay() {
+    // Where the user has moved it, it stays.
+    if (m_floating == nullptr || !m_floated || m_settled || !m_floating->isVisible() || m_floating->pos() != m_place) {
+        return;
+    }
+    m_floating->move(freePlace());
+    m_place = m_floating->pos();
 }
 
 void DockArea::resizeEvent(QResizeEvent* event) {

@@ -24,9 +24,14 @@ protected:
 private:
     void arrange();
     bool narrow() const;
+    /// Where it covers no other dock, on the screen.
+    QPoint freePlace() const;
+    /// Moves it off a dock that has come.
+    void makeWay();
 
     QDockWidget* m_floating = nullptr;
     bool m_floated = false;  ///< by this, not by the user
+    QPoint m_place;          ///< where this has put it
     bool m_own = false;      ///< this moves it just now
     bool m_settled = false;  ///< the user has put it somewhere
 };

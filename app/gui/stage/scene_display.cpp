@@ -23,6 +23,7 @@ constexpr std::array layoutActions = {ActionId::Beside,  ActionId::Stacked, Acti
 SceneDisplay::SceneDisplay(Session& session, Playback& playback, ViewArea& area, Actions& actions, QComboBox& colours,
                            QObject* parent)
     : QObject(parent),
+      m_session(session),
       m_document(session.document()),
       m_computation(session.computation()),
       m_playback(playback),
@@ -31,6 +32,13 @@ SceneDisplay::SceneDisplay(Session& session, Playback& playback, ViewArea& area,
       m_colours(colours),
       m_kept(session.part<Kept>()) {
     connectActions();
+    connect(&session, &Session::preferencesChanged, this, [this](const widgets::Preferences& before) {
+        if (before.materials != m_session.preferences().materials) {
+            render::View view = m_area.views().view();
+            view.style = preferredStyle();
+            setView(view);
+        }
+    });
     connect(&m_computation, &Computation::runGrew, &m_area.views(), &widgets::ViewWidget::refresh);
     connect(&m_computation, &Computation::progressed, this,
             [this](const QString& what) { m_area.setActivity(what.isEmpty() ? QString() : what + QStringLiteral(" …")); });
@@ -91,7 +99,7 @@ void SceneDisplay::goOn() {
     show();
     m_area.showViews(m_computation.inputs().fe != nullptr, !m_document.empty());
     render::View first = m_area.views().view();
-    first.style = render::Style::Presentation;
+    first.style = preferredStyle();
     render::View view = m_kept.view.value_or(first);
     view.theme = widgets::currentTheme();
     setView(view);
@@ -154,6 +162,10 @@ void SceneDisplay::setLoose(std::shared_ptr<const LooseStructure> loose) {
 void SceneDisplay::setGround(std::shared_ptr<const Orthophoto> ground) {
     m_ground = std::move(ground);
     show();
+}
+
+render::Style SceneDisplay::preferredStyle() const {
+    return m_session.preferences().materials ? render::Style::Presentation : render::Style::Analysis;
 }
 
 void SceneDisplay::useTheme() {

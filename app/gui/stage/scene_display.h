@@ -62,7 +62,10 @@ private:
     };
     void connectActions();
     void setLayout(render::Layout layout);
+    /// That of Preferences, with which views begin.
+    render::Style preferredStyle() const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     Playback& m_playback;

@@ -63,6 +63,14 @@ SelectionDisplay::SelectionDisplay(Session& session, Playback& playback, ViewAre
         m_playback.clock().pause();
         m_playback.scrub(time);
     });
+    // Later, for the button that says it is made anew.
+    connect(
+        &inspector, &widgets::Inspector::materialChosen, this,
+        [this](const QString& component, Material material) {
+            m_session.document().setParameter(QStringLiteral("component[%1].material").arg(component),
+                                              ParameterValue(std::string(materialName(material))));
+        },
+        Qt::QueuedConnection);
     connect(&form, &widgets::SelectForm::selectRequested, this, &SelectionDisplay::selectBy);
     connect(&playback.clock(), &widgets::PlaybackClock::timeChanged, this, &SelectionDisplay::showTime);
     connect(&m_computation, &Computation::prepared, this, &SelectionDisplay::refresh);
@@ -189,6 +197,9 @@ widgets::Inspector::ElementFacts SelectionDisplay::factsOf(ElementIndex element)
     facts.number = fe.mesh().elementIds[at(element)];
     facts.component = component.name;
     facts.material = materialName(component.material);
+    const auto& said = m_session.document().scenario().components;
+    const auto own = said.find(component.name);
+    facts.materialAssumed = own == said.end() || !own->second.material;
     facts.shape = shapeName(fe.mesh().shapes[at(element)]);
     facts.mass = components.mass(element);
     facts.volume = components.volume[at(element)];

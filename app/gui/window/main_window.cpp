@@ -162,6 +162,8 @@ void MainWindow::connectActions() {
         m_session.setPreferences(preferences);
     };
     on(ActionId::KeepCopies, [prefer](bool keep) { prefer([keep](widgets::Preferences& now) { now.keepCopies = keep; }); });
+    // Chosen once, it is that of the next start too.
+    on(ActionId::Presentation, [prefer](bool on) { prefer([on](widgets::Preferences& now) { now.materials = on; }); });
     for (const auto& [id, theme] : themeActions) {
         on(id, [prefer, theme = theme] { prefer([theme](widgets::Preferences& now) { now.theme = QLatin1String(theme); }); });
     }
@@ -229,6 +231,9 @@ void MainWindow::showPreferences() {
 void MainWindow::showCentre() {
     const int entry = m_rooms->deck->stack().currentIndex();
     const int page = m_rooms->deck->evidenceTabs().current();
+    if (entry != PanelDeck::Accuracy && entry != PanelDeck::Evidence) {
+        m_lastEntry = entry;
+    }
     m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 + page : 0);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/gui/stage/actions.h"
+#include "app/gui/stage/panel_deck.h"
 #include "app/gui/window/window_rooms.h"
 
 class QLabel;
@@ -73,7 +74,11 @@ private:
     void goOn();
 
     Session& m_session;
+    /// A study runs that Esc cancels.
+    bool studying() const;
+
     Kept& m_kept;
+    int m_lastEntry = PanelDeck::Case;  ///< of the rail, the last one that leaves the centre to the views
     Actions m_actions;
     ViewArea* m_area;
     widgets::AccuracyPage* m_accuracyPage;

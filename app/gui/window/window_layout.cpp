@@ -193,6 +193,10 @@ void MainWindow::prepareTour() {
     connect(&m_actions[ActionId::Tour], &QAction::triggered, m_visit, &FirstVisit::begin);
 }
 
+bool MainWindow::studying() const {
+    return !m_rooms->runs->costlyWork().isEmpty() && !m_session.computation().busy();
+}
+
 void MainWindow::prepareKeys() {
     widgets::ViewWidget& views = m_area->views();
     using Tool = widgets::PhotoView::Tool;
@@ -204,7 +208,10 @@ void MainWindow::prepareKeys() {
          [this] { m_evidencePage->setTool(Tool::Look); }},
         {[this] { return m_evidencePage->survey().isVisible() && m_evidencePage->survey().drawing().has_value(); },
          [this] { m_evidencePage->survey().draw(std::nullopt); }},
-        {[&views] { return views.isVisible() && views.view().clip.has_value(); }, [this] { m_actions[ActionId::Clip].trigger(); }}};
+        {[&views] { return views.isVisible() && views.view().clip.has_value(); }, [this] { m_actions[ActionId::Clip].trigger(); }},
+        // A page over the views; a study of its own that runs there is not hidden by the key that cancels it.
+        {[this] { return m_centre->currentWidget() != m_area && !studying(); },
+         [this] { m_rooms->deck->choose(static_cast<PanelDeck::Entry>(m_lastEntry)); }}};
     std::vector<const QWidget*> forms{&m_rooms->deck->stack()};
     for (const auto* dock : m_rooms->inspection->docks().findChildren<QDockWidget*>()) {
         forms.push_back(dock);

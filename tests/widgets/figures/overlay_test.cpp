@@ -1,7 +1,10 @@
-#include "widgets/figures/overlay.h"
+#include "widgets/figures/overlay/overlay.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
@@ -192,9 +195,7 @@ TEST_F(Legends, TellThatAMovingViewIsSimplified) {
     m_view = render::defaultView(m_scene.data(), 1280, 800);
     const auto told = [&] {
         const Overlay overlay = overlayFor(render::ColourBy::BirthTime);
-        return std::count_if(overlay.legend.begin(), overlay.legend.end(), [](const LegendEntry& entry) {
-            return entry.text.startsWith(QStringLiteral("simplified while moving"));
-        });
+        return overlay.moving.startsWith(QStringLiteral("simplified while moving")) ? 1 : 0;
     };
     EXPECT_EQ(told(), 0);
     const auto full = m_scene.pick(640, 200);
@@ -211,9 +212,33 @@ TEST_F(Legends, TellThatAMovingViewIsSimplified) {
     EXPECT_EQ(told(), 1) << "said even where legends are off";
     m_scene.setSimplified(true, 0.5);
     EXPECT_EQ(told(), 1) << "in one line";
-    EXPECT_TRUE(overlayFor(render::ColourBy::BirthTime).legend.back().text.endsWith(QStringLiteral(", resolution 50 %")));
+    EXPECT_TRUE(overlayFor(render::ColourBy::BirthTime).moving.endsWith(QStringLiteral(", resolution 50 %")));
     m_scene.setSimplified(false);
     EXPECT_EQ(told(), 0);
+}
+
+TEST_F(Legends, ALegendThatNeedsLinesStandsInTheStripThatIsKeptForIt) {
+    // A pane as narrow as one of two beside each other at 1280 x 800.
+    const render::Pane pane{render::PaneContent::Fragments, 0, 0, 300, 400};
+    constexpr double textHeight = 13.0;
+    for (const render::ColourBy by : {render::ColourBy::Highlight, render::ColourBy::Component, render::ColourBy::Error}) {
+        overlayFor(by);
+        const Overlay longest = longestOverlay(m_view, m_scene, pane);
+        const double room = overlayRoom(longest, pane.width, textHeight);
+        EXPECT_GE(longest.legend.size(), makeOverlay(m_view, m_scene, pane).legend.size());
+        QImage picture(pane.width, pane.height, QImage::Format_ARGB32_Premultiplied);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        paintOverlay(painter, makeOverlay(m_view, m_scene, pane), pane, render::Theme::Light, textHeight);
+        painter.end();
+        int covered = 0;
+        for (int y = static_cast<int>(room); y < pane.height - static_cast<int>(room); ++y) {
+            for (int x = 0; x < pane.width; ++x) {
+                covered += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
+            }
+        }
+        EXPECT_EQ(covered, 0) << "coloured by " << static_cast<int>(by);
+    }
 }
 
 TEST_F(Legends, AnEmptySceneSaysOnlyWhatWouldBeThere) {

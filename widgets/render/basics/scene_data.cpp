@@ -11,6 +11,12 @@ void SceneData::setSurroundings(const Scenario& scenario, std::shared_ptr<const 
         }
         return scenario.effects.of(kind) != EffectSwitch::Off;
     };
+    givenMaterials.clear();
+    for (const auto& [name, settings] : scenario.components) {
+        if (settings.material) {
+            givenMaterials.insert(name);
+        }
+    }
     groundHeight = scenario.simulation.groundHeight;
     terrain = shown(EffectKind::Terrain) ? std::move(theTerrain) : nullptr;
     waterLevel = shown(EffectKind::Water) ? scenario.effects.waterLevel : std::nullopt;

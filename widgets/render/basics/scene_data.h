@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "core/clusters/clustering.h"
 #include "core/fe/components.h"
@@ -32,10 +34,14 @@ struct SceneData {
     std::optional<double> waterLevel;                           ///< m, drawn in the fragments pane; unset: no water
     std::shared_ptr<const Orthophoto> orthophoto;               ///< draped over the ground; null: none
     std::shared_ptr<const std::vector<SiteMesh>> surroundings;  ///< null: none
+    std::set<std::string> givenMaterials;  ///< components whose material somebody named; of others it is guessed
 
-    /// Ground, terrain and water as a run has them: what was off in it is not shown. Before a run's outcome is known everything is
-    /// shown that is not switched off.
+    /// Ground, terrain, water and named materials as a run has them: what was off in it is not shown. Before a run's outcome is
+    /// known everything is shown that is not switched off.
     void setSurroundings(const Scenario& scenario, std::shared_ptr<const TerrainGrid> terrain, const SimulationResult* outcome);
+
+    /// The material of a component is but a guess from its density.
+    bool materialAssumed(const std::string& component) const { return !givenMaterials.contains(component); }
 
     friend bool operator==(const SceneData&, const SceneData&) = default;
 };

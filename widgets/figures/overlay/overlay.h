@@ -30,6 +30,7 @@ struct ColourBar {
 /// What stands over one pane, apart from its place: made from the scene's status, painted by paintOverlay().
 struct Overlay {
     QString caption;
+    QString moving;  ///< what the picture leaves out while it moves; empty: nothing
     std::vector<LegendEntry> legend;
     std::vector<ColourBar> bars;  ///< none or one
     double metresPerPixel = 0.0;  ///< 0: no scale bar
@@ -38,9 +39,16 @@ struct Overlay {
 /// What the pane of a view has to say; parts that the view switches off are empty.
 Overlay makeOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane);
 
+/// The same at its longest: once all fragments are born and structure is released.
+Overlay longestOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane);
+
 /// Paints an overlay inside a pane. The painter works in device pixels.
 /// @param textHeight  of the font, device pixels
 void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight);
+
+/// Height that the lines above or below the model take of a pane, whichever is more, device pixels.
+/// @param paneWidth  device pixels
+double overlayRoom(const Overlay& overlay, double paneWidth, double textHeight);
 
 /// Width of a scale bar with its length beside it, device pixels; 0: there is none. @param room  that it may be chosen for
 double scaleLineWidth(double metresPerPixel, double room, double textHeight);

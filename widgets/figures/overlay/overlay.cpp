@@ -1,9 +1,6 @@
-#include "widgets/figures/overlay.h"
+#include "widgets/figures/overlay/overlay.h"
 
-#include <QFontMetricsF>
-#include <QLinearGradient>
 #include <QLocale>
-#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +18,6 @@ namespace rubble::figures {
 namespace {
 
 constexpr std::size_t longestLegend = 6;
-constexpr double legendGap = 5.0;  // between entries of one line, in units of the look
 
 QColor colourOf(const render::Rgb& c) {
     return {c.r, c.g, c.b};
@@ -90,14 +86,17 @@ double twoDigitsUp(double value) {
 /// One entry for each material that a component has.
 void addMaterials(std::vector<LegendEntry>& legend, const render::SceneData& data, const render::SceneColours& colours) {
     std::array<bool, materialCount> present{};
+    std::array<bool, materialCount> assumed{};
     for (std::size_t c = 0; data.components && c < data.components->list.size(); ++c) {
-        present[static_cast<std::size_t>(data.components->list[c].material)] = true;
+        const Component& component = data.components->list[c];
+        present[static_cast<std::size_t>(component.material)] = true;
+        assumed[static_cast<std::size_t>(component.material)] |= data.materialAssumed(component.name);
     }
     const std::array<QString, materialCount> names{tr("stone"),   tr("concrete"), tr("steel"),
                                                    tr("masonry"), tr("soil"),     tr("water bed")};
     for (std::size_t m = 0; m < materialCount; ++m) {
         if (present[m]) {
-            legend.push_back({colourOf(colours.materials[m]), names[m]});
+            legend.push_back({colourOf(colours.materials[m]), assumed[m] ? tr("%1 (assumed)").arg(names[m]) : names[m]});
         }
     }
 }
@@ -157,177 +156,7 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
     }
 }
 
-/// Metrics that everything over a pane is laid out with.
-struct Look {
-    const Palette& palette;
-    QFont font;
-    double unit;  ///< 4 px of a 13 px font
-    double line;
-};
-
-Look lookFor(render::Theme theme, double textHeight) {
-    QFont font;
-    font.setPixelSize(std::max(6, static_cast<int>(std::lround(textHeight))));
-    const double unit = 4.0 * textHeight / 13.0;
-    return {palette(theme), font, unit, QFontMetricsF(font).height()};
-}
-
-double widthOf(const Look& look, const QString& text) {
-    return QFontMetricsF(look.font).horizontalAdvance(text);
-}
-
-void chip(QPainter& painter, const Look& look, const QRectF& box) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(look.palette.chip);
-    painter.drawRoundedRect(box, 0.75 * look.unit, 0.75 * look.unit);
-}
-
-void write(QPainter& painter, const Look& look, const QRectF& box, const QString& text, Qt::Alignment alignment) {
-    painter.setPen(look.palette.chipText);
-    painter.drawText(box, static_cast<int>(alignment | Qt::AlignVCenter | Qt::TextSingleLine), text);
-}
-
-void paintCaption(QPainter& painter, const Look& look, const QRectF& pane, const QString& caption) {
-    const double pad = 2.0 * look.unit;
-    const double room = pane.width() - 4.0 * pad;
-    const QString text = QFontMetricsF(look.font).elidedText(caption, Qt::ElideRight, room);
-    const QRectF box(pane.left() + pad, pane.top() + pad, widthOf(look, text) + 2.0 * pad, look.line + 1.5 * look.unit);
-    chip(painter, look, box);
-    write(painter, look, box, text, Qt::AlignHCenter);
-}
-
-void swatch(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double middle) {
-    const double side = 2.25 * look.unit;
-    const QRectF square(x, middle - 0.5 * side, side, side);
-    if (entry.outlined) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(entry.colour, 0.5 * look.unit));
-        painter.drawEllipse(square.adjusted(0.25 * look.unit, 0.25 * look.unit, -0.25 * look.unit, -0.25 * look.unit));
-        return;
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(entry.colour);
-    painter.drawRoundedRect(square, 0.4 * look.unit, 0.4 * look.unit);
-}
-
-double entryWidth(const Look& look, const LegendEntry& entry) {
-    return (entry.colour.isValid() ? 4.0 * look.unit : 0.0) + widthOf(look, entry.text);
-}
-
-void paintEntry(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double top) {
-    if (entry.colour.isValid()) {
-        swatch(painter, look, entry, x, top + 0.5 * look.line);
-        x += 4.0 * look.unit;
-    }
-    write(painter, look, QRectF(x, top, 4096.0, look.line), entry.text, Qt::AlignLeft);
-}
-
-double barWidth(const Look& look, const ColourBar& bar) {
-    return widthOf(look, bar.title) + widthOf(look, bar.low) + widthOf(look, bar.high) + 38.0 * look.unit;
-}
-
-void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double x, double top) {
-    const auto put = [&](const QString& text) {
-        write(painter, look, QRectF(x, top, 4096.0, look.line), text, Qt::AlignLeft);
-        x += widthOf(look, text) + 2.0 * look.unit;
-    };
-    put(bar.title);
-    x += 1.0 * look.unit;
-    put(bar.low);
-    QLinearGradient ramp(x, 0.0, x + 30.0 * look.unit, 0.0);
-    for (int i = 0; i <= 16; ++i) {
-        ramp.setColorAt(i / 16.0, bar.birthTime ? birthColour(i / 16.0, bar.map) : speedColour(i / 16.0, bar.map));
-    }
-    painter.setPen(QPen(look.palette.muted, 0.0));
-    painter.setBrush(ramp);
-    painter.drawRect(QRectF(x, top + 0.5 * look.line - 1.25 * look.unit, 30.0 * look.unit, 2.5 * look.unit));
-    x += 32.0 * look.unit;
-    put(bar.high);
-}
-
-/// Legend and colour bar share one chip: side by side at the lower left while there is room, else one under the other above.
-void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay, double reservedRight) {
-    if (overlay.legend.empty() && overlay.bars.empty()) {
-        return;
-    }
-    const double pad = 2.0 * look.unit;
-    const double gap = 3.0 * look.unit;
-    double along = 0.0;
-    double widest = 0.0;
-    for (const LegendEntry& entry : overlay.legend) {
-        along += entryWidth(look, entry) + gap;
-        widest = std::max(widest, entryWidth(look, entry));
-    }
-    for (const ColourBar& bar : overlay.bars) {
-        along += barWidth(look, bar) + gap;
-        widest = std::max(widest, barWidth(look, bar));
-    }
-    along -= gap;
-    const bool inRow = along + 4.0 * pad + reservedRight <= pane.width();
-    const double rows = inRow ? 1.0 : static_cast<double>(overlay.legend.size() + overlay.bars.size());
-    const double height = rows * look.line + (rows - 1.0) * look.unit + 1.5 * look.unit;
-    // Debris lies low: what needs several lines goes below the caption, into the sky.
-    const double captionHeight = overlay.caption.isEmpty() ? 0.0 : look.line + 1.5 * look.unit + pad;
-    const double top = inRow ? pane.bottom() - pad - height : pane.top() + pad + captionHeight;
-    const QRectF box(pane.left() + pad, top, (inRow ? along : widest) + 2.0 * pad, height);
-    chip(painter, look, box);
-    double x = box.left() + pad;
-    double y = box.top() + 0.75 * look.unit;
-    const auto next = [&](double width) { inRow ? x += width + gap : y += look.line + look.unit; };
-    for (const LegendEntry& entry : overlay.legend) {
-        paintEntry(painter, look, entry, x, y);
-        next(entryWidth(look, entry));
-    }
-    for (const ColourBar& bar : overlay.bars) {
-        paintBar(painter, look, bar, x, y);
-        next(barWidth(look, bar));
-    }
-}
-
-/// The longest round length that fits, m.
-double barLength(const Look& look, double metresPerPixel, double room) {
-    return roundLength(metresPerPixel, std::min(0.2 * room, 40.0 * look.unit));
-}
-
-/// A bar with ticks at its ends, up from its line.
-void strokeBar(QPainter& painter, const Look& look, double x, double y, double pixels) {
-    painter.setPen(QPen(look.palette.chipText, std::max(1.0, 0.3 * look.unit), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    painter.setBrush(Qt::NoBrush);
-    const double tick = 1.25 * look.unit;
-    const std::array<QPointF, 4> points{QPointF(x, y - tick), QPointF(x, y), QPointF(x + pixels, y), QPointF(x + pixels, y - tick)};
-    painter.drawPolyline(points.data(), static_cast<int>(points.size()));
-}
-
-/// Returns the width it took.
-double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, double metresPerPixel) {
-    const double length = barLength(look, metresPerPixel, pane.width());
-    if (!(length > 0)) {
-        return 0.0;
-    }
-    const double pixels = length / metresPerPixel;
-    const QString text = lengthText(length);
-    const double pad = 2.0 * look.unit;
-    const double width = std::max(pixels, widthOf(look, text)) + 2.0 * pad;
-    const QRectF box(pane.right() - pad - width, pane.bottom() - pad - look.line - 3.5 * look.unit, width,
-                     look.line + 3.5 * look.unit);
-    chip(painter, look, box);
-    write(painter, look, QRectF(box.left(), box.top() + 0.5 * look.unit, box.width(), look.line), text, Qt::AlignHCenter);
-    strokeBar(painter, look, box.center().x() - 0.5 * pixels, box.bottom() - 1.25 * look.unit, pixels);
-    return width + pad;
-}
-
 }  // namespace
-
-double roundLength(double metresPerPixel, double maxPixels) {
-    const double perSi = shownUnit("m").perSi;
-    const double longest = metresPerPixel * maxPixels * perSi;
-    if (!(longest > 0) || !std::isfinite(longest)) {
-        return 0.0;
-    }
-    const double power = std::pow(10.0, std::floor(std::log10(longest)));
-    const double mantissa = longest / power;
-    return power * (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0) / perSi;
-}
 
 QString captionText(render::PaneContent content, const render::PaneStatus& status) {
     const bool fe = content == render::PaneContent::Fe;
@@ -354,9 +183,11 @@ QString captionText(render::PaneContent content, const render::PaneStatus& statu
     return tr("%1 · t = %2, %3").arg(name, timeText(status.time), how);
 }
 
-Overlay makeOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane) {
+namespace {
+
+Overlay overlayOf(const render::View& view, const render::Scene& scene, const render::Pane& pane,
+                  const render::PaneStatus& status) {
     Overlay overlay;
-    const render::PaneStatus& status = scene.status(pane.content);
     const render::SceneData& data = scene.dataOf(pane.content);
     if (view.captions) {
         render::PaneStatus counted = status;
@@ -408,7 +239,7 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
             overlay.legend.push_back({p.accent, tr("selected %1").arg(countText(view.selection.size())), true});
         }
     }
-    // One line, so that the legend stays where it is at rest.
+    // Apart from the legend, which stays where it is at rest.
     QStringList simplified;
     if (status.simplifiedTo > 0.0) {
         simplified.push_back(tr("to within %1").arg(lengthText(twoDigitsUp(status.simplifiedTo))));
@@ -420,7 +251,7 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
         simplified.push_back(tr("over %1 FE intervals").arg(status.statesApart));
     }
     if (!simplified.isEmpty()) {
-        overlay.legend.push_back({QColor(), tr("simplified while moving: %1").arg(simplified.join(QStringLiteral(", ")))});
+        overlay.moving = tr("simplified while moving: %1").arg(simplified.join(QStringLiteral(", ")));
     }
     if (view.scaleBar && status.states > 0) {
         overlay.metresPerPixel = render::metresPerPixel(render::cameraOf(view, pane.content), pane.height);
@@ -428,19 +259,31 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
     return overlay;
 }
 
-void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight) {
-    const Look look = lookFor(theme, textHeight);
-    const QRectF area(pane.x, pane.y, pane.width, pane.height);
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(look.font);
-    painter.setClipRect(area);
-    if (!overlay.caption.isEmpty()) {
-        paintCaption(painter, look, area, overlay.caption);
+}  // namespace
+
+Overlay makeOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane) {
+    return overlayOf(view, scene, pane, scene.status(pane.content));
+}
+
+Overlay longestOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane) {
+    const render::SceneData& data = scene.dataOf(pane.content);
+    render::PaneStatus status = scene.status(pane.content);
+    if (data.fe != nullptr) {
+        status.states = static_cast<std::uint32_t>(data.fe->times().size());
+        status.elements = status.active = data.fe->mesh().elementCount();
     }
-    const double taken = overlay.metresPerPixel > 0 ? paintScaleBar(painter, look, area, overlay.metresPerPixel) : 0.0;
-    paintLegend(painter, look, area, overlay, taken);
-    painter.restore();
+    if (data.fragments != nullptr) {
+        status.fragments = status.clusters = data.fragments->list.size();
+        status.bornByComponent.assign(data.components != nullptr ? data.components->list.size() : 0, 0);
+        for (const Fragment& fragment : data.fragments->list) {
+            if (at(fragment.component) < status.bornByComponent.size()) {
+                ++status.bornByComponent[at(fragment.component)];
+            }
+        }
+    }
+    const bool carries = data.trajectory != nullptr && pane.content != render::PaneContent::Fe;
+    status.released = std::max<std::size_t>(status.released, carries ? status.active : 0);
+    return overlayOf(view, scene, pane, status);
 }
 
 std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
@@ -459,66 +302,6 @@ std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
         legend.push_back({p.released, tr("released structure")});
     }
     return legend;
-}
-
-double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars, double textHeight) {
-    const Look look = lookFor(render::Theme::Print, textHeight);
-    double width = 0.0;
-    for (const LegendEntry& entry : legend) {
-        width += entryWidth(look, entry) + legendGap * look.unit;
-    }
-    for (const ColourBar& bar : bars) {
-        width += barWidth(look, bar) + legendGap * look.unit;
-    }
-    return std::max(0.0, width - legendGap * look.unit);
-}
-
-double scaleLineWidth(double metresPerPixel, double room, double textHeight) {
-    const Look look = lookFor(render::Theme::Print, textHeight);
-    const double length = metresPerPixel > 0.0 ? barLength(look, metresPerPixel, room) : 0.0;
-    return length > 0.0 ? length / metresPerPixel + 2.0 * look.unit + widthOf(look, lengthText(length)) : 0.0;
-}
-
-double paintScaleLine(QPainter& painter, double metresPerPixel, const render::Pane& strip, double textHeight) {
-    const Look look = lookFor(render::Theme::Print, textHeight);
-    const double width = scaleLineWidth(metresPerPixel, strip.width, textHeight);
-    if (!(width > 0.0)) {
-        return 0.0;
-    }
-    const double length = barLength(look, metresPerPixel, strip.width);
-    const double pixels = length / metresPerPixel;
-    const double pad = 2.0 * look.unit;
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(look.font);
-    const double x = strip.x + strip.width - pad - width;
-    const double middle = strip.y + 0.5 * strip.height;
-    strokeBar(painter, look, x, middle + 0.6 * look.unit, pixels);
-    write(painter, look, QRectF(x + pixels + pad, middle - 0.5 * look.line, width - pixels, look.line), lengthText(length),
-          Qt::AlignLeft);
-    painter.restore();
-    return width + 2.0 * pad;
-}
-
-void paintLegendLine(QPainter& painter, const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars,
-                     const render::Pane& strip, double textHeight) {
-    const Look look = lookFor(render::Theme::Print, textHeight);
-    const double gap = legendGap * look.unit;
-    const double width = legendLineWidth(legend, bars, textHeight);
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(look.font);
-    double x = strip.x + 0.5 * (strip.width - width);
-    const double top = strip.y + 0.5 * (strip.height - look.line);
-    for (const LegendEntry& entry : legend) {
-        paintEntry(painter, look, entry, x, top);
-        x += entryWidth(look, entry) + gap;
-    }
-    for (const ColourBar& bar : bars) {
-        paintBar(painter, look, bar, x, top);
-        x += barWidth(look, bar) + gap;
-    }
-    painter.restore();
 }
 
 }  // namespace rubble::figures

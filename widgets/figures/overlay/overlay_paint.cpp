@@ -1,0 +1,325 @@
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/figures/draw.h"
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/overlay/overlay.h"
+#include "widgets/figures/palette.h"
+#include "widgets/figures/shown_units.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr double widestBar = 46.0;  // of a scale with its margins, in units of the look
+constexpr double legendGap = 5.0;   // between entries of one line, in units of the look
+
+/// Metrics that everything over a pane is laid out with.
+struct Look {
+    const Palette& palette;
+    QFont font;
+    double unit;  ///< 4 px of a 13 px font
+    double line;
+};
+
+Look lookFor(render::Theme theme, double textHeight) {
+    QFont font;
+    font.setPixelSize(std::max(6, static_cast<int>(std::lround(textHeight))));
+    const double unit = 4.0 * textHeight / 13.0;
+    return {palette(theme), font, unit, QFontMetricsF(font).height()};
+}
+
+double widthOf(const Look& look, const QString& text) {
+    return QFontMetricsF(look.font).horizontalAdvance(text);
+}
+
+void chip(QPainter& painter, const Look& look, const QRectF& box) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(look.palette.chip);
+    painter.drawRoundedRect(box, 0.75 * look.unit, 0.75 * look.unit);
+}
+
+void write(QPainter& painter, const Look& look, const QRectF& box, const QString& text, Qt::Alignment alignment) {
+    painter.setPen(look.palette.chipText);
+    painter.drawText(box, static_cast<int>(alignment | Qt::AlignVCenter | Qt::TextSingleLine), text);
+}
+
+/// @return its box
+QRectF paintCaption(QPainter& painter, const Look& look, const QRectF& pane, const QPointF& corner, const QString& caption) {
+    const double pad = 2.0 * look.unit;
+    const double room = pane.width() - 4.0 * pad;
+    const QString text = QFontMetricsF(look.font).elidedText(caption, Qt::ElideRight, room);
+    const QRectF box(corner, QSizeF(widthOf(look, text) + 2.0 * pad, look.line + 1.5 * look.unit));
+    chip(painter, look, box);
+    write(painter, look, box, text, Qt::AlignHCenter);
+    return box;
+}
+
+/// The caption, and what moving leaves out: beside it, or below where that is too long.
+void paintCaptions(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay) {
+    const double pad = 2.0 * look.unit;
+    QPointF corner(pane.left() + pad, pane.top() + pad);
+    if (!overlay.caption.isEmpty()) {
+        const QRectF box = paintCaption(painter, look, pane, corner, overlay.caption);
+        const bool beside = box.right() + look.unit + widthOf(look, overlay.moving) + 3.0 * pad <= pane.right();
+        corner = beside ? QPointF(box.right() + look.unit, box.top()) : QPointF(box.left(), box.bottom() + look.unit);
+    }
+    if (!overlay.moving.isEmpty()) {
+        paintCaption(painter, look, pane, corner, overlay.moving);
+    }
+}
+
+void swatch(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double middle) {
+    const double side = 2.25 * look.unit;
+    const QRectF square(x, middle - 0.5 * side, side, side);
+    if (entry.outlined) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(entry.colour, 0.5 * look.unit));
+        painter.drawEllipse(square.adjusted(0.25 * look.unit, 0.25 * look.unit, -0.25 * look.unit, -0.25 * look.unit));
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(entry.colour);
+    painter.drawRoundedRect(square, 0.4 * look.unit, 0.4 * look.unit);
+}
+
+double entryWidth(const Look& look, const LegendEntry& entry) {
+    return (entry.colour.isValid() ? 4.0 * look.unit : 0.0) + widthOf(look, entry.text);
+}
+
+/// @param room  that it may take, device pixels
+void paintEntry(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double top, double room) {
+    if (entry.colour.isValid()) {
+        swatch(painter, look, entry, x, top + 0.5 * look.line);
+        x += 4.0 * look.unit;
+        room -= 4.0 * look.unit;
+    }
+    const QString text = QFontMetricsF(look.font).elidedText(entry.text, Qt::ElideRight, room);
+    write(painter, look, QRectF(x, top, room, look.line), text, Qt::AlignLeft);
+}
+
+double barWidth(const Look& look, const ColourBar& bar) {
+    return widthOf(look, bar.title) + widthOf(look, bar.low) + widthOf(look, bar.high) + 38.0 * look.unit;
+}
+
+void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double x, double top) {
+    const auto put = [&](const QString& text) {
+        write(painter, look, QRectF(x, top, 4096.0, look.line), text, Qt::AlignLeft);
+        x += widthOf(look, text) + 2.0 * look.unit;
+    };
+    put(bar.title);
+    x += 1.0 * look.unit;
+    put(bar.low);
+    QLinearGradient ramp(x, 0.0, x + 30.0 * look.unit, 0.0);
+    for (int i = 0; i <= 16; ++i) {
+        ramp.setColorAt(i / 16.0, bar.birthTime ? birthColour(i / 16.0, bar.map) : speedColour(i / 16.0, bar.map));
+    }
+    painter.setPen(QPen(look.palette.muted, 0.0));
+    painter.setBrush(ramp);
+    painter.drawRect(QRectF(x, top + 0.5 * look.line - 1.25 * look.unit, 30.0 * look.unit, 2.5 * look.unit));
+    x += 32.0 * look.unit;
+    put(bar.high);
+}
+
+/// Where an entry of a legend stands: its line and its distance from the left of the first, device pixels.
+struct LegendPlace {
+    std::size_t line;
+    double x;
+};
+
+/// Entries one after the other, in as many lines as they need.
+std::vector<LegendPlace> legendPlaces(const Look& look, const std::vector<double>& widths, double room) {
+    std::vector<LegendPlace> places;
+    std::size_t line = 0;
+    double x = 0.0;
+    for (const double width : widths) {
+        if (x > 0.0 && x + width > room) {
+            ++line;
+            x = 0.0;
+        }
+        places.push_back({line, x});
+        x += width + 3.0 * look.unit;
+    }
+    return places;
+}
+
+std::vector<double> legendWidths(const Look& look, const Overlay& overlay, double room) {
+    std::vector<double> widths;
+    for (const LegendEntry& entry : overlay.legend) {
+        widths.push_back(std::min(entryWidth(look, entry), room));
+    }
+    for (const ColourBar& bar : overlay.bars) {
+        widths.push_back(barWidth(look, bar));
+    }
+    return widths;
+}
+
+double chipHeight(const Look& look, std::size_t lines) {
+    const double count = static_cast<double>(lines);
+    return count * look.line + (count - 1.0) * look.unit + 1.5 * look.unit;
+}
+
+double legendRoom(const Look& look, double paneWidth, double reservedRight) {
+    return paneWidth - 8.0 * look.unit - reservedRight;
+}
+
+/// Legend and colour bar share one chip in the free strip below the model, in as few lines as they fit.
+void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay, double reservedRight) {
+    const double room = legendRoom(look, pane.width(), reservedRight);
+    const std::vector<double> widths = legendWidths(look, overlay, room);
+    if (widths.empty()) {
+        return;
+    }
+    const std::vector<LegendPlace> places = legendPlaces(look, widths, room);
+    const double pad = 2.0 * look.unit;
+    double widest = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        widest = std::max(widest, places[i].x + widths[i]);
+    }
+    const double height = chipHeight(look, places.back().line + 1);
+    const QRectF box(pane.left() + pad, pane.bottom() - pad - height, widest + 2.0 * pad, height);
+    chip(painter, look, box);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double x = box.left() + pad + places[i].x;
+        const double y = box.top() + 0.75 * look.unit + static_cast<double>(places[i].line) * (look.line + look.unit);
+        if (i < overlay.legend.size()) {
+            paintEntry(painter, look, overlay.legend[i], x, y, widths[i] + look.unit);
+        } else {
+            paintBar(painter, look, overlay.bars[i - overlay.legend.size()], x, y);
+        }
+    }
+}
+
+/// The longest round length that fits, m.
+double barLength(const Look& look, double metresPerPixel, double room) {
+    return roundLength(metresPerPixel, std::min(0.2 * room, 40.0 * look.unit));
+}
+
+/// A bar with ticks at its ends, up from its line.
+void strokeBar(QPainter& painter, const Look& look, double x, double y, double pixels) {
+    painter.setPen(QPen(look.palette.chipText, std::max(1.0, 0.3 * look.unit), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    const double tick = 1.25 * look.unit;
+    const std::array<QPointF, 4> points{QPointF(x, y - tick), QPointF(x, y), QPointF(x + pixels, y), QPointF(x + pixels, y - tick)};
+    painter.drawPolyline(points.data(), static_cast<int>(points.size()));
+}
+
+/// Returns the width it took.
+double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, double metresPerPixel) {
+    const double length = barLength(look, metresPerPixel, pane.width());
+    if (!(length > 0)) {
+        return 0.0;
+    }
+    const double pixels = length / metresPerPixel;
+    const QString text = lengthText(length);
+    const double pad = 2.0 * look.unit;
+    const double width = std::max(pixels, widthOf(look, text)) + 2.0 * pad;
+    const QRectF box(pane.right() - pad - width, pane.bottom() - pad - look.line - 3.5 * look.unit, width,
+                     look.line + 3.5 * look.unit);
+    chip(painter, look, box);
+    write(painter, look, QRectF(box.left(), box.top() + 0.5 * look.unit, box.width(), look.line), text, Qt::AlignHCenter);
+    strokeBar(painter, look, box.center().x() - 0.5 * pixels, box.bottom() - 1.25 * look.unit, pixels);
+    return width + pad;
+}
+
+}  // namespace
+
+double roundLength(double metresPerPixel, double maxPixels) {
+    const double perSi = shownUnit("m").perSi;
+    const double longest = metresPerPixel * maxPixels * perSi;
+    if (!(longest > 0) || !std::isfinite(longest)) {
+        return 0.0;
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(longest)));
+    const double mantissa = longest / power;
+    return power * (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0) / perSi;
+}
+
+void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight) {
+    const Look look = lookFor(theme, textHeight);
+    const QRectF area(pane.x, pane.y, pane.width, pane.height);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look.font);
+    painter.setClipRect(area);
+    paintCaptions(painter, look, area, overlay);
+    const double taken = overlay.metresPerPixel > 0 ? paintScaleBar(painter, look, area, overlay.metresPerPixel) : 0.0;
+    paintLegend(painter, look, area, overlay, taken);
+    painter.restore();
+}
+
+double overlayRoom(const Overlay& overlay, double paneWidth, double textHeight) {
+    const Look look = lookFor(render::Theme::Light, textHeight);
+    const double bar = overlay.metresPerPixel > 0.0 ? widestBar * look.unit : 0.0;
+    const double room = legendRoom(look, paneWidth, bar);
+    const std::vector<double> widths = legendWidths(look, overlay, room);
+    const std::size_t below = widths.empty() ? 0 : legendPlaces(look, widths, room).back().line + 1;
+    const std::size_t lines = std::max<std::size_t>(below, overlay.caption.isEmpty() ? 0 : 1);
+    return lines == 0 ? 0.0 : chipHeight(look, lines) + 4.0 * look.unit;
+}
+
+double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    double width = 0.0;
+    for (const LegendEntry& entry : legend) {
+        width += entryWidth(look, entry) + legendGap * look.unit;
+    }
+    for (const ColourBar& bar : bars) {
+        width += barWidth(look, bar) + legendGap * look.unit;
+    }
+    return std::max(0.0, width - legendGap * look.unit);
+}
+
+double scaleLineWidth(double metresPerPixel, double room, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    const double length = metresPerPixel > 0.0 ? barLength(look, metresPerPixel, room) : 0.0;
+    return length > 0.0 ? length / metresPerPixel + 2.0 * look.unit + widthOf(look, lengthText(length)) : 0.0;
+}
+
+double paintScaleLine(QPainter& painter, double metresPerPixel, const render::Pane& strip, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    const double width = scaleLineWidth(metresPerPixel, strip.width, textHeight);
+    if (!(width > 0.0)) {
+        return 0.0;
+    }
+    const double length = barLength(look, metresPerPixel, strip.width);
+    const double pixels = length / metresPerPixel;
+    const double pad = 2.0 * look.unit;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look.font);
+    const double x = strip.x + strip.width - pad - width;
+    const double middle = strip.y + 0.5 * strip.height;
+    strokeBar(painter, look, x, middle + 0.6 * look.unit, pixels);
+    write(painter, look, QRectF(x + pixels + pad, middle - 0.5 * look.line, width - pixels, look.line), lengthText(length),
+          Qt::AlignLeft);
+    painter.restore();
+    return width + 2.0 * pad;
+}
+
+void paintLegendLine(QPainter& painter, const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars,
+                     const render::Pane& strip, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    const double gap = legendGap * look.unit;
+    const double width = legendLineWidth(legend, bars, textHeight);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look.font);
+    double x = strip.x + 0.5 * (strip.width - width);
+    const double top = strip.y + 0.5 * (strip.height - look.line);
+    for (const LegendEntry& entry : legend) {
+        paintEntry(painter, look, entry, x, top, widthOf(look, entry.text) + 5.0 * look.unit);
+        x += entryWidth(look, entry) + gap;
+    }
+    for (const ColourBar& bar : bars) {
+        paintBar(painter, look, bar, x, top);
+        x += barWidth(look, bar) + gap;
+    }
+    painter.restore();
+}
+
+}  // namespace rubble::figures

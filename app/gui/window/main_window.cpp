@@ -163,7 +163,7 @@ void MainWindow::connectActions() {
     };
     on(ActionId::KeepCopies, [prefer](bool keep) { prefer([keep](widgets::Preferences& now) { now.keepCopies = keep; }); });
     // Chosen once, it is that of the next start too.
-    on(ActionId::Presentation, [prefer](bool on) { prefer([on](widgets::Preferences& now) { now.materials = on; }); });
+    on(ActionId::Presentation, [prefer](bool shown) { prefer([shown](widgets::Preferences& now) { now.materials = shown; }); });
     for (const auto& [id, theme] : themeActions) {
         on(id, [prefer, theme = theme] { prefer([theme](widgets::Preferences& now) { now.theme = QLatin1String(theme); }); });
     }

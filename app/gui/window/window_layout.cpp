@@ -17,6 +17,7 @@
 
 #include "app/gui/case/layout_memory.h"
 #include "app/gui/help/help.h"
+#include "app/gui/session/session.h"
 #include "app/gui/stage/dock_area.h"
 #include "app/gui/stage/view_area.h"
 #include "app/gui/window/first_visit.h"

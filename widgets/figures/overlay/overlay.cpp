@@ -267,7 +267,13 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
 
 Overlay longestOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane) {
     const render::SceneData& data = scene.dataOf(pane.content);
-    render::PaneStatus status = scene.status(pane.content);
+    // Of what is drawn right now only what has no longest: cameras fitted before the first picture are those fitted after it.
+    const render::PaneStatus drawn = scene.status(pane.content);
+    render::PaneStatus status;
+    status.islandsKnown = drawn.islandsKnown;
+    status.islands = drawn.islands;
+    status.errors = drawn.errors;
+    status.errorsUnknown = drawn.errorsUnknown;
     if (data.fe != nullptr) {
         status.states = static_cast<std::uint32_t>(data.fe->times().size());
         status.elements = status.active = data.fe->mesh().elementCount();
@@ -282,7 +288,7 @@ Overlay longestOverlay(const render::View& view, const render::Scene& scene, con
         }
     }
     const bool carries = data.trajectory != nullptr && pane.content != render::PaneContent::Fe;
-    status.released = std::max<std::size_t>(status.released, carries ? status.active : 0);
+    status.released = carries ? status.active : 0;
     return overlayOf(view, scene, pane, status);
 }
 

@@ -83,7 +83,6 @@ public:
     QDockWidget& dock() { return *m_dock; }
     /// Null: nothing lies on the ground.
     const std::shared_ptr<const Orthophoto>& groundPicture() const { return m_ground; }
-    bool m_waitTold = false;  ///< the status line says that the map is awaited
     /// Writes the map as GeoTIFF, GeoPackage, CSV or PNG, by the ending.
     void saveTo(const QString& path);
     void refresh();
@@ -105,7 +104,8 @@ private:
     MapWork& m_work;
     widgets::RunMapPanel* m_panel;
     QDockWidget* m_dock;
-    QTimer m_rest;  ///< an instant is mapped once playback rests on it
+    QTimer m_rest;            ///< an instant is mapped once playback rests on it
+    bool m_waitTold = false;  ///< the status line says that the map is awaited
     std::shared_ptr<const Orthophoto> m_ground;
 };
 

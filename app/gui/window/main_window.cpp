@@ -302,6 +302,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (!urls.isEmpty() && urls.front().isLocalFile()) {
         event->acceptProposedAction();
+        // A menu that stays open would take the clicks from the question that may follow.
+        while (QApplication::activePopupWidget() != nullptr && QApplication::activePopupWidget()->close()) {
+        }
         QStringList paths;
         for (const QUrl& url : urls) {
             paths << url.toLocalFile();

@@ -2,13 +2,18 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDropEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QScrollArea>
 #include <QSlider>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QUrl>
 #include <array>
 #include <cstdlib>
 
@@ -36,6 +41,11 @@ protected:
     }
     QString status() { return window->findChild<widgets::StatusLine*>()->activityText(); }
     QDockWidget* dock(const char* name) { return window->findChild<QDockWidget*>(QLatin1String(name)); }
+    void select(ElementIndex element) {
+        render::View view = window->area().views().view();
+        view.selection = {element};
+        window->area().views().setView(view);
+    }
     std::string materialOf(const std::string& component) {
         const auto& all = session->document().scenario().components;
         const auto own = all.find(component);
@@ -143,9 +153,7 @@ TEST_F(PresentState, EscClosesTheEvidenceBeforeItCancelsARun) {
 TEST_F(PresentState, AMaterialThatIsGuessedSaysSoAndIsNamedByOneClick) {
     openArch();
     QTest::mouseClick(&window->area().views(), Qt::LeftButton);
-    render::View view = window->area().views().view();
-    view.selection = {idAt<ElementIndex>(0)};
-    window->area().views().setView(view);
+    select(idAt<ElementIndex>(0));
     auto* inspector = window->findChild<widgets::Inspector*>();
     const std::string component = window->area().views().data().components->list[0].name;
     ASSERT_TRUE(materialOf(component).empty());
@@ -160,6 +168,37 @@ TEST_F(PresentState, AMaterialThatIsGuessedSaysSoAndIsNamedByOneClick) {
         QTest::qWaitFor([&] { return inspector->findChild<QToolButton*>(QStringLiteral("sayMaterial")) == nullptr; }, patience));
     press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(materialOf(component).empty());
+}
+
+TEST_F(PresentState, AQuestionAboutADroppedFileStandsUnderNoOpenMenu) {
+    openArch();
+    session->document().setParameter(QStringLiteral("friction"), 0.65);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    QTest::qWait(500);  // the Inspector is made anew with what was prepared
+    select(idAt<ElementIndex>(0));
+    auto* say = window->findChild<widgets::Inspector*>()->findChild<QToolButton*>(QStringLiteral("sayMaterial"));
+    ASSERT_NE(say, nullptr);
+    bool asked = false;
+    whenAsked([&](QDialog& question) {
+        asked = true;
+        EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+        say->menu()->close();
+        QTest::mouseClick(qobject_cast<QMessageBox*>(&question)->button(QMessageBox::Cancel), Qt::LeftButton);
+    });
+    QTimer::singleShot(200, window, [&] {
+        EXPECT_EQ(QApplication::activePopupWidget(), say->menu());
+        QMimeData mime;
+        mime.setUrls({QUrl::fromLocalFile(arch())});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window, &enter);
+        QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window, &drop);
+    });
+    // Whatever fails, the loop of the menu ends.
+    QTimer::singleShot(10'000, say->menu(), &QMenu::close);
+    QTest::mouseClick(say, Qt::LeftButton);
+    EXPECT_TRUE(asked);
+    EXPECT_EQ(session->document().scenario().simulation.friction, 0.65);
 }
 
 TEST_F(PresentState, TheStyleThatWasChosenIsThatOfTheNextStart) {

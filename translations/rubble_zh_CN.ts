@@ -10740,24 +10740,12 @@
         <translation>被遗漏：文件清单中有它</translation>
     </message>
     <message>
-        <source>let at least two repeats be simulated: --repeats 2</source>
-        <translation>至少模拟两次重复：--repeats 2</translation>
-    </message>
-    <message>
-        <source>let the self-test run: --self-test closed-form</source>
-        <translation>运行自检：--self-test closed-form</translation>
-    </message>
-    <message>
         <source>look at it with rubble-cli verify before it is sealed</source>
         <translation>封存之前用 rubble-cli verify 查看</translation>
     </message>
     <message>
         <source>made by another build than this program, so its bits need not repeat here: {0}</source>
         <translation>由不同于本程序的构建生成，因此在此未必逐位重复：{0}</translation>
-    </message>
-    <message>
-        <source>make a case of the FE result and report the run with it: --case</source>
-        <translation>由有限元结果建立案例，并与它一起报告计算：--case</translation>
     </message>
     <message>
         <source>match their cameras and draw outlines of the debris, or take them out</source>
@@ -10858,10 +10846,6 @@
     <message>
         <source>signed by the key {0}, not by the one expected, {1}</source>
         <translation>由密钥 {0} 签名，而不是预期的 {1}</translation>
-    </message>
-    <message>
-        <source>simulate the ensemble of the case: rubble-cli ensemble</source>
-        <translation>模拟案例的系综：rubble-cli ensemble</translation>
     </message>
     <message>
         <source>state it in the words of whoever asked: --question, or in the panel</source>
@@ -11006,10 +10990,6 @@
     <message>
         <source>what would change the opinion</source>
         <translation>什么会改变意见</translation>
-    </message>
-    <message>
-        <source>which other causes were considered, and how each was excluded (rubble-cli compare)</source>
-        <translation>考虑过哪些其他原因，各自如何排除（rubble-cli compare）</translation>
     </message>
     <message>
         <source>who held the material before it came here, and what was done to it</source>
@@ -11522,6 +11502,26 @@
     <message>
         <source>{0}, line {1}: {2} is no part of what a report lets its author say</source>
         <translation>{0} 第 {1} 行：{2} 不属于报告中由作者说明的部分</translation>
+    </message>
+    <message>
+        <source>let at least two repeats be simulated: --repeats 2, or in the panel</source>
+        <translation>请至少模拟两次重复：--repeats 2，或在面板中</translation>
+    </message>
+    <message>
+        <source>let the self-test run: --self-test closed-form, or in the panel</source>
+        <translation>请运行自检：--self-test closed-form，或在面板中</translation>
+    </message>
+    <message>
+        <source>make a case of the FE result and report the run with it: --case, or save it in the window</source>
+        <translation>请由有限元结果建立案例并与计算一同报告：--case，或在窗口中保存</translation>
+    </message>
+    <message>
+        <source>simulate the ensemble of the case: rubble-cli ensemble, or on the page Ensemble</source>
+        <translation>请模拟案例的系综：rubble-cli ensemble，或在系综页</translation>
+    </message>
+    <message>
+        <source>which other causes were considered, and how each was excluded (rubble-cli compare, or the page Causes)</source>
+        <translation>考虑过哪些其他原因，以及如何逐一排除（rubble-cli compare，或原因页）</translation>
     </message>
 </context>
 <context>
@@ -13850,6 +13850,22 @@
         <source>The report was cancelled</source>
         <translation>报告已取消</translation>
     </message>
+    <message>
+        <source>The page Causes holds no comparison that is of now.</source>
+        <translation>原因页没有与当前设置相符的比较。</translation>
+    </message>
+    <message>
+        <source>The report was checked</source>
+        <translation>报告已检查</translation>
+    </message>
+    <message>
+        <source>Comparison of causes</source>
+        <translation>原因的比较</translation>
+    </message>
+    <message>
+        <source>Comparisons (*.json);;All files (*)</source>
+        <translation>比较 (*.json);;所有文件 (*)</translation>
+    </message>
 </context>
 <context>
     <name>rubble::RunControl</name>
@@ -16034,6 +16050,10 @@
     <message>
         <source>Simulated energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result</source>
         <translation>模拟的刚体能量随时间的变化；刚体在其单元失效或在有限元结果结束时释放后进入</translation>
+    </message>
+    <message>
+        <source>of the compared causes</source>
+        <translation>所比较的原因</translation>
     </message>
 </context>
 <context>
@@ -21733,6 +21753,90 @@ What the file fits: %2.</source>
     <message>
         <source>Who makes the report</source>
         <translation>报告编制者</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>In your words</source>
+        <translation>用您的话</translation>
+    </message>
+    <message>
+        <source>Summary in plain language</source>
+        <translation>通俗摘要</translation>
+    </message>
+    <message>
+        <source>On one page, for readers who are no engineers; a chapter of the report</source>
+        <translation>不超过一页，供非工程师阅读；作为报告的一章</translation>
+    </message>
+    <message>
+        <source>Custody</source>
+        <translation>材料的保管</translation>
+    </message>
+    <message>
+        <source>Who held the material before it came here, and what was done to it</source>
+        <translation>材料到此之前由谁保管，以及对其做过什么</translation>
+    </message>
+    <message>
+        <source>Other causes</source>
+        <translation>其他原因</translation>
+    </message>
+    <message>
+        <source>Which other causes were considered, and how each was excluded</source>
+        <translation>考虑过哪些其他原因，以及如何逐一排除</translation>
+    </message>
+    <message>
+        <source>What would change the opinion</source>
+        <translation>什么会改变意见</translation>
+    </message>
+    <message>
+        <source>Findings that would make you say something else</source>
+        <translation>会使您得出不同结论的发现</translation>
+    </message>
+    <message>
+        <source>of the page Causes</source>
+        <translation>原因页的</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>A comparison of causes that becomes a table of the report: that of the page Causes, or what rubble-cli compare --json printed into a file</source>
+        <translation>成为报告中一个表的原因比较：原因页的，或命令行写入文件的</translation>
+    </message>
+    <message>
+        <source>What it lacks</source>
+        <translation>缺少什么</translation>
+    </message>
+    <message>
+        <source>Look for what standards for the reports of experts ask for; nothing is simulated and nothing written</source>
+        <translation>查找专家报告标准所要求的内容；不模拟，也不写入任何内容</translation>
+    </message>
+    <message>
+        <source>of a file…</source>
+        <translation>取自文件…</translation>
+    </message>
+    <message>
+        <source>of %1…</source>
+        <translation>取自 %1…</translation>
+    </message>
+    <message>
+        <source>Not checked since the run or the case changed.</source>
+        <translation>计算或案例更改后尚未检查。</translation>
+    </message>
+    <message>
+        <source>The report lacks nothing that the program can tell.</source>
+        <translation>程序所能判断的内容，报告都不缺。</translation>
+    </message>
+    <message>
+        <source>The report would lack:</source>
+        <translation>报告将缺少：</translation>
+    </message>
+    <message>
+        <source>For you to say:</source>
+        <translation>需由您说明：</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,27 @@
 
 namespace rubble {
 
+ReportCauses reportCauses(const CauseComparison& comparison, const TellingEvidence* further) {
+    ReportCauses causes;
+    for (const RankedCause& ranked : comparison.ranking.causes) {
+        ReportCause& cause = causes.ranked.emplace_back();
+        cause.name = comparison.hypotheses[ranked.hypothesis];
+        cause.members = static_cast<std::int64_t>(ranked.score.count);
+        if (causes.ranked.size() > 1) {
+            cause.closestOver = ranked.bestOver;
+            cause.apart = ranked.apart;
+        }
+    }
+    causes.evidence = comparison.evidence;
+    causes.toldApart = comparison.ranking.decided();
+    causes.unexplained = comparison.unexplained;
+    if (further != nullptr) {
+        causes.atHand = further->atHand;
+        causes.further = further->ranked;
+    }
+    return causes;
+}
+
 FigureRange rangeOver(const ReportFacts& facts, double DebrisFigures::* figure) {
     FigureRange range{facts.atRest.*figure, facts.atRest.*figure};
     if (facts.floor) {

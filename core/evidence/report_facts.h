@@ -24,7 +24,7 @@ namespace rubble {
 
 /// A file that a report rests on, as it was found when the report was made.
 struct ReportFile {
-    std::string role;  ///< "fe", "terrain", "photograph", "survey", "run", "case", "words"
+    std::string role;  ///< "fe", "terrain", "photograph", "survey", "run", "case", "words", "causes", "cause"
     std::string path;
     std::string sha256;
 };
@@ -86,6 +86,9 @@ struct ReportCauses {
     BlindShare atHand;         ///< no trial: it was not asked which evidence would tell
     std::vector<FurtherEvidence> further;
 };
+
+/// What a report says of a comparison. @param further  which evidence would tell; null: that was not asked
+ReportCauses reportCauses(const CauseComparison& comparison, const TellingEvidence* further);
 
 /// Everything that a report of one run says, as values that trace to the run: text and pictures are made from this.
 struct ReportFacts {

@@ -38,7 +38,9 @@ void addPerson(Findings& gaps, const ReportFacts& facts) {
 void addMaterial(Findings& gaps, const ReportFacts& facts) {
     if (facts.casePath.empty()) {
         gaps.add({"report.gap.case", "the run stands alone: no case tells what was received and assumed", {}},
-                 {"report.gap.case.remedy", "make a case of the FE result and report the run with it: --case", {}});
+                 {"report.gap.case.remedy",
+                  "make a case of the FE result and report the run with it: --case, or save it in the window",
+                  {}});
     } else if (facts.journal.empty()) {
         gaps.add({"report.gap.journal", "the case has no journal, so who changed what in it cannot be told", {}},
                  {"report.gap.journal.remedy", "save the case once with this version", {}});
@@ -74,11 +76,11 @@ void addMaterial(Findings& gaps, const ReportFacts& facts) {
 void addReliability(Findings& gaps, const ReportFacts& facts, const ReportPlan& plan) {
     if (plan.repeats == 0 && !facts.floor) {
         gaps.add({"report.gap.intervals", "the results have no intervals: nothing was repeated", {}},
-                 {"report.gap.intervals.remedy", "let at least two repeats be simulated: --repeats 2", {}});
+                 {"report.gap.intervals.remedy", "let at least two repeats be simulated: --repeats 2, or in the panel", {}});
     }
     if (!plan.selfTest && facts.selfTest.empty()) {
         gaps.add({"report.gap.self_test", "the program was not tested on this machine", {}},
-                 {"report.gap.self_test.remedy", "let the self-test run: --self-test closed-form", {}});
+                 {"report.gap.self_test.remedy", "let the self-test run: --self-test closed-form, or in the panel", {}});
     }
     if (facts.validation.empty()) {
         gaps.add({"report.gap.validation",
@@ -100,8 +102,9 @@ void addReliability(Findings& gaps, const ReportFacts& facts, const ReportPlan& 
 
 void addUnknowns(Findings& gaps, const ReportFacts& facts) {
     if (facts.ensemble == nullptr) {
-        gaps.add({"report.gap.ensemble", "what was not known was not varied", {}},
-                 {"report.gap.ensemble.remedy", "simulate the ensemble of the case: rubble-cli ensemble", {}});
+        gaps.add(
+            {"report.gap.ensemble", "what was not known was not varied", {}},
+            {"report.gap.ensemble.remedy", "simulate the ensemble of the case: rubble-cli ensemble, or on the page Ensemble", {}});
     }
 }
 
@@ -127,7 +130,9 @@ std::vector<Message> reportOwnWords(const ReportFacts& facts) {
     };
     ask(said.custody, {"report.own.custody", "who held the material before it came here, and what was done to it", {}});
     ask(compared ? "compared" : said.alternatives,
-        {"report.own.alternatives", "which other causes were considered, and how each was excluded (rubble-cli compare)", {}});
+        {"report.own.alternatives",
+         "which other causes were considered, and how each was excluded (rubble-cli compare, or the page Causes)",
+         {}});
     ask(said.change, {"report.own.change", "what would change the opinion", {}});
     ask(said.summary, {"report.own.summary", "a summary of one page in plain language", {}});
     return missing;

@@ -244,9 +244,7 @@ ReportFacts identityOf(const ReportRequest& request) {
     ReportFacts facts;
     facts.question = request.question;
     facts.author = request.author;
-    if (!request.wordsPath.empty()) {
-        facts.words = readOwnWords(request.wordsPath);
-    }
+    facts.words = request.wordsPath.empty() ? request.words : readOwnWords(request.wordsPath);
     facts.when = utcNow();
     facts.machine = machineText();
     facts.casePath = request.casePath;
@@ -354,6 +352,9 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     if (!request.causesPath.empty()) {
         facts.causes = readComparedCauses(request.causesPath);
         facts.files.push_back({"causes", request.causesPath, sha256OfFile(request.causesPath)});
+    } else if (request.causes) {
+        facts.causes = request.causes;
+        facts.files.insert(facts.files.end(), request.causesFiles.begin(), request.causesFiles.end());
     }
     if (!request.wordsPath.empty()) {
         facts.files.push_back({"words", request.wordsPath, sha256OfFile(request.wordsPath)});

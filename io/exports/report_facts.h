@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,13 @@ struct ReportRequest {
     std::string title;              ///< empty: that of the case
     std::string question;
     std::string author;
-    std::string causesPath;   ///< of a comparison of causes, as readComparedCauses() reads it; empty: none
-    std::string wordsPath;    ///< of what the author says, as readOwnWords() reads it; empty: nothing
-    int repeats = 2;          ///< simulated anew for the uncertainty; 0: none
-    std::string studyFolder;  ///< where studies are kept; empty: no accuracy and no ensemble
+    std::string causesPath;                 ///< of a comparison of causes, as readComparedCauses() reads it; empty: `causes`
+    std::string wordsPath;                  ///< of what the author says, as readOwnWords() reads it; empty: `words`
+    OwnWords words{};                       ///< that no file holds
+    std::optional<ReportCauses> causes{};   ///< that were compared in this program; unset: none
+    std::vector<ReportFile> causesFiles{};  ///< that `causes` rests on
+    int repeats = 2;                        ///< simulated anew for the uncertainty; 0: none
+    std::string studyFolder;                ///< where studies are kept; empty: no accuracy and no ensemble
 };
 
 /// The photographs of a case held against a run: those that something was drawn on.

@@ -5,11 +5,13 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "app/gui/evidence/causes_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/scene_display.h"
 #include "core/base/error.h"
+#include "core/evidence/report_gaps.h"
 #include "core/selftest/report_checks.h"
 #include "io/base/machine.h"
 #include "io/exports/provenance.h"
@@ -21,17 +23,19 @@
 
 namespace rubble {
 
-namespace {
-
 /// Everything that the worker needs, as it was when it was asked for.
-struct Order {
+struct ReportWork::Order {
     io::ReportRequest request;
     std::vector<io::ShownFile> around;
     Case theCase;
     widgets::ReportWishes wishes;
     render::SceneData scene;
     std::string folder;
+
+    void write(const Execution& execution);
 };
+
+namespace {
 
 std::string studyFolder() {
     try {
@@ -51,23 +55,21 @@ void addSelfTest(ReportFacts& facts, const QString& scope, const Execution& exec
     facts.selfTestScope = scope.toStdString();
 }
 
-void makeReport(Order& order, const Execution& execution) {
-    order.request.theCase = &order.theCase;
-    ReportFacts facts = io::reportFacts(order.request, execution);
-    addSelfTest(facts, order.wishes.selfTest, execution);
-    const io::RunReader& run = *order.request.run;
+}  // namespace
+
+void ReportWork::Order::write(const Execution& execution) {
+    ReportFacts facts = io::reportFacts(request, execution);
+    addSelfTest(facts, wishes.selfTest, execution);
+    const io::RunReader& run = *request.run;
     figures::MapPictureStyle map;
     map.place = io::SitePlace(run.origin().frame, run.origin().site).transform();
     map.system = run.origin().frame.crs;
-    figures::ReportPictures pictures = figures::drawReportPictures(order.scene, facts, map, execution);
+    figures::ReportPictures pictures = figures::drawReportPictures(scene, facts, map, execution);
     pictures.say = [](const Message& message) { return widgets::worded(message); };
     const io::ExportRecord record{
-        "report",    {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, order.request.casePath,
-        order.around};
-    figures::writeReport(order.folder, facts, pictures, io::exportProvenance(record, run.origin(), &run), execution);
+        "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, request.casePath, around};
+    figures::writeReport(folder, facts, pictures, io::exportProvenance(record, run.origin(), &run), execution);
 }
-
-}  // namespace
 
 ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, Actions& actions, QWidget& window)
     : m_session(session),
@@ -82,6 +84,9 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
         panel.setWishes(*m_kept.wishes);
     }
     connect(&panel, &widgets::ReportPanel::writeRequested, this, &ReportWork::write);
+    connect(&panel, &widgets::ReportPanel::checkRequested, this, &ReportWork::check);
+    connect(&panel, &widgets::ReportPanel::wishesChanged, this, &ReportWork::showGaps);
+    connect(&panel, &widgets::ReportPanel::causesFileRequested, this, &ReportWork::chooseCauses);
     connect(&panel, &widgets::ReportPanel::cancelRequested, this, [this] { m_computation.cancel(); });
     connect(&panel, &widgets::ReportPanel::openRequested, this,
             [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
@@ -90,6 +95,12 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
         write();
     });
     connect(&m_kept, &ReportKept::changed, this, &ReportWork::showOutcome);
+    connect(&m_document, &Document::replaced, this, &ReportWork::changeCase);
+    connect(&m_document, &Document::titleChanged, this, [this] { m_kept.base = m_document.base(); });
+    for (const auto signal : {&Document::scenarioChanged, &Document::inputsChanged, &Document::inputsAccepted,
+                              &Document::photographsChanged, &Document::surveysChanged, &Document::ensembleChanged}) {
+        connect(&m_document, signal, this, &ReportWork::dropCheck);
+    }
     showOutcome();
 }
 
@@ -100,9 +111,8 @@ ReportWork::~ReportWork() {
 void ReportWork::showOutcome() {
     m_deck.report().setError(m_kept.failure ? m_kept.failure->what() : QString(),
                              m_kept.failure ? m_kept.failure->remedy() : QString());
-    if (!m_kept.written.isEmpty()) {
-        m_deck.report().setWritten(m_kept.written);
-    }
+    m_deck.report().setWritten(m_kept.written);
+    showGaps();
     refresh();
 }
 
@@ -123,7 +133,11 @@ QString ReportWork::whyNot() const {
 void ReportWork::refresh() {
     const QString why = whyNot();
     m_deck.report().setReady(why, m_kept.writing);
+    m_deck.report().setComparison(comparison() != nullptr ? QString() : tr("The page Causes holds no comparison that is of now."));
     const RunRecord* record = m_computation.currentRun();
+    if (m_kept.of != nullptr && (record == nullptr || record->reader != m_kept.of)) {
+        dropCheck();
+    }
     const bool timed = record != nullptr && !record->running && !record->live && record->wallSeconds > 0.0;
     m_deck.report().setRunSeconds(timed ? std::optional(record->wallSeconds) : std::nullopt);
     m_deck.rail().setState(PanelDeck::Report, m_kept.writing ? widgets::StageState::Running : widgets::StageState::NotYet, 0);
@@ -144,13 +158,38 @@ void ReportWork::writeTo(const QString& folder) {
     if (!whyNot().isEmpty() || m_kept.writing) {
         return;
     }
+    const std::shared_ptr<Order> order = orderNow();
+    order->scene = m_scene.data();
+    order->folder = folder.toStdString();
+    start([order](const Execution& execution) { order->write(execution); },
+          [kept = &m_kept, folder] {
+              kept->written = folder;
+              return tr("Report written to %1").arg(folder);
+          });
+}
+
+void ReportWork::check() {
+    if (!whyNot().isEmpty() || m_kept.writing) {
+        return;
+    }
+    const std::shared_ptr<Order> order = orderNow();
+    order->request.repeats = 0;
+    const auto facts = std::make_shared<ReportFacts>();
+    start([order, facts](const Execution& execution) { *facts = io::reportFacts(order->request, execution); },
+          [kept = &m_kept, order, facts] {
+              kept->facts = std::move(*facts);
+              kept->of = order->request.run;
+              return tr("The report was checked");
+          });
+}
+
+std::shared_ptr<ReportWork::Order> ReportWork::orderNow() const {
     auto order = std::make_shared<Order>();
     const RunRecord* record = m_computation.currentRun();
     order->theCase = m_document.theCase();
     order->wishes = m_deck.report().wishes();
-    order->scene = m_scene.data();
-    order->folder = folder.toStdString();
     io::ReportRequest& request = order->request;
+    request.theCase = &order->theCase;
     request.run = record->reader;
     request.inputs = m_computation.inputs();
     request.fePath = request.inputs.fe->contents().path;
@@ -160,23 +199,88 @@ void ReportWork::writeTo(const QString& folder) {
     request.basePath = m_document.base().toStdString();
     request.question = order->wishes.question.toStdString();
     request.author = order->wishes.author.toStdString();
+    request.words = order->wishes.words;
     request.repeats = order->wishes.repeats;
     request.studyFolder = studyFolder();
+    if (order->wishes.causes == widgets::ReportedCauses::File) {
+        request.causesPath = order->wishes.causesFile.toStdString();
+    } else if (const MadeComparison* made = comparison();
+               made != nullptr && order->wishes.causes == widgets::ReportedCauses::Page) {
+        request.causes = reportCauses(*made->comparison, made->further.get());
+        for (const io::EnsembleInput& input : made->inputs) {
+            request.causesFiles.push_back({"cause", input.path, input.sha256});
+        }
+    }
     order->around = io::shownFiles(m_computation.terrain());
+    return order;
+}
+
+void ReportWork::start(std::function<void(const Execution&)> work, std::function<QString()> done) {
     m_kept.writing = true;
     refresh();
-    m_computation.write([order](const Execution& execution) { makeReport(*order, execution); },
-                        [session = &m_session, kept = &m_kept, folder](const std::exception_ptr& thrown) {
+    m_computation.write(std::move(work),
+                        [session = &m_session, kept = &m_kept, done = std::move(done)](const std::exception_ptr& thrown) {
                             kept->writing = false;
                             kept->failure = failureOf(thrown);
                             if (thrown == nullptr) {
-                                kept->written = folder;
-                                session->tell(tr("Report written to %1").arg(folder));
+                                session->tell(done());
                             } else if (!kept->failure) {
                                 session->tell(tr("The report was cancelled"));
                             }
                             emit kept->changed();
                         });
+}
+
+void ReportWork::changeCase() {
+    if (m_document.base() != m_kept.base && !m_kept.base.isEmpty()) {
+        widgets::ReportPanel& panel = m_deck.report();
+        widgets::ReportWishes wishes = panel.wishes();
+        m_kept.others[m_kept.base] = wishes;
+        wishes.question.clear();
+        wishes.words = {};
+        wishes.causes = widgets::ReportedCauses::None;
+        wishes.causesFile.clear();
+        const auto known = m_kept.others.find(m_document.base());
+        panel.setWishes(known != m_kept.others.end() ? known->second : wishes);
+        m_kept.failure.reset();
+        m_kept.written.clear();
+        showOutcome();
+    }
+    dropCheck();
+}
+
+void ReportWork::dropCheck() {
+    m_kept.facts.reset();
+    m_kept.of.reset();
+    showGaps();
+}
+
+void ReportWork::showGaps() {
+    widgets::ReportPanel& panel = m_deck.report();
+    const widgets::ReportWishes wishes = panel.wishes();
+    ReportFacts unchecked;
+    ReportFacts& facts = m_kept.facts ? *m_kept.facts : unchecked;
+    facts.question = wishes.question.toStdString();
+    facts.author = wishes.author.toStdString();
+    facts.words = wishes.words;
+    if (wishes.causes == widgets::ReportedCauses::None) {
+        facts.causes.reset();
+    } else if (!facts.causes) {
+        facts.causes.emplace();
+    }
+    const ReportPlan plan{wishes.repeats, wishes.selfTest != QLatin1String("none")};
+    panel.setGaps(m_kept.facts ? std::optional(reportGaps(facts, plan)) : std::nullopt, reportOwnWords(facts));
+}
+
+void ReportWork::chooseCauses() {
+    m_deck.report().setCausesFile(QFileDialog::getOpenFileName(&m_window, tr("Comparison of causes"),
+                                                               QFileInfo(m_document.base()).absolutePath(),
+                                                               tr("Comparisons (*.json);;All files (*)")));
+}
+
+const MadeComparison* ReportWork::comparison() const {
+    const auto& made = m_causes != nullptr ? m_causes->made() : nullptr;
+    return made != nullptr && made->comparison != nullptr && !m_causes->stale() ? made.get() : nullptr;
 }
 
 }  // namespace rubble

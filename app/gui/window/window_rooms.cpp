@@ -120,6 +120,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     connectViews(parts);
     connectFiles(parts);
     connectGrid(parts);
+    report->setCauses(studies->causes());
     QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
     QObject::connect(opening.get(), &Opening::sealedChosen, sealing.get(), &CaseSealing::openBundle);
     QObject::connect(sealing.get(), &CaseSealing::opened, opening.get(), [this](const QString& path) { opening->open(path); });

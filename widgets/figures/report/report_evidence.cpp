@@ -13,7 +13,7 @@ namespace {
 
 /// What a file is to the case, in words.
 QString roleShown(const std::string& role) {
-    const std::array<std::pair<std::string_view, QString>, 10> names{{{"fe", ReportSections::tr("FE result")},
+    const std::array<std::pair<std::string_view, QString>, 11> names{{{"fe", ReportSections::tr("FE result")},
                                                                       {"terrain", ReportSections::tr("terrain")},
                                                                       {"photograph", ReportSections::tr("photograph")},
                                                                       {"survey", ReportSections::tr("survey")},
@@ -22,6 +22,7 @@ QString roleShown(const std::string& role) {
                                                                       {"run", ReportSections::tr("run")},
                                                                       {"case", ReportSections::tr("case")},
                                                                       {"causes", ReportSections::tr("comparison of causes")},
+                                                                      {"cause", ReportSections::tr("of the compared causes")},
                                                                       {"words", ReportSections::tr("words of the author")}}};
     const auto found = std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.first == role; });
     return found != names.end() ? found->second : escaped(role);

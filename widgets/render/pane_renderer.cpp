@@ -30,6 +30,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "widgets/render/basics/sun.h"
 #include "widgets/render/edge_shading.h"
@@ -337,6 +339,21 @@ void PaneRenderer::place(const Pane& pane, int width, int height) {
     m_renderer->SetViewport(pane.x / w, 1.0 - (pane.y + pane.height) / h, (pane.x + pane.width) / w, 1.0 - pane.y / h);
 }
 
+namespace {
+
+/// How far along the view level ground comes into the picture from below, m; infinite where it does not.
+double groundBegins(const Camera& camera, double groundHeight) {
+    const Vec3 ahead = (camera.focalPoint - camera.position).normalized();
+    const Vec3 right = ahead.cross(camera.up);
+    const Vec3 up = right.norm() > 0.0 ? Vec3(right.cross(ahead).normalized()) : camera.up;
+    const double halfAngle = 0.5 * camera.viewAngle * std::numbers::pi / 180.0;
+    const double fall = std::tan(halfAngle) * up.z() - ahead.z();
+    const double height = camera.position.z() - groundHeight;
+    return fall > 0.0 && height > 0.0 ? height / fall : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 void PaneRenderer::look(const Camera& camera, const Aabb& bounds) {
     vtkCamera* target = m_renderer->GetActiveCamera();
     target->SetPosition(camera.position.data());
@@ -351,7 +368,9 @@ void PaneRenderer::look(const Camera& camera, const Aabb& bounds) {
     const double away = (centre - camera.position).norm();
     const double distance = (camera.focalPoint - camera.position).norm();
     const double far = 1.02 * away + std::max(7.0 * m_ground.reach(), 3.0 * size);
-    const double near = camera.parallel ? away - far : std::max({0.02 * distance, away - 2.0 * size, 1e-4 * far});
+    // From far off ground begins before what stands on it: a tall picture would be cut there.
+    const double begins = std::min(away - 2.0 * size, 0.9 * groundBegins(camera, bounds.isEmpty() ? 0.0 : bounds.min().z()));
+    const double near = camera.parallel ? away - far : std::max({0.02 * distance, begins, 1e-4 * far});
     target->SetClippingRange(near, far);
     m_edges->setFading(away + 0.5 * size, away + 1.5 * size);
 }

@@ -13,6 +13,7 @@
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "tests/widgets/scenes/released_slab.h"
 #include "widgets/figures/draw.h"
+#include "widgets/figures/figure_file.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 
@@ -96,12 +97,18 @@ TEST_F(Legends, MaterialsAreNamedInTheirColoursInBothViews) {
     for (const render::PaneContent content : {render::PaneContent::Fe, render::PaneContent::Fragments}) {
         const Overlay overlay = overlayFor(render::ColourBy::Highlight, content);
         ASSERT_GE(overlay.legend.size(), 2u);
-        EXPECT_EQ(overlay.legend.back().text, QStringLiteral("masonry"));
+        EXPECT_EQ(overlay.legend.back().text, QStringLiteral("masonry (assumed)"));
         EXPECT_TRUE(overlay.legend.back().colour.isValid());
         for (std::size_t i = 0; i + 1 < overlay.legend.size(); ++i) {
             EXPECT_FALSE(overlay.legend[i].colour.isValid()) << "a colour that is not in the view";
         }
     }
+    auto data = m_scene.data();
+    for (const Component& component : data.components->list) {
+        data.givenMaterials.insert(component.name);
+    }
+    m_scene.setData(data);
+    EXPECT_EQ(overlayFor(render::ColourBy::Highlight).legend.back().text, QStringLiteral("masonry")) << "somebody has named it";
 }
 
 TEST_F(Legends, ReleasedStructureIsCountedApart) {
@@ -218,6 +225,7 @@ TEST_F(Legends, TellThatAMovingViewIsSimplified) {
 }
 
 TEST_F(Legends, ALegendThatNeedsLinesStandsInTheStripThatIsKeptForIt) {
+    ensureGuiApplication();
     // A pane as narrow as one of two beside each other at 1280 x 800.
     const render::Pane pane{render::PaneContent::Fragments, 0, 0, 300, 400};
     constexpr double textHeight = 13.0;
@@ -239,6 +247,30 @@ TEST_F(Legends, ALegendThatNeedsLinesStandsInTheStripThatIsKeptForIt) {
         }
         EXPECT_EQ(covered, 0) << "coloured by " << static_cast<int>(by);
     }
+}
+
+TEST_F(Legends, InANarrowPaneTheInstantIsReadAndTheLegendStandsOverTheScaleBar) {
+    ensureGuiApplication();
+    constexpr double textHeight = 13.0;
+    Overlay overlay;
+    overlay.caption = QStringLiteral("Conventional FE result · t = 5.50 s, state 69 of 122");
+    const double oneLine = overlayRoom(overlay, 900, textHeight);
+    EXPECT_GT(overlayRoom(overlay, 225, textHeight), 1.5 * oneLine) << "name and instant in a line each";
+    overlay.metresPerPixel = 1.0;
+    for (int i = 0; i < 8; ++i) {
+        overlay.legend.push_back({QColor(), QStringLiteral("arch ring %1 · 4,536").arg(i)});
+    }
+    const double narrow = overlayRoom(overlay, 300, textHeight);
+    overlay.metresPerPixel = 0.0;
+    const double whole = overlayRoom(overlay, 300, textHeight);
+    EXPECT_LT(narrow, whole + 4.0 * textHeight) << "no taller than beside no scale bar, and that bar";
+    EXPECT_GT(narrow, whole);
+    // One entry that beside the bar would be cut off.
+    overlay.caption.clear();
+    overlay.legend = {{QColor(), QStringLiteral("13 more components · 27,640")}};
+    const double free = overlayRoom(overlay, 225, textHeight);
+    overlay.metresPerPixel = 1.0;
+    EXPECT_GT(overlayRoom(overlay, 225, textHeight), free + textHeight);
 }
 
 TEST_F(Legends, AnEmptySceneSaysOnlyWhatWouldBeThere) {

@@ -162,5 +162,17 @@ TEST_F(GlLight, GroundReadsAsGroundInThePresentationStyle) {
     EXPECT_LT(groundAt(studio.picture(m_view, m_window), beside), 0.8);
 }
 
+/// From far off the ground begins long before what stands on it.
+TEST_F(GlLight, GroundReachesTheFootOfATallPane) {
+    Studio studio(m_data);
+    m_view.theme = render::Theme::Light;
+    m_view.style = render::Style::Presentation;
+    m_view.shadows = false;
+    m_view.cameras[0] = render::fitCamera(Aabb(Vec3(-3, -4, 0), Vec3(9, 6, 3)), 0.25, render::Preset::Front);
+    m_window.pixels = {150, 600};
+    const QImage tall = studio.picture(m_view, m_window);
+    EXPECT_NEAR(lightness(tall.pixelColor(75, 594)), lightness(tall.pixelColor(75, 450)), 0.12);
+}
+
 }  // namespace
 }  // namespace rubble::figures

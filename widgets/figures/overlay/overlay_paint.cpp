@@ -59,12 +59,29 @@ QRectF paintCaption(QPainter& painter, const Look& look, const QRectF& pane, con
     return box;
 }
 
+/// In one line, or name and instant in two where the pane is narrow: the instant must not be cut off.
+QStringList captionLines(const Look& look, double paneWidth, const QString& caption) {
+    if (caption.isEmpty()) {
+        return {};
+    }
+    const QString between = QStringLiteral(" · ");
+    const qsizetype end = caption.indexOf(between);
+    if (end < 0 || widthOf(look, caption) <= paneWidth - 8.0 * look.unit) {
+        return {caption};
+    }
+    return {caption.left(end), caption.mid(end + between.size())};
+}
+
 /// The caption, and what moving leaves out: beside it, or below where that is too long.
 void paintCaptions(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay) {
     const double pad = 2.0 * look.unit;
     QPointF corner(pane.left() + pad, pane.top() + pad);
-    if (!overlay.caption.isEmpty()) {
-        const QRectF box = paintCaption(painter, look, pane, corner, overlay.caption);
+    QRectF box;
+    for (const QString& line : captionLines(look, pane.width(), overlay.caption)) {
+        corner = box.isNull() ? corner : QPointF(box.left(), box.bottom());
+        box = paintCaption(painter, look, pane, corner, line);
+    }
+    if (!box.isNull()) {
         const bool beside = box.right() + look.unit + widthOf(look, overlay.moving) + 3.0 * pad <= pane.right();
         corner = beside ? QPointF(box.right() + look.unit, box.top()) : QPointF(box.left(), box.bottom() + look.unit);
     }
@@ -163,25 +180,57 @@ double chipHeight(const Look& look, std::size_t lines) {
     return count * look.line + (count - 1.0) * look.unit + 1.5 * look.unit;
 }
 
+double scaleBarHeight(const Look& look) {
+    return look.line + 3.5 * look.unit;
+}
+
 double legendRoom(const Look& look, double paneWidth, double reservedRight) {
     return paneWidth - 8.0 * look.unit - reservedRight;
 }
 
+/// Where all entries stand, and how far above the foot of the strip, device pixels.
+struct LegendLayout {
+    std::vector<double> widths;
+    std::vector<LegendPlace> places;
+    double above = 0.0;
+
+    std::size_t lines() const { return places.empty() ? 0 : places.back().line + 1; }
+};
+
+/// Beside the scale bar, or above it over the whole width where that takes less height.
+LegendLayout legendLayout(const Look& look, const Overlay& overlay, double paneWidth, double reservedRight) {
+    const auto layoutFor = [&](double reserved) {
+        const double room = legendRoom(look, paneWidth, reserved);
+        LegendLayout layout{legendWidths(look, overlay, room), {}};
+        layout.places = legendPlaces(look, layout.widths, room);
+        return layout;
+    };
+    LegendLayout beside = layoutFor(reservedRight);
+    // An entry that is cut off says less than one a line higher.
+    const double room = legendRoom(look, paneWidth, reservedRight);
+    const bool cut = std::any_of(overlay.legend.begin(), overlay.legend.end(),
+                                 [&](const LegendEntry& entry) { return entryWidth(look, entry) > room; });
+    if (!(reservedRight > 0.0) || (beside.lines() < 3 && !cut)) {
+        return beside;
+    }
+    LegendLayout over = layoutFor(0.0);
+    over.above = scaleBarHeight(look) + look.unit;
+    return cut || chipHeight(look, over.lines()) + over.above < chipHeight(look, beside.lines()) ? over : beside;
+}
+
 /// Legend and colour bar share one chip in the free strip below the model, in as few lines as they fit.
 void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay, double reservedRight) {
-    const double room = legendRoom(look, pane.width(), reservedRight);
-    const std::vector<double> widths = legendWidths(look, overlay, room);
+    const auto [widths, places, above] = legendLayout(look, overlay, pane.width(), reservedRight);
     if (widths.empty()) {
         return;
     }
-    const std::vector<LegendPlace> places = legendPlaces(look, widths, room);
     const double pad = 2.0 * look.unit;
     double widest = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         widest = std::max(widest, places[i].x + widths[i]);
     }
     const double height = chipHeight(look, places.back().line + 1);
-    const QRectF box(pane.left() + pad, pane.bottom() - pad - height, widest + 2.0 * pad, height);
+    const QRectF box(pane.left() + pad, pane.bottom() - pad - above - height, widest + 2.0 * pad, height);
     chip(painter, look, box);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double x = box.left() + pad + places[i].x;
@@ -218,8 +267,7 @@ double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, do
     const QString text = lengthText(length);
     const double pad = 2.0 * look.unit;
     const double width = std::max(pixels, widthOf(look, text)) + 2.0 * pad;
-    const QRectF box(pane.right() - pad - width, pane.bottom() - pad - look.line - 3.5 * look.unit, width,
-                     look.line + 3.5 * look.unit);
+    const QRectF box(pane.right() - pad - width, pane.bottom() - pad - scaleBarHeight(look), width, scaleBarHeight(look));
     chip(painter, look, box);
     write(painter, look, QRectF(box.left(), box.top() + 0.5 * look.unit, box.width(), look.line), text, Qt::AlignHCenter);
     strokeBar(painter, look, box.center().x() - 0.5 * pixels, box.bottom() - 1.25 * look.unit, pixels);
@@ -255,11 +303,11 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane&
 double overlayRoom(const Overlay& overlay, double paneWidth, double textHeight) {
     const Look look = lookFor(render::Theme::Light, textHeight);
     const double bar = overlay.metresPerPixel > 0.0 ? widestBar * look.unit : 0.0;
-    const double room = legendRoom(look, paneWidth, bar);
-    const std::vector<double> widths = legendWidths(look, overlay, room);
-    const std::size_t below = widths.empty() ? 0 : legendPlaces(look, widths, room).back().line + 1;
-    const std::size_t lines = std::max<std::size_t>(below, overlay.caption.isEmpty() ? 0 : 1);
-    return lines == 0 ? 0.0 : chipHeight(look, lines) + 4.0 * look.unit;
+    const LegendLayout legend = legendLayout(look, overlay, paneWidth, bar);
+    const auto captions = static_cast<double>(captionLines(look, paneWidth, overlay.caption).size());
+    const double below = legend.lines() == 0 ? 0.0 : chipHeight(look, legend.lines()) + legend.above;
+    const double room = std::max(below, captions * chipHeight(look, 1));
+    return room > 0.0 ? room + 4.0 * look.unit : 0.0;
 }
 
 double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars, double textHeight) {

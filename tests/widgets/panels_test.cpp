@@ -13,6 +13,7 @@
 #include "widgets/accuracy/grid_panel.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/parameter_editor.h"
+#include "widgets/basics/theme.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/case/fragments_panel.h"
 #include "widgets/run/effects_panel.h"
@@ -59,6 +60,20 @@ std::shared_ptr<Sizing> someSizing() {
 }
 
 }  // namespace
+
+TEST(Themes, WordsThatWereSetBeforeTakeTheTintsOfNow) {
+    applyTheme(render::Theme::Light);
+    Notice notice;
+    notice.set(Notice::Kind::Finding, QStringLiteral("what"), QStringLiteral("remedy"));
+    const QString light = tints().muted.name();
+    EXPECT_TRUE(notice.text().contains(light));
+    applyTheme(render::Theme::Dark);
+    ASSERT_NE(tints().muted.name(), light);
+    EXPECT_TRUE(notice.text().contains(tints().muted.name()));
+    EXPECT_FALSE(notice.text().contains(light));
+    applyTheme(render::Theme::Light);
+    EXPECT_TRUE(notice.text().contains(light));
+}
 
 TEST(Panels, EveryUnkeyedParameterHasExactlyOneEditor) {
     CasePanel ofCase;

@@ -2,11 +2,16 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QPainter>
 #include <QPalette>
 #include <QPointer>
 #include <QProxyStyle>
+#include <QRegularExpression>
 #include <QStyleOption>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "widgets/basics/icons.h"
 
@@ -202,6 +207,38 @@ QTextBrowser { background: %panel%; border: none; color: %text%; }
 
 }  // namespace
 
+namespace {
+
+/// Texts that were set before name tints of then.
+void recolourTexts(const figures::Palette& before, const figures::Palette& now) {
+    if (&before == &now) {
+        return;
+    }
+    const std::array<std::pair<QString, QString>, 4> tints{{{before.muted.name(), now.muted.name()},
+                                                            {before.text.name(), now.text.name()},
+                                                            {before.accent.name(), now.accent.name()},
+                                                            {before.finding.name(), now.finding.name()}}};
+    static const QRegularExpression named(QStringLiteral("(?<=color:)#[0-9a-f]{6}"));
+    for (QWidget* widget : QApplication::allWidgets()) {
+        auto* label = qobject_cast<QLabel*>(widget);
+        if (label == nullptr || !label->text().contains(QLatin1String("color:#"))) {
+            continue;
+        }
+        QString text = label->text();
+        for (auto found = named.globalMatch(label->text()); found.hasNext();) {
+            const QRegularExpressionMatch match = found.next();
+            const auto tint =
+                std::find_if(tints.begin(), tints.end(), [&](const auto& each) { return each.first == match.captured(); });
+            if (tint != tints.end()) {
+                text.replace(match.capturedStart(), match.capturedLength(), tint->second);
+            }
+        }
+        label->setText(text);
+    }
+}
+
+}  // namespace
+
 render::Theme systemTheme() {
     static const render::Theme theme =
         QApplication::palette().color(QPalette::Window).lightness() < 110 ? render::Theme::Dark : render::Theme::Light;
@@ -229,7 +266,9 @@ void giveColours(render::Theme theme) {
 }
 
 void applyTheme(render::Theme theme) {
+    const figures::Palette& before = tints();
     giveColours(theme);
+    recolourTexts(before, tints());
     const QString sheet = sheetOf(tints());
     if (qApp->styleSheet() != sheet) {
         qApp->setStyleSheet(sheet);

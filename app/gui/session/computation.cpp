@@ -402,7 +402,8 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
     record->running = false;
     record->outcome = outcome;
     record->wallSeconds = wall;
-    if (outcome != nullptr) {
+    // A file that could not be read may have taken the place of the one that was simulated.
+    if (outcome != nullptr && m_opened.inputs.fe != nullptr) {
         record->results.simulation = outcome;
         record->results.keys[static_cast<std::size_t>(Stage::Simulation)] =
             stageKey(m_opened.inputs, record->scenario, Stage::Simulation);

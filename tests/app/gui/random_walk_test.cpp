@@ -58,7 +58,8 @@ protected:
         ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("no result at all") > 0);
         // Menus and dialogs that wait for an answer get one, as their loops run inside the step that opened them. Queued, since a
         // timer rests while its slot runs, and an answer may bring up the next question.
-        QObject::connect(&answers, &QTimer::timeout, window, [this] { answer(); }, Qt::QueuedConnection);
+        // Not to the window: another language makes another one.
+        QObject::connect(&answers, &QTimer::timeout, &answers, [this] { answer(); }, Qt::QueuedConnection);
         answers.start(40);
     }
     void TearDown() override {
@@ -71,12 +72,13 @@ protected:
     QPoint placeIn(const QWidget& widget) { return {below(std::max(1, widget.width())), below(std::max(1, widget.height()))}; }
 
     void answer() {
-        if (auto* popup = QApplication::activePopupWidget()) {
+        QWidget* modal = QApplication::activeModalWidget();
+        if (auto* popup = QApplication::activePopupWidget(); popup != nullptr && (modal == nullptr || popupSteps++ < 4)) {
             // Also in the loop of the menu of a button.
             QTest::keyClick(popup, Qt::Key_Escape);
             return;
         }
-        QWidget* modal = QApplication::activeModalWidget();
+        popupSteps = 0;
         if (modal == nullptr) {
             return;
         }
@@ -251,7 +253,7 @@ protected:
         const QPoint at = placeIn(*window);
         QDragEnterEvent enter(at, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(window, &enter);
-        if (enter.isAccepted() && QApplication::activeModalWidget() == nullptr) {
+        if (enter.isAccepted() && QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr) {
             QDropEvent drop(at, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
             QApplication::sendEvent(window, &drop);
         }
@@ -312,6 +314,7 @@ protected:
     QTimer answers;
     std::mt19937 random;
     int dialogSteps = 0;
+    int popupSteps = 0;
     const bool traced = qEnvironmentVariableIsSet("RUBBLE_WALK_TRACE");
 };
 

@@ -42,6 +42,7 @@ const std::vector<Library>& libraries() {
         {"nanoflann", std::regex("^nanoflann")},
         {"OpenGL", std::regex("^(GL|EGL)/")},
         {"X11", std::regex("^(X11/|xcb/)")},
+        {"QPDF", std::regex("^qpdf/")},
         {"Python", std::regex("^(pybind11/|Python\\.h)")},
     };
     return list;
@@ -74,7 +75,7 @@ const std::vector<Room>& rooms() {
          {"core", "io"},
          {"Eigen", "HDF5", "Exodus", "GDAL", "PROJ", "libheif", "VTK", "nlohmann", "pugixml", "zlib", "minizip", "OpenSSL"}},
         {"widgets/render", {"core", "widgets/render"}, {"Eigen", "VTK"}},
-        {"widgets/figures", {"core", "widgets/render", "widgets/figures"}, {"Eigen", "VTK", "Qt", "X11"}},
+        {"widgets/figures", {"core", "widgets/render", "widgets/figures"}, {"Eigen", "VTK", "Qt", "X11", "QPDF"}},
         {"widgets", {"core", "widgets"}, {"Eigen", "VTK", "Qt"}},
         {"app/gui", {"core", "io", "widgets", "app/gui"}, {"Eigen", "Qt"}},
         {"app/python", {"core", "io", "app/python"}, {"Eigen", "Python"}},

@@ -207,8 +207,13 @@ ExitCode report(const Arguments& arguments, Session& session) {
                                   {},
                                   subject.casePath,
                                   io::shownFiles(around.shown)};
-    const std::vector<std::string> files = figures::writeReport(
-        *folder, facts, pictures, io::exportProvenance(record, subject.run->origin(), subject.run.get()), session.execution());
+    Findings lacks;
+    const std::vector<std::string> files =
+        figures::writeReport(*folder, facts, pictures, io::exportProvenance(record, subject.run->origin(), subject.run.get()),
+                             session.execution(), &lacks);
+    if (!lacks.empty()) {
+        printFindings(session.err(), lacks);
+    }
     const io::Taint taint = io::taintOf(*subject.run);
     warnIfTainted(session, subject.runPath, taint);
     if (arguments.json()) {
@@ -217,6 +222,7 @@ ExitCode report(const Arguments& arguments, Session& session) {
         object["fingerprint"] = facts.fingerprint;
         object["exports"] = files;
         object["tainted"] = taint.tainted();
+        object["lacks"] = findingsJson(lacks);
         object["cautions"] = cautionsJson(facts.cautions);
         object["reproduced"] = facts.floor ? Json(facts.reproduced) : Json();
         printJson(session, object);

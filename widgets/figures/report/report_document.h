@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/execution.h"
+#include "core/base/finding.h"
 
 class QPainter;
 class QRectF;
@@ -92,8 +93,10 @@ std::vector<std::pair<int, QString>> numberedHeadings(const ReportDocument& docu
 /// @param metadata  JSON of its provenance; empty: none
 QByteArray reportHtml(const ReportDocument& document, const std::string& metadata);
 
-/// Writes it as PDF: A4, table of contents with pages, header and page numbers. Atomic. Throws WorldError naming the path.
-void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata,
+/// Writes it as PDF: A4, table of contents with pages, header and page numbers, tags for screen readers. Atomic.
+/// @param findings  get what it lacks: a report that cannot be tagged is written without
+/// Throws WorldError naming the path.
+void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata, Findings& findings,
                     const Execution& execution = Execution());
 
 }  // namespace rubble::figures

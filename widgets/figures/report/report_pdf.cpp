@@ -3,7 +3,10 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
 #include <QTextDocument>
+#include <QTextDocumentFragment>
+#include <QTextLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +16,7 @@
 #include "widgets/figures/palette.h"
 #include "widgets/figures/report/formula.h"
 #include "widgets/figures/report/report_document.h"
+#include "widgets/figures/report/tagged_pdf.h"
 
 namespace rubble::figures {
 namespace {
@@ -90,6 +94,7 @@ public:
     }
     const std::vector<ContentsRow>& found() const { return m_found; }
     int pages() const { return m_page; }
+    const PdfTags& tags() const { return m_tags; }
 
 private:
     double room() const { return pageHeight - bottom - m_y; }
@@ -119,30 +124,48 @@ private:
         text.documentLayout()->draw(&m_painter, context);
         m_painter.restore();
     }
+    /// Paints text as an element of the structure.
+    void paintAs(const char* type, QTextDocument& text, double x) {
+        // Lines are painted one by one, and what is read would run together where they meet.
+        const bool lines = text.blockCount() > 1 || text.firstBlock().layout()->lineCount() > 1;
+        const PdfTag tag(m_tags, type, {}, lines ? text.toPlainText() : QString());
+        if (!text.isEmpty()) {
+            const PdfMark mark(m_tags, m_painter);
+            paint(text, x);
+        }
+    }
+    void drawAs(const char* type, const QRectF& box, Qt::Alignment alignment, const QString& text) {
+        const PdfTag tag(m_tags, type);
+        const PdfMark mark(m_tags, m_painter);
+        m_painter.drawText(box, static_cast<int>(alignment), text);
+    }
     /// Sets running text; it is not broken over pages.
-    void setRich(const QString& html, double points, double indent, double after, const QColor& colour = ink) {
+    void setRich(const char* type, const QString& html, double points, double indent, double after, const QColor& colour = ink) {
         const auto text = textOf(html, points, textWidth - indent, colour);
         need(text->size().height());
-        paint(*text, left + indent);
+        paintAs(type, *text, left + indent);
         m_y += text->size().height() + after;
     }
 
     void setFirstPage() {
         m_y = 150.0 * dot;
         m_painter.fillRect(QRectF(left, 128.0 * dot, 42.0 * dot, 4.0 * dot), palette(render::Theme::Print).fragment);
-        setRich(QStringLiteral("<b>%1</b>").arg(m_document.title.toHtmlEscaped()), 24.0, 0.0, 8.0 * dot);
-        setRich(m_document.subtitle.toHtmlEscaped(), 12.0, 0.0, 34.0 * dot, grey);
+        setRich("H1", QStringLiteral("<b>%1</b>").arg(m_document.title.toHtmlEscaped()), 24.0, 0.0, 8.0 * dot);
+        setRich("P", m_document.subtitle.toHtmlEscaped(), 12.0, 0.0, 34.0 * dot, grey);
+        const PdfTag list(m_tags, "L");
         for (const auto& [name, value] : m_document.facts) {
+            const PdfTag item(m_tags, "LI");
             const double start = m_y;
             const auto label = textOf(name.toHtmlEscaped(), bodyPoints, 120.0 * dot, grey);
-            paint(*label, left);
-            setRich(value, bodyPoints, 128.0 * dot, 5.0 * dot);
+            paintAs("Lbl", *label, left);
+            setRich("LBody", value, bodyPoints, 128.0 * dot, 5.0 * dot);
             m_y = std::max(m_y, start + label->size().height() + 5.0 * dot);
         }
     }
     void setContents() {
         newPage();
-        setRich(QStringLiteral("<b>%1</b>").arg(m_document.contents.toHtmlEscaped()), 15.0, 0.0, 10.0 * dot);
+        setRich("H2", QStringLiteral("<b>%1</b>").arg(m_document.contents.toHtmlEscaped()), 15.0, 0.0, 10.0 * dot);
+        const PdfTag list(m_tags, "TOC");
         for (const ContentsRow& row : m_contents) {
             const QFont font = fontOf(bodyPoints, row.level == 1);
             const double line = QFontMetricsF(font).height() * (row.level == 1 ? 1.5 : 1.2);
@@ -151,8 +174,9 @@ private:
             m_painter.setPen(ink);
             const double indent = row.level == 1 ? 0.0 : 16.0 * dot;
             const QRectF box(left + indent, m_y, textWidth - indent, line);
-            m_painter.drawText(box, static_cast<int>(Qt::AlignLeft | Qt::AlignBottom), row.text);
-            m_painter.drawText(box, static_cast<int>(Qt::AlignRight | Qt::AlignBottom), QString::number(row.page));
+            const PdfTag item(m_tags, "TOCI");
+            drawAs("Reference", box, Qt::AlignLeft | Qt::AlignBottom, row.text);
+            drawAs("Span", box, Qt::AlignRight | Qt::AlignBottom, QString::number(row.page));
             m_y += line;
         }
     }
@@ -184,17 +208,23 @@ private:
         }
         m_found.push_back({heading.level, text, m_page});
         ++m_heading;
-        setRich(QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped()), points, 0.0, (first ? 7.0 : 4.0) * dot);
+        setRich(first ? "H2" : "H3", QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped()), points, 0.0, (first ? 7.0 : 4.0) * dot);
     }
-    void set(const ReportText& text) { setRich(text.html, bodyPoints, 0.0, 6.0 * dot); }
+    void set(const ReportText& text) { setRich("P", text.html, bodyPoints, 0.0, 6.0 * dot); }
     void set(const ReportList& list) {
+        const PdfTag tag(m_tags, "L");
         for (const QString& item : list.items) {
             const auto text = textOf(item, bodyPoints, textWidth - 14.0 * dot);
             need(text->size().height());
+            const PdfTag itemTag(m_tags, "LI");
             m_painter.setPen(Qt::NoPen);
             m_painter.setBrush(ink);
-            m_painter.drawEllipse(QPointF(left + 4.0 * dot, m_y + 6.2 * dot), 1.4 * dot, 1.4 * dot);
-            paint(*text, left + 14.0 * dot);
+            {
+                const PdfTag label(m_tags, "Lbl", {}, QStringLiteral("•"));
+                const PdfMark mark(m_tags, m_painter);
+                m_painter.drawEllipse(QPointF(left + 4.0 * dot, m_y + 6.2 * dot), 1.4 * dot, 1.4 * dot);
+            }
+            paintAs("LBody", *text, left + 14.0 * dot);
             m_y += text->size().height() + 3.0 * dot;
         }
         m_y += 4.0 * dot;
@@ -206,7 +236,7 @@ private:
         m_painter.fillRect(QRectF(left, m_y, textWidth, height), QColor(0xfd, 0xf6, 0xe6));
         m_painter.fillRect(QRectF(left, m_y, 3.0 * dot, height), QColor(0xe6, 0x9f, 0x00));
         m_y += 7.0 * dot;
-        paint(*text, left + 14.0 * dot);
+        paintAs("P", *text, left + 14.0 * dot);
         m_y += height - 7.0 * dot + 9.0 * dot;
     }
     void set(const ReportEquation& equation) {
@@ -215,17 +245,22 @@ private:
         need(height + 40.0 * dot);
         m_y += 5.0 * dot;
         const QString number = QStringLiteral("(%1)").arg(++m_equation);
-        m_painter.save();
-        m_painter.setRenderHint(QPainter::Antialiasing);
-        m_painter.translate(left + 26.0 * dot, m_y + formula.ascent);
-        m_painter.fillPath(formula.outline, ink);
-        m_painter.restore();
+        const PdfTag line(m_tags, "P");
+        {
+            const PdfTag tag(m_tags, "Formula", equation.words);
+            const PdfMark mark(m_tags, m_painter);
+            m_painter.save();
+            m_painter.setRenderHint(QPainter::Antialiasing);
+            m_painter.translate(left + 26.0 * dot, m_y + formula.ascent);
+            m_painter.fillPath(formula.outline, ink);
+            m_painter.restore();
+        }
         m_painter.setFont(fontOf(bodyPoints));
         m_painter.setPen(ink);
-        m_painter.drawText(QRectF(left, m_y, textWidth, height), static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), number);
+        drawAs("Span", QRectF(left, m_y, textWidth, height), Qt::AlignRight | Qt::AlignVCenter, number);
         m_y += height + 8.0 * dot;
         if (!equation.where.isEmpty()) {
-            setRich(equation.where, bodyPoints, 0.0, 7.0 * dot);
+            setRich("P", equation.where, bodyPoints, 0.0, 7.0 * dot);
         }
     }
 
@@ -246,6 +281,23 @@ private:
         need(high + caption->size().height() + sourceHeight + 20.0 * dot);
         m_y += 6.0 * dot;
         const QRectF area(left + 0.5 * (textWidth - high * aspect), m_y, high * aspect, high);
+        // The caption stands beside the figure: what is inside of one with an alternative text is not read.
+        const PdfTag both(m_tags, "Div");
+        paintFigure(figure, area);
+        m_y += high + 5.0 * dot;
+        paintAs("Caption", *caption, left);
+        m_y += caption->size().height() + 2.0 * dot;
+        if (sourceHeight > 0.0) {
+            paintAs("P", *source, left);
+            m_y += sourceHeight;
+        }
+        m_y += 9.0 * dot;
+    }
+
+    void paintFigure(const ReportFigure& figure, const QRectF& area) {
+        // Words that are the caption have its tags.
+        const PdfTag tag(m_tags, "Figure", QTextDocumentFragment::fromHtml(figure.words).toPlainText());
+        const PdfMark mark(m_tags, m_painter);
         m_painter.save();
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
         if (figure.picture.isNull()) {
@@ -255,14 +307,6 @@ private:
             m_painter.drawImage(area, figure.picture);
         }
         m_painter.restore();
-        m_y += high + 5.0 * dot;
-        paint(*caption, left);
-        m_y += caption->size().height() + 2.0 * dot;
-        if (sourceHeight > 0.0) {
-            paint(*source, left);
-            m_y += sourceHeight;
-        }
-        m_y += 9.0 * dot;
     }
 
     /// Widths of the columns: as asked for, else by the longest word of each with the rest shared out by length.
@@ -316,13 +360,18 @@ private:
         made.height += 4.0 * dot;
         return made;
     }
-    void paintRow(const RowCells& row, const std::vector<double>& widths) {
+    /// @param type  of its cells; null: they are no part of the structure
+    void paintRow(const RowCells& row, const std::vector<double>& widths, const char* type) {
         const double pad = 4.0 * dot;
         const double start = m_y;
         double x = left;
         m_y += 2.0 * dot;
         for (std::size_t c = 0; c < row.cells.size(); ++c) {
-            paint(*row.cells[c], x + pad);
+            if (type != nullptr) {
+                paintAs(type, *row.cells[c], x + pad);
+            } else {
+                paint(*row.cells[c], x + pad);
+            }
             x += widths[c];
         }
         m_y = start + row.height;
@@ -369,18 +418,24 @@ private:
 
     void set(const ReportTable& table) {
         const TableCells cells = cellsOf(table, ++m_table);
-        const auto& [widths, caption, head, rows] = cells;
         need(cells.together());
         m_y += 6.0 * dot;
-        paint(*caption, left);
+        {
+            const PdfTag tag(m_tags, "Table");
+            setRows(cells);
+        }
+        m_y += 4.0 * dot;
+        if (!table.source.isEmpty()) {
+            setRich("P", table.source, sourcePoints, 0.0, 0.0, grey);
+        }
+        m_y += 11.0 * dot;
+    }
+    void setRows(const TableCells& cells) {
+        const auto& [widths, caption, head, rows] = cells;
+        paintAs("Caption", *caption, left);
         m_y += caption->size().height() + 4.0 * dot;
-        const auto setHead = [&] {
-            rule(1.0);
-            paintRow(head, widths);
-            rule(0.5);
-            m_y += 1.0 * dot;
-        };
-        setHead();
+        setHead(cells, "TH");
+        const PdfTag body(m_tags, "TBody");
         std::size_t onPage = 0;
         for (std::size_t k = 0; k < rows.size(); ++k, ++onPage) {
             // The last rows stay together, so that none stands alone on the next page.
@@ -388,23 +443,33 @@ private:
             if (cells.heightOf(k, lastFew ? rows.size() : k + 1) > room() - 4.0 * dot) {
                 rule(1.0);
                 newPage();
-                setHead();
+                setHead(cells, nullptr);
                 onPage = 0;
             }
-            paintRow(rows[k], widths);
+            const PdfTag tag(m_tags, "TR");
+            paintRow(rows[k], widths, "TD");
         }
         m_y += 1.0 * dot;
         rule(1.0);
-        m_y += 4.0 * dot;
-        if (!table.source.isEmpty()) {
-            setRich(table.source, sourcePoints, 0.0, 0.0, grey);
+    }
+    /// The head of a table. On further pages it is repeated, and not read again.
+    void setHead(const TableCells& cells, const char* type) {
+        rule(1.0);
+        if (type != nullptr) {
+            const PdfTag head(m_tags, "THead");
+            const PdfTag row(m_tags, "TR");
+            paintRow(cells.head, cells.widths, type);
+        } else {
+            paintRow(cells.head, cells.widths, nullptr);
         }
-        m_y += 11.0 * dot;
+        rule(0.5);
+        m_y += 1.0 * dot;
     }
 
     const ReportDocument& m_document;
     QPdfWriter& m_writer;
     QPainter m_painter;
+    PdfTags m_tags;
     std::vector<ContentsRow> m_contents;
     int m_pages;
     std::vector<std::pair<int, QString>> m_headings;
@@ -420,7 +485,7 @@ private:
 
 }  // namespace
 
-void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata,
+void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata, Findings& findings,
                     const Execution& execution) {
     std::vector<ContentsRow> contents;
     for (const auto& [level, text] : numberedHeadings(document)) {
@@ -428,6 +493,7 @@ void writeReportPdf(const std::string& path, const ReportDocument& document, con
     }
     int pages = 0;
     QByteArray pdf;
+    PdfTags tags;
     // Twice: the pages of the headings are known after the first time, and do not depend on what stands in the contents.
     for (int pass = 0; pass < 2; ++pass) {
         pdf.clear();
@@ -443,8 +509,9 @@ void writeReportPdf(const std::string& path, const ReportDocument& document, con
         setter.run(execution);
         contents = setter.found();
         pages = setter.pages();
+        tags = setter.tags();
     }
-    writeBytes(path, pdf);
+    writeBytes(path, taggedPdf(pdf, tags, document.language, findings));
 }
 
 }  // namespace rubble::figures

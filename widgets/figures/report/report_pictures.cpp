@@ -89,7 +89,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
 }
 
 std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
-                                     const std::string& metadata, const Execution& execution) {
+                                     const std::string& metadata, const Execution& execution, Findings* findings) {
     const QDir place(QString::fromStdString(folder));
     const bool made = !place.exists();
     if (!place.mkpath(QStringLiteral("."))) {
@@ -100,10 +100,11 @@ std::vector<std::string> writeReport(const std::string& folder, const ReportFact
     const std::string html = place.filePath(QStringLiteral("report.html")).toStdString();
     const std::string pdf = place.filePath(QStringLiteral("report.pdf")).toStdString();
     const bool wasThere = QFile::exists(QString::fromStdString(html));
+    Findings lacks;
     try {
         execution.check();
         writeBytes(html, reportHtml(document, metadata));
-        writeReportPdf(pdf, document, metadata, execution);
+        writeReportPdf(pdf, document, metadata, lacks, execution);
     } catch (...) {
         if (!wasThere) {
             QFile::remove(QString::fromStdString(html));
@@ -113,6 +114,9 @@ std::vector<std::string> writeReport(const std::string& folder, const ReportFact
             place.rmdir(place.absolutePath());
         }
         throw;
+    }
+    if (findings != nullptr) {
+        findings->append(lacks);
     }
     return {html, pdf};
 }

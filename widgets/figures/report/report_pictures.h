@@ -18,8 +18,9 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
 
 /// Writes report.html and report.pdf into a folder, which is made if it is not there. Returns their paths.
 /// @param metadata  JSON of their provenance
+/// @param findings  get what the files lack; null: nobody asks
 /// Throws WorldError naming the path, Cancelled; what was made for it is then gone again.
 std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
-                                     const std::string& metadata, const Execution& execution);
+                                     const std::string& metadata, const Execution& execution, Findings* findings = nullptr);
 
 }  // namespace rubble::figures

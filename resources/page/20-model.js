@@ -295,6 +295,20 @@ class Pieces {
         return this.from[p] <= time && time < this.to[p];
     }
 
+    // Pieces that are seen at a time, in the order in which they appear; kept as `live`.
+    liveAt(time) {
+        const { from, to, count } = this;
+        let length = 0;
+        this.room = this.room || new Uint32Array(count);
+        for (let p = 0; p < count && from[p] <= time; ++p) {
+            if (time < to[p]) {
+                this.room[length++] = p;
+            }
+        }
+        this.live = this.room.subarray(0, length);
+        return this.live;
+    }
+
     // The piece of an element that is seen at a time; -1: none.
     at(element, time) {
         const found = (this.ofElement.get(element) || []).filter((p) => this.shown(p, time));
@@ -328,11 +342,11 @@ class Pieces {
         return 1.25 * sum / count;
     }
 
-    // Fragments that are seen at a time.
+    // Fragments among what is live at a time.
     fragmentsAt(time) {
         let count = 0;
-        for (let p = 0; p < this.count; ++p) {
-            count += this.fragments[p] >= 0 && this.births[this.fragments[p]] <= time && this.shown(p, time) ? 1 : 0;
+        for (const p of this.live) {
+            count += this.fragments[p] >= 0 && this.births[this.fragments[p]] <= time ? 1 : 0;
         }
         return count;
     }

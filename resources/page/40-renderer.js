@@ -178,7 +178,7 @@ class Renderer {
         this.sizes = sizes;
         this.middles = middles;
         const { faces, ends } = this.pieceFaces();
-        this.boxes = { array: gl.createVertexArray(), ends };
+        this.boxes = { array: gl.createVertexArray(), faces, ends, count: 0, live: null };
         gl.bindVertexArray(this.boxes.array);
         this.attach(0, this.buffer(corners, gl.STATIC_DRAW), 3, gl.FLOAT);
         this.attach(1, this.buffer(perCorner(Uint32Array, bodies), gl.STATIC_DRAW), 1, gl.UNSIGNED_INT);
@@ -186,7 +186,6 @@ class Renderer {
         this.boxes.tints = this.buffer(new Uint8Array(4 * offsets[count]), gl.DYNAMIC_DRAW);
         this.attach(3, this.boxes.tints, 4, gl.UNSIGNED_BYTE, true);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, faces, gl.STATIC_DRAW);
         this.makeSquares();
     }
 
@@ -492,10 +491,28 @@ class Renderer {
         gl.disable(gl.CULL_FACE);
     }
 
-    // How many pieces have begun at a time.
-    begunAt(time) {
-        const { from, count } = this.pieces;
-        return count > 0 && from[0] <= time ? lastAtOrBelow(from, time) + 1 : 0;
+    // Hands over the faces of the pieces that are live.
+    fillBoxes() {
+        const { boxes, gl } = this;
+        const { live } = this.pieces;
+        if (boxes.live === live) {
+            return;
+        }
+        boxes.live = live;
+        boxes.count = 0;
+        boxes.room = boxes.room || new Uint32Array(boxes.faces.length);
+        for (const p of live) {
+            for (let i = boxes.ends[p]; i < boxes.ends[p + 1]; ++i) {
+                boxes.room[boxes.count++] = boxes.faces[i];
+            }
+        }
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, boxes.room.subarray(0, boxes.count), gl.DYNAMIC_DRAW);
+    }
+
+    // Returns when all is drawn.
+    finish() {
+        const gl = this.gl;
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     }
 
     drawBoxes(view, time) {
@@ -508,19 +525,20 @@ class Renderer {
         gl.bindTexture(gl.TEXTURE_2D, this.poses.texture);
         gl.uniform1i(program.places.poses, 0);
         gl.bindVertexArray(this.boxes.array);
+        this.fillBoxes();
         gl.enable(gl.CULL_FACE);
-        gl.drawElements(gl.TRIANGLES, this.boxes.ends[this.begunAt(time)], gl.UNSIGNED_INT, 0);
+        gl.drawElements(gl.TRIANGLES, this.boxes.count, gl.UNSIGNED_INT, 0);
         gl.disable(gl.CULL_FACE);
     }
 
     // Pieces as squares, of those that cover one another only the nearest.
     // @param scale  pixels of a metre at a distance of one
     // @param cell   px, of what one of them covers
-    drawSquares(view, time, pane, scale, cell) {
+    drawSquares(view, pane, scale, cell) {
         const gl = this.gl;
         const program = this.programs.squares;
         const { squares } = this;
-        const count = this.chooseSquares(view, time, pane, cell);
+        const count = this.chooseSquares(view, pane, cell);
         this.use(program, view);
         gl.uniform1f(program.places.scale, scale);
         gl.uniform1i(program.places.unlit, 1);
@@ -532,7 +550,7 @@ class Renderer {
         gl.drawArrays(gl.POINTS, 0, count);
     }
 
-    chooseSquares(view, time, pane, cell) {
+    chooseSquares(view, pane, cell) {
         const columns = Math.ceil(pane.width / cell);
         const rows = Math.ceil(pane.height / cell);
         if (!this.cells || this.cells.length < columns * rows) {
@@ -541,12 +559,9 @@ class Renderer {
         }
         const { cells, depths, middles, world, poseBuffer, squares, sizes, shades } = this;
         cells.fill(-1, 0, columns * rows);
-        const { bodies, to } = this.pieces;
-        const begun = this.begunAt(time);
-        for (let p = 0; p < begun; ++p) {
-            if (time >= to[p]) {
-                continue;
-            }
+        const { bodies, live } = this.pieces;
+        for (let i = 0; i < live.length; ++i) {
+            const p = live[i];
             const b = 8 * bodies[p];
             const [x, y, z] = [middles[3 * p], middles[3 * p + 1], middles[3 * p + 2]];
             const [qx, qy, qz, qw] = [poseBuffer[b + 4], poseBuffer[b + 5], poseBuffer[b + 6], poseBuffer[b + 7]];

@@ -50,7 +50,7 @@ const words = {
     outcome: ['What came out', '结果'],
     fragments: ['fragments', '碎块'],
     theirMass: ['their mass', '其质量'],
-    bodies: ['rigid bodies', '刚体'],
+    bodies: ['rigid bodies of fragments', '碎块的刚体'],
     islands: ['loose parts of live structure', '松脱的存活结构部分'],
     endsAt: ['simulated until', '模拟至'],
     atRest: ['at rest at the end', '结束时静止的份额'],
@@ -187,5 +187,9 @@ function sayCount(number) {
 }
 
 function sayNumber(number, digits = 3) {
-    return number === null || number === undefined || !isFinite(number) ? '–' : Number(number.toPrecision(digits)).toString();
+    if (number === null || number === undefined || !isFinite(number)) {
+        return '–';
+    }
+    const text = Number(number.toPrecision(digits)).toString();
+    return /^-?\d{5,}$/.test(text) ? text.replace(/\B(?=(\d{3})+$)/g, ',') : text;
 }

@@ -5,6 +5,7 @@ const coarsest = 0.4;
 const tellEvery = 120;  // ms between two changes of the texts while it plays
 const lineBeads = 400;
 const largestSquare = 7;  // px; larger pieces stay boxes
+const settleAfter = 300;  // ms without a move, after which a picture is drawn in full
 
 const usualTones = {
     sky: [0.9, 0.92, 0.93, 1], ground: [0.80, 0.80, 0.775, 1], mesh: [0.72, 0.72, 0.69, 1], water: [0.37, 0.56, 0.68, 0.55],
@@ -59,6 +60,7 @@ class Player {
         this.end = Math.max(this.structure.times[this.structure.times.length - 1], this.frames[this.frames.length - 1]);
         this.time = this.start;
         this.playing = false;
+        this.glancing = false;
         this.pace = 1;
         this.quality = 1;
         this.colourBy = 'highlight';
@@ -74,6 +76,7 @@ class Player {
         this.lasting = new Uint8Array(this.structure.elements);
         this.typicalSize = this.renderer.sizes.reduce((sum, size) => sum + size, 0) / Math.max(1, this.pieces.count);
         this.ground = this.groundTriangles();
+        this.water = facts.ground.water === null ? null : this.waterTriangles();
         this.colourStructure();
         this.colourPieces();
     }
@@ -101,8 +104,44 @@ class Player {
     }
 
     moveTo(time) {
+        this.settle();
         this.time = Math.min(this.end, Math.max(this.start, time));
         this.draw();
+        this.tell();
+    }
+
+    get moving() {
+        return this.playing || this.glancing;
+    }
+
+    // Draws what is dragged as while playing, and in full once it is let be.
+    glance() {
+        if (this.playing) {
+            this.draw();
+            return;
+        }
+        const began = performance.now();
+        this.glancing = true;
+        this.draw();
+        this.renderer.finish();
+        this.adapt(performance.now() - began);
+        clearTimeout(this.settling);
+        this.settling = setTimeout(() => {
+            this.settle();
+            this.draw();
+            this.tell();
+        }, settleAfter);
+    }
+
+    settle() {
+        clearTimeout(this.settling);
+        this.glancing = false;
+        this.quality = 1;
+    }
+
+    scrubTo(time) {
+        this.time = Math.min(this.end, Math.max(this.start, time));
+        this.glance();
         this.tell();
     }
 
@@ -117,6 +156,7 @@ class Player {
         if (this.time >= this.end) {
             this.time = this.start;
         }
+        this.settle();
         this.playing = true;
         this.shownFrames = 0;
         this.began = performance.now();
@@ -182,16 +222,19 @@ class Player {
         return [{ x: 0, y: height - low, width, height: low }, { x: 0, y: 0, width, height: low }];
     }
 
+    // Gives the canvas the pixels that it takes; true where it had others.
     resize() {
         const ratio = Math.min(2, window.devicePixelRatio || 1);
         this.ratio = ratio * this.quality;
-        const scale = this.playing ? this.quality * ratio : ratio;
+        const scale = this.moving ? this.quality * ratio : ratio;
         const width = Math.max(2, Math.round(this.canvas.clientWidth * scale));
         const height = Math.max(2, Math.round(this.canvas.clientHeight * scale));
         if (this.canvas.width !== width || this.canvas.height !== height) {
             this.canvas.width = width;
             this.canvas.height = height;
+            return true;
         }
+        return false;
     }
 
     // What stands and what lies at the time; new faces only where something has changed.
@@ -204,15 +247,14 @@ class Player {
             const next = Math.min(state + 1, structure.times.length - 1);
             const [inFe, standing] = this.there;
             let count = 0;
+            const live = pieces.liveAt(time);
             for (let e = 0; e < structure.elements; ++e) {
                 inFe[e] = standing[e] = structure.active(state, e);
                 this.lasting[e] = structure.active(next, e);
                 count += inFe[e];
             }
-            for (let p = 0; p < pieces.count && pieces.from[p] <= time; ++p) {
-                if (time < pieces.to[p]) {
-                    standing[pieces.elements[p]] = 0;
-                }
+            for (const p of live) {
+                standing[pieces.elements[p]] = 0;
             }
             renderer.showShell(0, inFe, this.lasting, state);
             renderer.showShell(1, standing, this.lasting, state);
@@ -230,20 +272,20 @@ class Player {
     draw() {
         this.resize();
         this.update();
-        if (this.playing && this.slow) {
+        if (this.moving && this.slow) {
             this.drawSlowly();
             return;
         }
         const gl = this.renderer.gl;
         const { width, height } = this.canvas;
-        const [smooth, work] = this.playing ? [] : this.renderer.smoothFrames(width, height);
+        const [smooth, work] = this.moving ? [] : this.renderer.smoothFrames(width, height);
         this.renderer.tested = false;
-        gl.bindFramebuffer(gl.FRAMEBUFFER, this.playing ? null : smooth.frame);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.moving ? null : smooth.frame);
         this.drawPanes((index, pane, view) => {
             this.drawStanding(index, view, this.structure.shareAt(this.time));
             this.drawMoving(index, pane, view);
         }, true);
-        if (!this.playing) {
+        if (!this.moving) {
             // Edges are smoothed by the first copy; the second cannot do that.
             this.renderer.copy(smooth.frame, work.frame, width, height);
             this.renderer.copy(work.frame, null, width, height);
@@ -311,12 +353,12 @@ class Player {
         if (index === 1) {
             const pixels = this.squarePixels(pane);
             if (pixels > 0) {
-                renderer.drawSquares(view, this.time, pane, this.pixelsPerMetre(pane), Math.max(1, 0.6 * pixels));
+                renderer.drawSquares(view, pane, this.pixelsPerMetre(pane), Math.max(1, 0.6 * pixels));
             } else {
                 renderer.drawBoxes(view, this.time);
             }
-            if (this.facts.ground.water !== null) {
-                renderer.drawPlain(view, gl.TRIANGLES, this.levelSquare(this.facts.ground.water), tones.water);
+            if (this.water !== null) {
+                renderer.drawPlain(view, gl.TRIANGLES, this.water, tones.water);
             }
             if (this.path) {
                 renderer.drawPlain(view, gl.LINE_STRIP, this.path, tones.path, { over: true });
@@ -344,7 +386,7 @@ class Player {
     // Pixels of a usual piece where pieces are to be drawn as squares: while a slow machine plays and they are small. 0: as boxes.
     squarePixels(pane) {
         const pixels = this.typicalSize * this.pixelsPerMetre(pane) / this.camera.distance;
-        return this.playing && this.slow && pixels < largestSquare ? pixels : 0;
+        return this.moving && this.slow && pixels < largestSquare ? pixels : 0;
     }
 
     // The element that is chosen, seen through everything.
@@ -369,6 +411,24 @@ class Player {
         const [x, y] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
         const corners = [[x - reach, y - reach], [x + reach, y - reach], [x + reach, y + reach], [x - reach, y + reach]];
         return Float32Array.from([0, 1, 2, 0, 2, 3].flatMap((c) => [...corners[c], height]));
+    }
+
+    // Water over the ground that lies below its level, as far as the ground is known.
+    waterTriangles() {
+        const { terrain, water } = this.facts.ground;
+        if (terrain === null) {
+            return this.levelSquare(water);
+        }
+        const points = [];
+        for (let j = 0; j + 1 < terrain.ny; ++j) {
+            for (let i = 0; i + 1 < terrain.nx; ++i) {
+                const corners = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]];
+                if (corners.some(([a, b]) => terrain.heights[(j + b) * terrain.nx + i + a] < water)) {
+                    corners.forEach(([a, b]) => points.push(terrain.x0 + (i + a) * terrain.cell, terrain.y0 + (j + b) * terrain.cell, water));
+                }
+            }
+        }
+        return Float32Array.from(points);
     }
 
     // The ground, and lines on it a round distance apart.
@@ -526,13 +586,10 @@ class Player {
             const along = dot3(way, ray.way);
             return along > -reach && along - reach < best.distance && dot3(way, way) - along * along < reach * reach;
         };
-        for (let p = 0; index === 1 && p < pieces.count && pieces.from[p] <= time; ++p) {
-            if (time < pieces.to[p]) {
-                const body = pieces.bodies[p];
-                const middle = motion.carried(body, this.renderer.middles.subarray(3 * p, 3 * p + 3));
-                if (passes(middle, 2 * this.renderer.sizes[p])) {
-                    take(pieces.elements[p], pieces.shapes[p], this.cornersOfPiece(p));
-                }
+        for (const p of index === 1 ? pieces.live : []) {
+            const middle = motion.carried(pieces.bodies[p], this.renderer.middles.subarray(3 * p, 3 * p + 3));
+            if (passes(middle, 2 * this.renderer.sizes[p])) {
+                take(pieces.elements[p], pieces.shapes[p], this.cornersOfPiece(p));
             }
         }
         const there = this.there[index];

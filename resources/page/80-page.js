@@ -30,7 +30,10 @@ class Page {
         on('pace', 'change', (event) => {
             this.player.pace = Number(event.target.value);
         });
-        on('time', 'input', (event) => this.jump(Number(event.target.value)));
+        on('time', 'input', (event) => {
+            this.player.stop();
+            this.player.scrubTo(Number(event.target.value));
+        });
         on('time', 'keydown', (event) => {
             const way = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
             if (way) {
@@ -141,9 +144,7 @@ class Page {
     }
 
     redraw() {
-        if (!this.player.playing) {
-            this.player.draw();
-        }
+        this.player.glance();
         this.player.tell();
     }
 
@@ -240,7 +241,11 @@ class Page {
         this.player.resize();
         this.panels.lookFrom('side');
         this.panels.build();
-        new ResizeObserver(() => this.redraw()).observe(document.getElementById('views'));
+        new ResizeObserver(() => {
+            if (this.player.resize()) {
+                this.redraw();
+            }
+        }).observe(document.getElementById('views'));
         document.documentElement.dataset.ready = String(Math.round(performance.now()));
     }
 

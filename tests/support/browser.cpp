@@ -113,15 +113,11 @@ Browser::Browser(const std::string& folder, int width, int height, const std::ve
 }
 
 Browser::~Browser() {
+    // It ends when nobody commands it any more; its children with it, for what is lost of their profile.
     ::close(m_out);
     ::close(m_in);
-    ::kill(-m_process, SIGTERM);
-    for (int i = 0; i < 50 && ::waitpid(m_process, nullptr, WNOHANG) == 0; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        if (i == 40) {
-            ::kill(-m_process, SIGKILL);
-        }
-    }
+    ::kill(-m_process, SIGKILL);
+    ::waitpid(m_process, nullptr, 0);
 }
 
 json Browser::nextMessage() {
@@ -193,6 +189,18 @@ std::string Browser::open(const std::string& path) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     throw std::runtime_error("the page is never ready");
+}
+
+json Browser::waitFor(const std::string& expression) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience);
+    while (std::chrono::steady_clock::now() < end) {
+        json value = evaluate(expression);
+        if (value != json(nullptr) && value != json(false) && value != json(0)) {
+            return value;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    throw std::runtime_error("waited in vain for: " + expression);
 }
 
 json Browser::evaluate(const std::string& expression) {

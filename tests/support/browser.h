@@ -26,6 +26,9 @@ public:
     std::string open(const std::string& path);
     /// Value of an expression in the page; a promise is waited for. Throws std::runtime_error with what the page threw.
     nlohmann::json evaluate(const std::string& expression);
+    /// Waits until an expression is neither null, false nor 0, whatever the machine takes for it, and returns what it then is.
+    /// Throws std::runtime_error that says what was waited for.
+    nlohmann::json waitFor(const std::string& expression);
     /// Bytes of a PNG.
     std::string screenshot();
     /// Presses and lets go a key: "Tab", "Enter", " ".

@@ -74,17 +74,21 @@ json outcomeFacts(const RunReader& run, const FeResult& fe) {
     for (const Fragment& fragment : run.fragments()->list) {
         mass += fragment.mass;
     }
-    json facts = {{"fragments", run.fragments()->size()}, {"fragmentMass", mass},
-                  {"bodies", run.bodies().size()},        {"feStates", fe.stateCount()},
-                  {"feEnd", fe.times().back()},           {"end", run.frameTime(run.frameCount() - 1)},
-                  {"frames", run.frameCount()},           {"complete", run.complete()}};
+    json facts = {{"fragments", run.fragments()->size()},
+                  {"fragmentMass", mass},
+                  {"bodies", run.bodies().size() - run.islands().size()},
+                  {"feStates", fe.stateCount()},
+                  {"feEnd", fe.times().back()},
+                  {"end", run.frameTime(run.frameCount() - 1)},
+                  {"frames", run.frameCount()},
+                  {"complete", run.complete()}};
     if (const auto result = run.result()) {
         facts["atRest"] = result->asleepAtEnd;
         facts["stillMoving"] = result->stillMoving;
         facts["maxSpeed"] = result->maxSpeed;
         facts["massError"] = result->ledger.mass;
         facts["momentumError"] = result->ledger.momentum;
-        facts["islands"] = run.islands().size();
+        facts["islands"] = result->carried.islands + result->islands.released;
     }
     return facts;
 }

@@ -107,9 +107,11 @@ TEST_F(PageInBrowser, PlaysScrubsAndPicksByMouseAndByKeys) {
     said("document.getElementById('time').value = 0.3; document.getElementById('time').dispatchEvent(new Event('input'))");
     EXPECT_NEAR(said("page.player.time").get<double>(), 0.3, 1e-9);
     EXPECT_THAT(said("document.getElementById('clock').textContent").get<std::string>(), HasSubstr("0.30 s"));
+    EXPECT_EQ(m_browser->waitFor("!page.player.glancing && page.player.quality"), 1) << "once let be, it is drawn in full";
+    said("page.player.pace = 0.1");
     said("document.getElementById('play').focus()");
     m_browser->press("Enter");
-    said("new Promise((done) => setTimeout(done, 700))");
+    m_browser->waitFor("page.player.playing && page.player.time > 0.3");
     m_browser->press("Enter");
     EXPECT_GT(said("page.player.time").get<double>(), 0.3);
     EXPECT_FALSE(said("page.player.playing").get<bool>());

@@ -444,8 +444,12 @@ class Player {
         const lines = [];
         const [x, y] = [mesh * Math.round((low[0] + high[0]) / 2 / mesh), mesh * Math.round((low[1] + high[1]) / 2 / mesh)];
         const reach = mesh * Math.ceil(1.5 * size / mesh);
+        // In pieces, since some drivers leave out a line that ends behind the camera.
         for (let at = -reach; at <= reach; at += mesh) {
-            lines.push(x + at, y - reach, height, x + at, y + reach, height, x - reach, y + at, height, x + reach, y + at, height);
+            for (let from = -reach; from < reach; from += 4 * mesh) {
+                const to = Math.min(reach, from + 4 * mesh);
+                lines.push(x + at, y + from, height, x + at, y + to, height, x + from, y + at, height, x + to, y + at, height);
+            }
         }
         return { points: this.levelSquare(height - 0.002 * size), lines: Float32Array.from(lines), shaded: false };
     }

@@ -56,7 +56,7 @@ ReportDocument oneOfEach(const QString& language) {
     picture.picture.fill(Qt::red);
     document.blocks = {ReportHeading{1, "First", false},
                        ReportText{"Some <b>text</b>."},
-                       ReportText{QStringLiteral("Words over lines. ").repeated(20).trimmed()},
+                       ReportText{QStringLiteral("Words find no end over lines. ").repeated(20).trimmed()},
                        ReportHeading{2, "Part", false},
                        ReportEquation{"a = \\frac{b}{c}", "a is b over c", "where a is"},
                        table,
@@ -201,13 +201,15 @@ TEST_F(TaggedPdf, EveryMarkIsOnceInTheTreeAndAllElseIsAnArtifact) {
     EXPECT_GT(marks, 480U) << "cells of both tables";
     EXPECT_EQ(tags.unmarked(), 0);
     EXPECT_EQ(tags.wrongParents(), 0);
-    // Where lines meet, words are not run together, and spaces are spaces.
-    EXPECT_THAT(tags.texts("/P", "/ActualText"), testing::Contains(testing::HasSubstr("lines. Words over lines. Words")));
+    // Where lines meet, words are not run together; spaces are spaces, and ligatures letters.
+    EXPECT_THAT(tags.texts("/P", "/ActualText"),
+                testing::Contains(testing::HasSubstr("lines. Words find no end over lines. Words")));
     for (QPDFObjectHandle& object : tags.file().getAllObjects()) {
         if (object.isDictionaryOfType("/Font") && object.getKey("/ToUnicode").isStream()) {
             const auto map = object.getKey("/ToUnicode").getStreamData();
             const std::string text(reinterpret_cast<const char*>(map->getBuffer()), map->getSize());
-            EXPECT_EQ(text.find(" <0009>", text.find('[')), std::string::npos);
+            EXPECT_EQ(text.find(" <0009>", text.find('[')), std::string::npos) << "no tab";
+            EXPECT_EQ(text.find("<FB01>"), std::string::npos) << "no ligature";
         }
     }
 }

@@ -119,9 +119,15 @@ private:
     bool m_square = false;
 };
 
-/// Qt says of the glyph that spaces and tabs share that it is a tab: words would not be told apart where text is copied or read.
-void mendSpaces(QPDF& file) {
-    constexpr std::string_view tab = "<0009>";
+/// What Qt says that glyphs stand for, and what is read and searched for: the glyph that spaces and tabs share is a space, and
+/// ligatures are their letters.
+void mendCharacters(QPDF& file) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> mended{{{"<0009>", "<0020>"},
+                                                                                   {"<FB00>", "<00660066>"},
+                                                                                   {"<FB01>", "<00660069>"},
+                                                                                   {"<FB02>", "<0066006C>"},
+                                                                                   {"<FB03>", "<006600660069>"},
+                                                                                   {"<FB04>", "<00660066006C>"}}};
     for (Handle& object : file.getAllObjects()) {
         if (!object.isDictionaryOfType("/Font") || !object.getKey("/ToUnicode").isStream()) {
             continue;
@@ -133,8 +139,10 @@ void mendSpaces(QPDF& file) {
         bool characters = false;
         for (std::size_t at = 0; at < map.size(); ++at) {
             characters = map[at] == '[' || (characters && map[at] != ']');
-            if (characters && map.compare(at, tab.size(), tab) == 0) {
-                map.replace(at, tab.size(), "<0020>");
+            for (const auto& [qt, read] : mended) {
+                if (characters && map.compare(at, qt.size(), qt) == 0) {
+                    map.replace(at, qt.size(), read);
+                }
             }
         }
         stream.replaceStreamData(map, Handle::newNull(), Handle::newNull());
@@ -249,7 +257,7 @@ QByteArray withStructure(const QByteArray& pdf, const PdfTags& tags, const QStri
     file.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
     std::vector<Handle> pages;
     const std::vector<PlacedMark> placed = markPages(file, tags, pages);
-    mendSpaces(file);
+    mendCharacters(file);
     Handle catalog = file.getRoot();
     catalog.replaceKey("/StructTreeRoot", Tree(file, tags, placed, pages).root());
     Handle marked = Handle::newDictionary();

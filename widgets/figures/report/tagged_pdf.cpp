@@ -70,7 +70,7 @@ private:
             if (name == "scn") {
                 m_colour = m_numbers;
             }
-            m_paints = m_paints || painting.contains(name);
+            m_paints = m_paints || painting.count(name) > 0;
             m_stretch += m_text;
             m_text.clear();
         }

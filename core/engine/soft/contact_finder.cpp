@@ -114,10 +114,16 @@ PlacedHull ContactFinder::placedHull(const Collider& of, std::size_t part) const
             of.parts[part].box.halfExtents.minCoeff()};
 }
 
-/// Leaves out points that do not close in this step by the motion that the two begin it with: those of bodies that fall side by
-/// side, or that lie in a pile without touching. In the samples they were three quarters of all.
+/// Leaves out points that the two do not close in this step by the motion that they begin it with: those of bodies that fall side
+/// by side, or that lie in a pile without touching. In the samples they were three quarters of all. Where one point of a patch
+/// closes, a hit there may turn the others in as fast.
 void ContactFinder::leaveOutApart(ContactPatch& patch, const Collider& a, const Collider& b, double dt) const {
-    const double reach = restingReach + m_gravity * dt * dt;
+    double reach = restingReach + m_gravity * dt * dt;
+    const auto points = std::span(patch.points).first(static_cast<std::size_t>(patch.count));
+    const auto within = [&](const PatchPoint& point) { return point.separation <= reach; };
+    if (std::ranges::all_of(points, within)) {
+        return;
+    }
     const auto velocityAt = [&](const Collider& c, const Vec3& where) -> Vec3 {
         if (c.kind == ColliderKind::Ground) {
             return Vec3::Zero();
@@ -125,18 +131,13 @@ void ContactFinder::leaveOutApart(ContactPatch& patch, const Collider& a, const 
         const SoftBody& body = m_bodies.of(c);
         return body.velocity + body.spin.cross(where - body.pose.position);
     };
-    const auto closes = [&](const PatchPoint& point) {
-        return point.separation <= reach ||
-               point.separation <= reach + dt * patch.normal.dot(velocityAt(a, point.position) - velocityAt(b, point.position));
-    };
-    int kept = 0;
-    for (int k = 0; k < patch.count; ++k) {
-        const PatchPoint point = patch.points[static_cast<std::size_t>(k)];
-        if (closes(point)) {
-            patch.points[static_cast<std::size_t>(kept++)] = point;
-        }
+    double closing = 0.0;  // m/s
+    for (const PatchPoint& point : points) {
+        closing = std::max(closing, patch.normal.dot(velocityAt(a, point.position) - velocityAt(b, point.position)));
     }
-    patch.count = kept;
+    reach += closing * dt;
+    const auto left = std::stable_partition(points.begin(), points.end(), within);
+    patch.count = static_cast<int>(left - points.begin());
 }
 
 void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<FoundContact>& found) const {

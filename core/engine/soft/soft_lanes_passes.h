@@ -89,26 +89,13 @@ inline void applyFriction(const Pair& c, End& a, End& b, LanePoint& p) {
 template <bool Push, bool Moved, bool Last>
 inline void solve(const LaneScene& scene, std::size_t contact, double push) {
     const LaneContacts& c = scene.contacts[contact];
-    const Row zero = all(0.0);
-    // What carries nothing once the bodies have moved waits for the next substep: each contact by itself, whatever lies beside it.
-    Row loaded = zero;
-    if (!Push && !Moved) {
-        if (scene.acts[contact] == 0) {
-            return;
-        }
-        for (std::uint32_t k = 0; k < c.points; ++k) {
-            loaded = larger(loaded, get(scene.points[c.firstPoint + k].normalImpulse));
-        }
-        if (!anyAbove(loaded, zero)) {
-            return;
-        }
-    }
     const LaneTally& tally = scene.tallies[contact];
     End a = load(scene.bodies, c.a);
     End b = load(scene.bodies, c.b);
     LanePoint* points = scene.points + c.firstPoint;
     LanePointTally* tallies = scene.pointTallies + c.firstPoint;
     const Pair pair(c);
+    const Row zero = all(0.0);
     const Row perSubstep = all(1.0 / scene.h);
     RowVector moved{}, turnedA{}, turnedB{};
     if (Moved) {
@@ -146,10 +133,7 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
         } else {
             wanted = minusProduct(before, mass, speed + choose(apart, ahead, zero));
         }
-        Row total = smaller(larger(wanted, zero), wide(c.impulseLimit));
-        if (!Push && !Moved) {
-            total = choose(loaded > zero, total, zero);
-        }
+        const Row total = smaller(larger(wanted, zero), wide(c.impulseLimit));
         const Row change = keep(p.normalImpulse, total);
         carried = larger(carried, before);
         acted = larger(acted, total);

@@ -46,9 +46,9 @@ constexpr double inertGap = 0.02;
 constexpr double pieceStillTravel = 0.002;
 /// m. Contacts are found this much before solids touch, plus the way they make in a step. Lower: contacts flicker; higher: slower.
 constexpr double contactMargin = 0.01;
-/// m. A point is left out of a step where it is further apart than this, g dt^2 and the way that its two solids make towards each
-/// other by the motion that they begin with. Lower: what trembles flickers; higher: slower.
-constexpr double restingReach = 0.002;
+/// m. A point is left out of a step where it is further apart than this, g dt^2 and the way by which the fastest of its patch
+/// closes by the motion that the two begin with. Lower: what trembles flickers, what strikes once more is met late; higher: slower.
+constexpr double restingReach = 0.005;
 /// m. Solids less deep in each other touch: that is no overlap to be brought apart. Higher: a push where they are born.
 constexpr double touchingDepth = 1e-4;
 /// Share of the smallest side that others may press a body into something; deeper, the two come apart by position like overlap at

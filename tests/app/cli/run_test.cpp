@@ -96,7 +96,7 @@ TEST_F(Run, TellsOfLooseStructureThatTheEngineCarries) {
     }
     const auto reader = io::openRun(m_out);
     EXPECT_EQ(reader->result()->carried.islands, 1);
-    EXPECT_EQ(reader->result()->substeps, 16);
+    EXPECT_EQ(reader->result()->substeps, 12);
     ASSERT_EQ(reader->islandLedger().size(), 1u);
     EXPECT_NEAR(reader->islandLedger()[0].bodies.mass, 2000.0, 1e-6);
     const Outcome told = cli({"run", m_path, "--set", "settle_time=0.5", "--tables"});

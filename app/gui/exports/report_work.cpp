@@ -31,6 +31,7 @@ struct ReportWork::Order {
     widgets::ReportWishes wishes;
     render::SceneData scene;
     std::string folder;
+    Findings lacks;  ///< of the report that was written
 
     void write(const Execution& execution);
 };
@@ -68,7 +69,7 @@ void ReportWork::Order::write(const Execution& execution) {
     pictures.say = [](const Message& message) { return widgets::worded(message); };
     const io::ExportRecord record{
         "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, request.casePath, around};
-    figures::writeReport(folder, facts, pictures, io::exportProvenance(record, run.origin(), &run), execution);
+    figures::writeReport(folder, facts, pictures, io::exportProvenance(record, run.origin(), &run), execution, &lacks);
 }
 
 ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, Actions& actions, QWidget& window)
@@ -162,8 +163,13 @@ void ReportWork::writeTo(const QString& folder) {
     order->scene = m_scene.data();
     order->folder = folder.toStdString();
     start([order](const Execution& execution) { order->write(execution); },
-          [kept = &m_kept, folder] {
+          [kept = &m_kept, order, folder] {
               kept->written = folder;
+              if (!order->lacks.empty()) {
+                  const Finding& lack = order->lacks.list().front();
+                  kept->failure = Failure{[what = lack.what] { return widgets::worded(what); },
+                                          [remedy = lack.remedy] { return widgets::worded(remedy); }, lack.what.id};
+              }
               return tr("Report written to %1").arg(folder);
           });
 }

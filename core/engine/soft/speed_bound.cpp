@@ -1,6 +1,7 @@
 #include "core/engine/soft/speed_bound.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/engine/world/constants.h"
 
@@ -9,12 +10,13 @@ namespace rubble {
 void SpeedBound::begin(std::size_t slots, std::size_t movable) {
     m_movable = movable;
     m_inverse.assign(slots, 0.0);
+    m_own.assign(slots, 0.0);
     m_reach.assign(slots, 0.0);
 }
 
 void SpeedBound::set(std::size_t slot, double inverseMass, double speed) {
     m_inverse[slot] = inverseMass;
-    m_reach[slot] = speed;
+    m_own[slot] = m_reach[slot] = speed;
 }
 
 /// Hands speeds on from body to body, a few times through the contacts in both directions.
@@ -36,8 +38,24 @@ void SpeedBound::spread(std::span<const SlotPair> ends) {
     }
 }
 
+/// m/s that a far lighter body gets to by what strikes it. Seen from the point that strikes, it slides on as it came, and parts no
+/// faster than it parts by now, bounces (Newton) or is pushed out. What strikes it may have got faster in the step itself.
+double SpeedBound::struckBy(std::uint32_t from, std::uint32_t to, bool fromA, const SolverContact& contact,
+                            std::span<const SolverPoint> points, std::span<const SolverBody> bodies) const {
+    const Vec3 away = fromA ? contact.normal : Vec3(-contact.normal);
+    double struck = 0.0;
+    for (const SolverPoint& point : points.subspan(contact.firstPoint, contact.points)) {
+        const Vec3 strikes = bodies[from].velocity + bodies[from].spin.cross(fromA ? point.fromA : point.fromB);
+        const Vec3 seen = bodies[to].velocity - strikes;
+        const double parting = seen.dot(away);
+        const double parts = std::max({parting, -contact.restitution * parting, pushOutSpeed});
+        struck = std::max(struck, strikes.norm() + std::sqrt((seen - parting * away).squaredNorm() + parts * parts));
+    }
+    return struck + (1.0 + contact.restitution) * (m_reach[from] - m_own[from]);
+}
+
 std::vector<double> SpeedBound::find(std::span<const SlotPair> ends, std::span<const SolverContact> contacts,
-                                     std::span<const SolverBody> bodies, double fall) {
+                                     std::span<const SolverPoint> points, std::span<const SolverBody> bodies, double fall) {
     spread(ends);
     const std::size_t still = m_reach.size() - 1;
     std::vector<double> struck(m_movable, 0.0);  // what is far lighter than what it meets
@@ -45,17 +63,13 @@ std::vector<double> SpeedBound::find(std::span<const SlotPair> ends, std::span<c
         const auto [a, b] = ends[k];
         for (const auto& [to, from] : {SlotPair{a, b}, SlotPair{b, a}}) {
             if (to < m_movable && from != still && m_inverse[to] > mostMassRatio * m_inverse[from]) {
-                // Seen from what strikes it, it leaves no faster than it came.
-                const Vec3& strikes = bodies[from].velocity;
-                const double own = strikes.norm();
-                struck[to] = std::max(struck[to], own + (bodies[to].velocity - strikes).norm() +
-                                                      (1.0 + contacts[k].restitution) * std::max(0.0, m_reach[from] - own));
+                struck[to] = std::max(struck[to], struckBy(from, to, from == a, contacts[k], points, bodies));
             }
         }
     }
     std::vector<double> bounds(m_movable);
     for (std::size_t i = 0; i < m_movable; ++i) {
-        bounds[i] = (struck[i] > 0.0 ? struck[i] : 2.0 * m_reach[i]) + pushOutSpeed + fall;
+        bounds[i] = (struck[i] > 0.0 ? struck[i] : 2.0 * m_reach[i] + pushOutSpeed) + fall;
     }
     return bounds;
 }

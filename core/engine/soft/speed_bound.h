@@ -28,18 +28,22 @@ public:
     /// m/s that each body that moves may get to where contacts act on it.
     /// @param ends      [contacts] the slots that each is between
     /// @param contacts  beside them
+    /// @param points    of the contacts
     /// @param bodies    [slots] with their velocities
     /// @param fall      m/s, that gravity adds in the step, at most
     std::vector<double> find(std::span<const SlotPair> ends, std::span<const SolverContact> contacts,
-                             std::span<const SolverBody> bodies, double fall);
+                             std::span<const SolverPoint> points, std::span<const SolverBody> bodies, double fall);
     /// Slows a body down to its bound, if contacts act on it; true: it was too fast.
     static bool holdBack(SolverBody& body);
 
 private:
     void spread(std::span<const SlotPair> ends);
+    double struckBy(std::uint32_t from, std::uint32_t to, bool fromA, const SolverContact& contact,
+                    std::span<const SolverPoint> points, std::span<const SolverBody> bodies) const;
 
     std::size_t m_movable = 0;
     std::vector<double> m_inverse;  ///< 1/kg, [slots], as the solver takes it
+    std::vector<double> m_own;      ///< m/s, [slots] of its farthest corner
     std::vector<double> m_reach;    ///< m/s, [slots] that its corners may get to
 };
 

@@ -13,6 +13,7 @@ struct Scene {
     std::vector<SolverBody> bodies;
     std::vector<SpeedBound::SlotPair> ends;
     double restitution = 0.0;
+    Vec3 arm = Vec3::Zero();  ///< m, to where the first of two meets the second
 
     explicit Scene(std::size_t movable) : bodies(movable + 1) { bound.begin(bodies.size(), movable); }
     void body(std::size_t slot, double mass, double speed) {
@@ -24,8 +25,13 @@ struct Scene {
         std::vector<SolverContact> contacts(ends.size());
         for (SolverContact& c : contacts) {
             c.restitution = restitution;
+            c.normal = Vec3::UnitX();
+            c.points = 1;
         }
-        return bound.find(ends, contacts, bodies, fall);
+        // All meet in one point of theirs.
+        SolverPoint point;
+        point.fromA = arm;
+        return bound.find(ends, contacts, std::span(&point, 1), bodies, fall);
     }
 };
 
@@ -55,13 +61,25 @@ TEST(SpeedBound, NothingComesOfWhatIsStill) {
     EXPECT_DOUBLE_EQ(scene.bounds()[0], pushOutSpeed);
 }
 
-TEST(SpeedBound, AFarLighterBodyLeavesWhatStrikesItNoFasterThanItCame) {
+TEST(SpeedBound, AFarLighterBodyLeavesWhatStrikesItByTheLawOfItsBounce) {
     Scene scene(2);
     scene.body(0, 1000.0, 10.0);
     scene.body(1, 1.0, 0.0);
     scene.ends = {{0, 1}};
-    // Seen from the heavy one it comes with 10 m/s and leaves with as much: 20 m/s on the ground.
-    EXPECT_DOUBLE_EQ(scene.bounds()[1], 20.0 + pushOutSpeed);
+    // It goes on with the heavy one, and bounces off it by half of what it came with.
+    EXPECT_DOUBLE_EQ(scene.bounds()[1], 10.0 + pushOutSpeed);
+    scene.restitution = 0.5;
+    EXPECT_DOUBLE_EQ(scene.bounds()[1], 10.0 + 5.0);
+    // What parts already keeps that, and what slides goes on.
+    scene.bodies[1].velocity = Vec3(18.0, 6.0, 0.0);
+    EXPECT_DOUBLE_EQ(scene.bounds()[1], 10.0 + 10.0);
+    // A point that the heavy one's spin brings along strikes as fast as it is.
+    scene.bodies[1].velocity = Vec3(10.0, 0.0, 0.0);
+    scene.bodies[0].spin = Vec3(0.0, 0.0, -2.0);
+    scene.arm = Vec3(0.0, 3.0, 0.0);
+    EXPECT_DOUBLE_EQ(scene.bounds()[1], 16.0 + 3.0);
+    scene.bodies[0].spin = Vec3::Zero();
+    scene.restitution = 0.0;
     // One 29 times as light is not far lighter.
     scene.body(0, 29.0, 10.0);
     scene.body(1, 1.0, 0.0);

@@ -271,7 +271,8 @@ void SolverAssembly::build(SoftSolver& solver, int substeps, double dt) {
     solver.begin(m_scene.bodies.awake.size());
     solver.layOut(m_h, {.fill = [&](std::uint32_t k) { fillContact(solver, solver.contacts[k]); },
                         .prefetch = [&](std::uint32_t k) { prefetchFor(solver.contacts[k]); }});
-    const std::vector<double> bounds = m_speeds.find(m_ends, solver.contacts, solver.points, solver.bodies, 2.0 * m_scene.settings.gravity * dt);
+    const std::vector<double> bounds =
+        m_speeds.find(m_ends, solver.contacts, solver.points, solver.bodies, 2.0 * m_scene.settings.gravity * dt);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         solver.bound(i, bounds[i]);
     }

@@ -157,8 +157,8 @@ public:
     virtual double lifted(BodyId body) const = 0;
     /// A moving piece has pushed this body at some time.
     virtual bool pushedByPiece(BodyId body) const = 0;
-    /// J/kg, v^2 / 2 + g z of the point of loose structure (NewBody::loose) that pushed the body, at most so far; noPush: none has,
-    /// or the solver does not tell.
+    /// J/kg, v^2 / 2 + g z with the speed of the loose structure (NewBody::loose) that pushed the body and the height of the body's
+    /// centre then, at most so far; noPush: none has, or the solver does not tell.
     virtual double loosePush(BodyId) const { return noPush; }
     virtual const ContactReport& contacts() const = 0;
     virtual const StepCosts& costs() const = 0;

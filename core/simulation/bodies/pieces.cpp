@@ -12,6 +12,7 @@
 #include "core/engine/world/bricks.h"
 #include "core/engine/world/constants.h"
 #include "core/engine/world/tight_box.h"
+#include "core/fe/live_islands.h"
 #include "core/fragments/solids.h"
 
 namespace rubble {
@@ -23,18 +24,20 @@ constexpr double leastPieceHalfExtent = 0.005;
 /// Groups that one thread reshapes at a time.
 constexpr std::size_t groupGrain = 4;
 
-/// Corners of an element's solid at rest: shells and beams with their section.
-ElementShape appendSolid(const Mesh& mesh, ElementIndex e, double section, std::vector<Vec3>& points) {
+/// Corners of an element's solid where its nodes are: shells and beams with their section.
+/// @param nodes  m, of the mesh
+ElementShape appendSolid(const Mesh& mesh, const std::vector<Vec3>& nodes, ElementIndex e, double section,
+                         std::vector<Vec3>& points) {
     const auto corners = mesh.cornersOf(e);
     if (isSolid(mesh.shapes[at(e)])) {
         for (const std::uint32_t node : corners) {
-            points.push_back(mesh.nodes[node]);
+            points.push_back(nodes[node]);
         }
         return mesh.shapes[at(e)];
     }
     Corners positions = Corners::Zero();
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        positions.col(static_cast<Eigen::Index>(i)) = mesh.nodes[corners[i]];
+        positions.col(static_cast<Eigen::Index>(i)) = nodes[corners[i]];
     }
     const MovingSolid solid = solidOf(mesh.shapes[at(e)], positions, Corners::Zero(), section);
     for (int i = 0; i < cornerCount(solid.shape); ++i) {
@@ -191,10 +194,6 @@ std::optional<std::vector<ElementIndex>> Pieces::newMembers(const Group& group, 
     return members;
 }
 
-std::optional<Pose> Pieces::fit(const Group& group, const FeState& state) const {
-    return fittedMotion(group.nodes, m_fe.mesh().nodes, state.positions);
-}
-
 std::optional<Pose> Pieces::follow(const Group& group, const FeState& from, const FeState& to) {
     std::optional<Pose> motion = fittedMotion(group.nodes, from.positions, to.positions);
     if (motion) {
@@ -203,33 +202,33 @@ std::optional<Pose> Pieces::follow(const Group& group, const FeState& from, cons
     return motion;
 }
 
-CollisionShape Pieces::bricksOf(const Group& group) const {
+CollisionShape Pieces::bricksOf(const Group& group, const std::vector<Vec3>& nodes) const {
     std::vector<OrientedBox> bricks;
     for (const ElementIndex e : group.members) {
         std::vector<Vec3> points;
-        const ElementShape solid = appendSolid(m_fe.mesh(), e, m_components.section[at(e)], points);
+        const ElementShape solid = appendSolid(m_fe.mesh(), nodes, e, m_components.section[at(e)], points);
         bricks.push_back(brickOf(solid, points));
     }
     CollisionShape parts;
     for (const OrientedBox& box : joinedBricks(bricks, {})) {
         ConvexPart& part = parts.emplace_back();
         part.box = box;
-        part.box.centre -= group.restCentre;
+        part.box.centre -= group.centre;
         part.box.halfExtents = part.box.halfExtents.cwiseMax(m_leastHalfExtent);
     }
     return parts;
 }
 
-CollisionShape Pieces::shapeOf(const Group& group) const {
+CollisionShape Pieces::shapeOf(const Group& group, const std::vector<Vec3>& nodes) const {
     if (m_bricks) {
-        return bricksOf(group);
+        return bricksOf(group, nodes);
     }
     std::vector<Vec3> points;
     for (const ElementIndex e : group.members) {
-        appendSolid(m_fe.mesh(), e, m_components.section[at(e)], points);
+        appendSolid(m_fe.mesh(), nodes, e, m_components.section[at(e)], points);
     }
     for (Vec3& p : points) {
-        p -= group.restCentre;
+        p -= group.centre;
     }
     if (m_kind == PieceKind::Surface) {
         return {hullOf(points, m_leastHalfExtent)};
@@ -251,16 +250,18 @@ std::optional<CollisionShape> Pieces::reshape(Group& group, const FeState& from)
     }
     std::sort(group.nodes.begin(), group.nodes.end());
     group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
-    group.restCentre = Vec3::Zero();
+    // Bricks lie where the elements are now, as fragments and loose structure do; other shapes are those at rest.
+    const std::vector<Vec3>& nodes = m_bricks ? from.positions : mesh.nodes;
+    group.centre = Vec3::Zero();
     group.box.setEmpty();
     for (const std::uint32_t node : group.nodes) {
-        group.restCentre += mesh.nodes[node];
-        group.box.extend(mesh.nodes[node]);
+        group.centre += nodes[node];
+        group.box.extend(nodes[node]);
     }
-    group.restCentre /= static_cast<double>(group.nodes.size());
-    group.box.translate(-group.restCentre);
-    const std::optional<Pose> pose = fit(group, from);
-    CollisionShape shape = shapeOf(group);
+    group.centre /= static_cast<double>(group.nodes.size());
+    group.box.translate(-group.centre);
+    const std::optional<Pose> pose = fittedMotion(group.nodes, nodes, from.positions);
+    CollisionShape shape = shapeOf(group, nodes);
     const bool sound = std::all_of(shape.begin(), shape.end(), [](const ConvexPart& part) {
         return part.box.centre.allFinite() && part.box.halfExtents.allFinite();
     });
@@ -269,6 +270,24 @@ std::optional<CollisionShape> Pieces::reshape(Group& group, const FeState& from)
     }
     group.pose = *pose;
     return shape;
+}
+
+/// The parts of a group's members that hang together, where those move on their own.
+Pieces::Parts Pieces::partsFor(std::span<const ElementIndex> members) const {
+    return m_bricks ? partsOf(m_fe.mesh(), members) : Parts{};
+}
+
+/// A rigid fit of what has come apart would be wrong by half of the gap: every part but the first becomes a group of its own.
+void Pieces::divide(std::size_t group, const Parts& parts) {
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        Group part;
+        part.component = m_groups[group].component;
+        part.elements = part.members = parts[i];
+        const auto left = [&](ElementIndex e) { return std::ranges::find(parts[i], e) != parts[i].end(); };
+        std::erase_if(m_groups[group].elements, left);
+        std::erase_if(m_groups[group].members, left);
+        m_groups.push_back(std::move(part));
+    }
 }
 
 void Pieces::replace(RigidWorld& world, Group& group, const std::optional<CollisionShape>& shape) {
@@ -297,17 +316,30 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
     /// What an interval makes of a group.
     struct Next {
         bool changed = false;
-        std::optional<CollisionShape> shape;  ///< of a changed one; nothing: there is no piece
+        Parts parts;                          ///< of a changed one
+        std::optional<CollisionShape> shape;  ///< the same; nothing: there is no piece
         std::optional<Pose> finish;           ///< where it is at the end of the interval
     };
     std::vector<Next> next(m_groups.size());
     world.onThreads(m_groups.size(), groupGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            if (std::optional<std::vector<ElementIndex>> members = newMembers(m_groups[i], k)) {
+                next[i].changed = true;
+                next[i].parts = partsFor(*members);
+                m_groups[i].members = std::move(*members);
+            }
+        }
+    });
+    const std::size_t before = m_groups.size();
+    for (std::size_t i = 0; i < before; ++i) {
+        divide(i, next[i].parts);
+    }
+    next.resize(m_groups.size());
+    std::for_each(next.begin() + static_cast<std::ptrdiff_t>(before), next.end(), [](Next& added) { added.changed = true; });
+    world.onThreads(m_groups.size(), groupGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
             Group& group = m_groups[i];
-            std::optional<std::vector<ElementIndex>> members = newMembers(group, k);
-            next[i].changed = members.has_value();
-            if (members) {
-                group.members = std::move(*members);
+            if (next[i].changed) {
                 next[i].shape = reshape(group, *from);
             }
             if (next[i].changed ? next[i].shape.has_value() : group.piece.has_value()) {
@@ -332,11 +364,13 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
 void Pieces::standAt(RigidWorld& world, std::size_t k) {
     m_moving.clear();
     const std::shared_ptr<const FeState> state = m_fe.state(k);
-    for (Group& group : m_groups) {
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        Group& group = m_groups[i];
         group.members.clear();
         std::copy_if(group.elements.begin(), group.elements.end(), std::back_inserter(group.members),
                      [&](ElementIndex e) { return m_activity.active(k, e); });
-        rebuild(world, group, *state);
+        divide(i, partsFor(group.members));
+        rebuild(world, m_groups[i], *state);
     }
 }
 
@@ -349,19 +383,25 @@ void Pieces::release(RigidWorld& world, const std::vector<bool>& gone, std::size
         m_gone[i] = m_gone[i] || gone[i];
     }
     const std::shared_ptr<const FeState> state = m_fe.state(k);
-    for (Group& group : m_groups) {
-        if (std::erase_if(group.members, [&](ElementIndex e) { return gone[at(e)]; }) > 0) {
-            rebuild(world, group, *state);
+    const std::size_t before = m_groups.size();
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        const bool changed = std::erase_if(m_groups[i].members, [&](ElementIndex e) { return gone[at(e)]; }) > 0;
+        if (changed) {
+            divide(i, partsFor(m_groups[i].members));
+        }
+        if (changed || i >= before) {
+            rebuild(world, m_groups[i], *state);
         }
     }
 }
 
 void Pieces::keep(Archive& archive) {
-    std::size_t groups = m_groups.size();
-    archive(groups);
-    if (groups != m_groups.size()) {
+    // Groups are only ever added.
+    const std::size_t groups = archive.count(m_groups.size());
+    if (groups < m_groups.size()) {
         Archive::fail();
     }
+    m_groups.resize(groups);
     for (Group& group : m_groups) {
         archive(group);
     }

@@ -16,7 +16,8 @@ namespace rubble {
 
 /// The active structure as kinematic pieces (DESIGN.md 2.4). A piece of an FE interval holds the elements of its group that are
 /// active at both ends; rigid fits of their nodes at both ends give its motion. A group is a component, the elements of a component
-/// in one cell of a grid laid over it at rest, or a single element.
+/// in one cell of a grid laid over it at rest, or a single element. Where pieces are made of bricks, what has come apart within a
+/// cell are groups of their own.
 class Pieces {
 public:
     /// @param activity  under the revival policy; must outlive the pieces
@@ -45,14 +46,14 @@ private:
         ComponentId component{};
         std::vector<ElementIndex> elements;
         std::vector<std::uint32_t> nodes;   ///< of the present members, unique
-        Vec3 restCentre = Vec3::Zero();     ///< m, mean of those nodes at rest
+        Vec3 centre = Vec3::Zero();         ///< m, mean of those nodes where the shape was made
         std::vector<ElementIndex> members;  ///< present in this interval
         std::optional<PieceId> piece;
         Pose pose;           ///< where the piece is
         Pose start, finish;  ///< of this interval
-        Aabb box;            ///< of the members at rest, about restCentre
+        Aabb box;            ///< of the members about that centre
 
-        void keep(Archive& archive) { archive(nodes, restCentre, members, piece, pose, start, finish, box); }
+        void keep(Archive& archive) { archive(component, elements, nodes, centre, members, piece, pose, start, finish, box); }
     };
 
     void makeGroups(const SimulationSettings& settings);
@@ -64,10 +65,12 @@ private:
     std::optional<CollisionShape> reshape(Group& group, const FeState& from) const;
     void replace(RigidWorld& world, Group& group, const std::optional<CollisionShape>& shape);
     void rebuild(RigidWorld& world, Group& group, const FeState& from);
-    CollisionShape shapeOf(const Group& group) const;
-    CollisionShape bricksOf(const Group& group) const;
-    /// Where the nodes at rest have gone.
-    std::optional<Pose> fit(const Group& group, const FeState& state) const;
+    /// @param nodes  m, of the mesh, where the shape is made
+    CollisionShape shapeOf(const Group& group, const std::vector<Vec3>& nodes) const;
+    CollisionShape bricksOf(const Group& group, const std::vector<Vec3>& nodes) const;
+    using Parts = std::vector<std::vector<ElementIndex>>;
+    Parts partsFor(std::span<const ElementIndex> members) const;
+    void divide(std::size_t group, const Parts& parts);
     /// Where the piece goes with its nodes in an interval. Following their motion, not their shape at rest, its corners move no
     /// faster than they do, however they are deformed.
     static std::optional<Pose> follow(const Group& group, const FeState& from, const FeState& to);

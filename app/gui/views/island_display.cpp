@@ -16,7 +16,11 @@ IslandDisplay::IslandDisplay(Session& session, QObject* parent)
 }
 
 std::shared_ptr<const LooseStructure> IslandDisplay::loose() const {
-    return m_shown && m_computation.inputs().fe != nullptr && m_kept.scene == sceneNow() ? m_kept.loose : nullptr;
+    return looseOf(m_document.scenario());
+}
+
+std::shared_ptr<const LooseStructure> IslandDisplay::looseOf(const Scenario& scenario) const {
+    return m_shown && m_computation.inputs().fe != nullptr && m_kept.scene == sceneOf(scenario) ? m_kept.loose : nullptr;
 }
 
 void IslandDisplay::setShown(bool shown) {
@@ -27,15 +31,14 @@ void IslandDisplay::setShown(bool shown) {
     }
 }
 
-IslandDisplay::Scene IslandDisplay::sceneNow() const {
+IslandDisplay::Scene IslandDisplay::sceneOf(const Scenario& scenario) const {
     const Inputs& inputs = m_computation.inputs();
-    const Scenario& scenario = m_document.scenario();
     const SiteSurface ground = groundBeforeRun(inputs, scenario);
     return {inputs.fe, ground.terrain, scenario.fragments.revival, ground.level, ground.levelHeight};
 }
 
 void IslandDisplay::refresh() {
-    const Scene scene = sceneNow();
+    const Scene scene = sceneOf(m_document.scenario());
     if (!m_shown || m_computation.inputs().fe == nullptr ||
         (m_kept.scene == scene && (m_kept.loose != nullptr || m_worker.busy()))) {
         return;

@@ -21,6 +21,8 @@ public:
 
     /// What views tell apart; null: nothing, or not found yet.
     std::shared_ptr<const LooseStructure> loose() const;
+    /// The same for a run of another scenario; null as well where that has other islands.
+    std::shared_ptr<const LooseStructure> looseOf(const Scenario& scenario) const;
     /// They are looked for.
     bool busy() const { return m_worker.busy(); }
     /// Structure is coloured by island, or no longer.
@@ -48,7 +50,7 @@ private:
         Scene scene;  ///< that was looked through, or is
         std::shared_ptr<const LooseStructure> loose;
     };
-    Scene sceneNow() const;
+    Scene sceneOf(const Scenario& scenario) const;
 
     Document& m_document;
     Computation& m_computation;

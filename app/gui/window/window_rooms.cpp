@@ -92,7 +92,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       pictures(std::make_unique<PictureExport>(session, parts.window)),
       sealing(std::make_unique<CaseSealing>(session, *files, parts.actions, parts.window)),
       report(std::make_unique<ReportWork>(session, *deck, *scene, parts.actions, parts.window)),
-      scenarioPane(std::make_unique<ScenarioPane>(session, parts.area)),
+      scenarioPane(std::make_unique<ScenarioPane>(session, parts.area, *islands)),
       studies(std::make_unique<EvidenceStudies>(session, *deck, parts.actions)),
       evidence(std::make_unique<EvidenceDisplay>(session, *deck, parts.evidencePage, *playback, *scene, parts.actions)),
       survey(std::make_unique<SurveyDisplay>(session, *deck, parts.evidencePage, parts.actions)),

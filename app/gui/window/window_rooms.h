@@ -9,7 +9,7 @@
 #include "app/gui/accuracy/grid_display.h"
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/project_display.h"
-#include "app/gui/case/scenario_pane.h"
+#include "app/gui/views/scenario_pane.h"
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/evidence/evidence_list_display.h"
 #include "app/gui/evidence/evidence_studies.h"

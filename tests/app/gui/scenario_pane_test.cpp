@@ -1,4 +1,4 @@
-#include "app/gui/case/scenario_pane.h"
+#include "app/gui/views/scenario_pane.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +58,19 @@ TEST_F(ScenarioPanes, ShowAnotherScenarioBesideThisOne) {
     // One camera: turning one turns both, also when the FE view has one of its own.
     EXPECT_EQ(&render::cameraOf(views().view(), render::PaneContent::Other),
               &render::cameraOf(views().view(), render::PaneContent::Fragments));
+}
+
+TEST_F(ScenarioPanes, TellIslandsApartInBoth) {
+    goOnWithACopy();
+    QTest::keyClick(window, Qt::Key_7);
+    EXPECT_EQ(views().other().loose, nullptr);
+    render::View view = views().view();
+    view.colourBy = render::ColourBy::Island;
+    window->rooms().scene->setView(view);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views().data().loose != nullptr && views().other().loose != nullptr; }, patience));
+    EXPECT_EQ(views().other().loose, views().data().loose) << "gravity frees nothing";
+    session->document().setParameter(QStringLiteral("revival"), std::string("follow"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views().other().loose == nullptr; }, patience)) << "the other run has other islands";
 }
 
 TEST_F(ScenarioPanes, KeepOneRunOfEachScenario) {

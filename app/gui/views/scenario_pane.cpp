@@ -1,4 +1,4 @@
-#include "app/gui/case/scenario_pane.h"
+#include "app/gui/views/scenario_pane.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -6,33 +6,37 @@
 
 #include "app/gui/session/session.h"
 #include "app/gui/stage/view_area.h"
+#include "app/gui/views/island_display.h"
 #include "widgets/views/scenario_bar.h"
 
 namespace rubble {
 
 namespace {
 
-render::SceneData sceneOf(const RunRecord& record, const Inputs& inputs) {
+render::SceneData sceneOf(const RunRecord& record, const Inputs& inputs, const IslandDisplay& islands) {
     render::SceneData scene;
     scene.fe = inputs.fe;
     scene.components = record.results.components;
     scene.fragments = record.results.fragments;
     scene.clustering = record.results.clustering;
     scene.trajectory = record.reader;
+    scene.loose = islands.looseOf(record.scenario);
     scene.setSurroundings(record.scenario, inputs.terrain, record.outcome.get());
     return scene;
 }
 
 }  // namespace
 
-ScenarioPane::ScenarioPane(Session& session, ViewArea& area, QObject* parent)
+ScenarioPane::ScenarioPane(Session& session, ViewArea& area, const IslandDisplay& islands, QObject* parent)
     : QObject(parent),
       m_session(session),
       m_document(session.document()),
       m_computation(session.computation()),
       m_area(area),
+      m_islands(islands),
       m_kept(session.part<Kept>()) {
     connect(&m_computation, &Computation::otherRunsChanged, this, &ScenarioPane::refresh);
+    connect(&islands, &IslandDisplay::changed, this, [this] { refresh({}); });
     connect(&area.scenarioBar(), &widgets::ScenarioBar::scenarioChosen, this, &ScenarioPane::choose);
     connect(&area.scenarioBar(), &widgets::ScenarioBar::openRequested, this, &ScenarioPane::openKept);
     refresh({});
@@ -60,7 +64,7 @@ void ScenarioPane::refresh(const QString& newest) {
         }
     }
     m_area.scenarioBar().setScenarios(names, chosen != nullptr ? m_kept.chosen : QString());
-    m_area.views().setOther(chosen != nullptr ? sceneOf(*chosen, m_computation.inputs()) : render::SceneData(),
+    m_area.views().setOther(chosen != nullptr ? sceneOf(*chosen, m_computation.inputs(), m_islands) : render::SceneData(),
                             chosen != nullptr ? m_kept.chosen.toStdString() : std::string());
 }
 

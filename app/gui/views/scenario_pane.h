@@ -6,6 +6,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class IslandDisplay;
 class Session;
 class ViewArea;
 
@@ -14,7 +15,8 @@ class ScenarioPane : public QObject {
     Q_OBJECT
 
 public:
-    ScenarioPane(Session& session, ViewArea& area, QObject* parent = nullptr);
+    /// @param islands  tells apart the islands of the other run as well; must outlive the pane
+    ScenarioPane(Session& session, ViewArea& area, const IslandDisplay& islands, QObject* parent = nullptr);
 
     /// Whether the layout has a view for it.
     void setShown(bool shown);
@@ -32,6 +34,7 @@ private:
     Document& m_document;
     Computation& m_computation;
     ViewArea& m_area;
+    const IslandDisplay& m_islands;
     Kept& m_kept;
 };
 

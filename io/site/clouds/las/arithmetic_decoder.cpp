@@ -63,16 +63,19 @@ void SymbolModel::learn() {
     std::uint32_t sum = 0;
     std::uint16_t* parts = table();
     std::uint16_t* const end = m_numbers.data() + m_numbers.size();
+    std::fill(parts, end, std::uint16_t{0});
+    const std::uint32_t beforeNext = (std::uint32_t{1} << m_tableShift) - 1;
     for (std::uint32_t s = 0; s < m_symbols; ++s) {
         from[s] = static_cast<std::uint16_t>((scale * sum) >> (wholeShift - symbolShares));
         sum += count[s];
-        // Parts that begin before this symbol does are of the one before it.
-        std::uint16_t* const begin = table() + ((from[s] + (std::uint32_t{1} << m_tableShift) - 1) >> m_tableShift);
-        for (; parts < begin; ++parts) {
-            *parts = static_cast<std::uint16_t>(s - 1);
-        }
+        // The last symbol that begins in a part or at its beginning counts for the parts that follow.
+        parts[(from[s] + beforeNext) >> m_tableShift] = static_cast<std::uint16_t>(s);
     }
-    std::fill(parts, end, static_cast<std::uint16_t>(m_symbols - 1));
+    std::uint16_t latest = 0;
+    for (; parts < end; ++parts) {
+        latest = std::max(latest, *parts);
+        *parts = latest;
+    }
     m_cycle = std::min(5 * m_cycle / 4, (m_symbols + 6) * 8);
     m_left = m_cycle;
 }

@@ -86,9 +86,11 @@ public:
             ++found;
         }
         const std::uint32_t low = from[found] * unit;
-        const std::uint32_t high = found + 1 == model.m_symbols ? m_length : from[found + 1] * unit;
+        // What is above the last symbol is its as well. By a mask: no processor foretells which symbol it is.
+        const std::uint32_t last = 0U - static_cast<std::uint32_t>(found + 1 == model.m_symbols);
+        const std::uint32_t high = from[found + 1] * unit;
         m_value -= low;
-        m_length = high - low;
+        m_length = (high ^ ((high ^ m_length) & last)) - low;
         widen();
         ++model.counts()[found];
         if (--model.m_left == 0) {
@@ -120,7 +122,7 @@ private:
     }
     /// Takes bytes until the range is wider than 24 bits.
     void widen() {
-        const auto bytes = static_cast<std::uint32_t>(std::countl_zero(m_length)) / 8;
+        const auto bytes = static_cast<std::uint32_t>(std::countl_zero(m_length | 1U)) / 8;
         if (m_bytes->holdsFour()) [[likely]] {
             const std::uint64_t next = std::uint64_t{m_bytes->ahead()} << 8 * bytes;
             m_value = m_value << 8 * bytes | static_cast<std::uint32_t>(next >> 32);

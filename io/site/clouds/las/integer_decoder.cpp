@@ -2,7 +2,8 @@
 
 namespace rubble::io {
 
-IntegerDecoder::IntegerDecoder(std::uint32_t bits, std::uint32_t contexts) : m_bits(bits), m_lengths(contexts) {
+IntegerDecoder::IntegerDecoder(std::uint32_t bits, std::uint32_t contexts)
+    : m_bits(bits), m_mask(~std::uint32_t{0} >> (32 - bits)), m_lengths(contexts) {
     start();
 }
 

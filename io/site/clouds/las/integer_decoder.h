@@ -30,6 +30,7 @@ private:
     /// Bits of a difference that have a model.
     static constexpr std::uint32_t modelledBits = 8;
     std::uint32_t m_bits;
+    std::uint32_t m_mask;  ///< the bits of the numbers
     std::uint32_t m_length = 0;
     std::vector<SymbolModel> m_lengths;
     std::array<SymbolModel, 33> m_differences;  ///< by length, from 1
@@ -43,7 +44,7 @@ inline std::int32_t IntegerDecoder::decode(ArithmeticDecoder& decoder, std::int3
     }
     m_length = decoder.symbol(lengths);
     const std::uint32_t number = static_cast<std::uint32_t>(expected) + difference(decoder);
-    return static_cast<std::int32_t>(m_bits < 32 ? number & ((std::uint32_t{1} << m_bits) - 1) : number);
+    return static_cast<std::int32_t>(number & m_mask);
 }
 
 inline std::uint32_t IntegerDecoder::difference(ArithmeticDecoder& decoder) {
@@ -64,7 +65,8 @@ inline std::uint32_t IntegerDecoder::difference(ArithmeticDecoder& decoder) {
     }
     // Upper half: positive differences; lower half: negative ones.
     const std::uint32_t half = std::uint32_t{1} << (m_length - 1);
-    return code >= half ? code + 1 : code - (2 * half - 1);
+    const std::uint32_t negative = 0U - static_cast<std::uint32_t>(code < half);
+    return code + 1 - (2 * half & negative);
 }
 
 }  // namespace rubble::io

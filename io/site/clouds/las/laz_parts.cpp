@@ -17,6 +17,11 @@ std::int32_t multiple(std::int32_t difference, std::int32_t factor) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(difference) * static_cast<std::uint32_t>(factor));
 }
 
+/// One number if all bits of the mask are set, the other if none is.
+std::int32_t chosen(std::int32_t mask, std::int32_t one, std::int32_t other) {
+    return other ^ ((one ^ other) & mask);
+}
+
 /// A step of a colour foretold by what another did, within a byte.
 std::uint32_t foretold(std::uint32_t last, std::int32_t change) {
     return static_cast<std::uint32_t>(std::clamp(static_cast<std::int32_t>(last) + change, 0, 255));
@@ -25,14 +30,17 @@ std::uint32_t foretold(std::uint32_t last, std::int32_t change) {
 }  // namespace
 
 void RunningMedian::add(std::int32_t number) {
-    // Without branches, since none could foretell them: the four that stay, and the new one carried up to its place.
-    const bool greatest = m_dropGreatest;
-    m_dropGreatest = greatest ? number < m_sorted[2] : number <= m_sorted[2];
+    // By masks: a compiler makes branches of conditions here, and no processor foretells them.
+    const std::int32_t greatest = m_dropGreatest;
+    const std::int32_t middle = m_sorted[2];
+    m_dropGreatest = -static_cast<std::int32_t>((number < middle) | ((number == middle) & (greatest == 0)));
+    // The four that stay, and the new one carried up to its place.
     std::int32_t carried = number;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::int32_t stays = greatest ? m_sorted[i] : m_sorted[i + 1];
-        m_sorted[i] = std::min(stays, carried);
-        carried = std::max(stays, carried);
+        const std::int32_t stays = chosen(greatest, m_sorted[i], m_sorted[i + 1]);
+        const std::int32_t below = -static_cast<std::int32_t>(stays < carried);
+        m_sorted[i] = chosen(below, stays, carried);
+        carried = chosen(below, carried, stays);
     }
     m_sorted[4] = carried;
 }

@@ -17,7 +17,7 @@ public:
 
 private:
     std::array<std::int32_t, 5> m_sorted{};
-    bool m_dropGreatest = true;
+    std::int32_t m_dropGreatest = -1;  ///< all bits: it is; 0: the least is dropped
 };
 
 /// Decodes times of points as multiples of the last difference, of up to four sequences of points that take turns.

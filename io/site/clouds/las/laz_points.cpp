@@ -32,8 +32,8 @@ constexpr std::array<std::array<std::uint8_t, 8>, 8> echoKinds{{{15, 14, 13, 12,
                                                                 {8, 9, 10, 11, 12, 13, 14, 15}}};
 
 /// An even number of bits, at most so many, and one more for single echoes.
-std::uint32_t lengthContext(std::uint32_t bits, std::uint32_t most, bool single) {
-    return std::min(bits & ~1U, most) + (single ? 1 : 0);
+std::uint32_t lengthContext(std::uint32_t bits, std::uint32_t most, std::uint32_t single) {
+    return std::min(bits & ~1U, most) + single;
 }
 
 }  // namespace
@@ -103,40 +103,50 @@ std::uint32_t LazPoints::byContext(ArithmeticDecoder& decoder, std::vector<Symbo
 }
 
 void LazPoints::decode(ArithmeticDecoder& decoder, unsigned char* record) {
+    decodeMarks(decoder);
+    decodeX(decoder);
+    decodeY(decoder);
+    decodeHeight(decoder);
+    decodeTime(decoder);
+    decodeColour(decoder);
+    decodeRest(decoder);
+    std::copy(m_last.begin(), m_last.end(), record);
+}
+
+void LazPoints::decodeBoth(std::array<LazPoints*, 2> points, std::array<ArithmeticDecoder*, 2> decoders,
+                           std::array<unsigned char*, 2> records) {
+    const auto each = [&](auto step) {
+        (points[0]->*step)(*decoders[0]);
+        (points[1]->*step)(*decoders[1]);
+    };
+    each(&LazPoints::decodeMarks);
+    each(&LazPoints::decodeX);
+    each(&LazPoints::decodeY);
+    each(&LazPoints::decodeHeight);
+    each(&LazPoints::decodeTime);
+    each(&LazPoints::decodeColour);
+    each(&LazPoints::decodeRest);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        std::copy(points[k]->m_last.begin(), points[k]->m_last.end(), records[k]);
+    }
+}
+
+void LazPoints::decodeMarks(ArithmeticDecoder& decoder) {
     const std::uint32_t changed = decoder.symbol(m_changed);
     if ((changed & 32) != 0) {
         m_last[echoesAt] = static_cast<unsigned char>(byContext(decoder, m_echoes, m_last[echoesAt]));
     }
     const std::uint32_t echo = m_last[echoesAt] & 7;
     const std::uint32_t echoes = m_last[echoesAt] >> 3 & 7;
-    const std::uint32_t kind = echoKinds[echoes][echo];
+    m_echo = {echoKinds[echoes][echo], echo > echoes ? echo - echoes : echoes - echo, echoes == 1 ? 1U : 0U};
     if (changed != 0) {
-        std::uint16_t& intensity = m_intensities[kind];
+        std::uint16_t& intensity = m_intensities[m_echo.kind];
         if ((changed & 16) != 0) {
-            intensity = static_cast<std::uint16_t>(m_intensity.decode(decoder, intensity, std::min(kind, 3U)));
+            intensity = static_cast<std::uint16_t>(m_intensity.decode(decoder, intensity, std::min(m_echo.kind, 3U)));
         }
         putAt(&m_last[intensityAt], intensity);
         decodeChanged(decoder, changed);
     }
-    decodePlace(decoder, kind, echoes == 1);
-    std::int32_t& height = m_heights[echo > echoes ? echo - echoes : echoes - echo];
-    height = m_z.decode(decoder, height, lengthContext((m_x.length() + m_y.length()) / 2, 18, echoes == 1));
-    putAt(&m_last[8], height);
-    if (m_layout.time >= 0) {
-        putAt(&m_last[static_cast<std::size_t>(m_layout.time)], m_times.decode(decoder));
-    }
-    if (m_layout.colour >= 0) {
-        unsigned char* colour = &m_last[static_cast<std::size_t>(m_layout.colour)];
-        putAt(colour, m_colours.decode(decoder, littleAt<LazColours::Colour>(colour)));
-    }
-    if (m_layout.waves >= 0) {
-        decodeWave(decoder);
-    }
-    for (std::size_t e = 0; e < m_extra.size(); ++e) {
-        unsigned char& byte = m_last[m_layout.bytes + e];
-        byte = static_cast<unsigned char>(byte + decoder.symbol(m_extra[e]));
-    }
-    std::copy(m_last.begin(), m_last.end(), record);
 }
 
 void LazPoints::decodeChanged(ArithmeticDecoder& decoder, std::uint32_t changed) {
@@ -156,16 +166,51 @@ void LazPoints::decodeChanged(ArithmeticDecoder& decoder, std::uint32_t changed)
     }
 }
 
-void LazPoints::decodePlace(ArithmeticDecoder& decoder, std::uint32_t kind, bool single) {
-    const auto moved = [&](std::size_t at, std::int32_t step) {
-        putAt(&m_last[at], littleAt<std::uint32_t>(&m_last[at]) + static_cast<std::uint32_t>(step));
-    };
-    const std::int32_t stepX = m_x.decode(decoder, m_stepsX[kind].median(), single ? 1 : 0);
-    m_stepsX[kind].add(stepX);
-    moved(0, stepX);
-    const std::int32_t stepY = m_y.decode(decoder, m_stepsY[kind].median(), lengthContext(m_x.length(), 20, single));
-    m_stepsY[kind].add(stepY);
-    moved(4, stepY);
+void LazPoints::move(std::size_t at, std::int32_t step) {
+    putAt(&m_last[at], littleAt<std::uint32_t>(&m_last[at]) + static_cast<std::uint32_t>(step));
+}
+
+void LazPoints::decodeX(ArithmeticDecoder& decoder) {
+    RunningMedian& steps = m_stepsX[m_echo.kind];
+    const std::int32_t step = m_x.decode(decoder, steps.median(), m_echo.single);
+    steps.add(step);
+    move(0, step);
+}
+
+void LazPoints::decodeY(ArithmeticDecoder& decoder) {
+    RunningMedian& steps = m_stepsY[m_echo.kind];
+    const std::int32_t step = m_y.decode(decoder, steps.median(), lengthContext(m_x.length(), 20, m_echo.single));
+    steps.add(step);
+    move(4, step);
+}
+
+void LazPoints::decodeHeight(ArithmeticDecoder& decoder) {
+    std::int32_t& height = m_heights[m_echo.level];
+    height = m_z.decode(decoder, height, lengthContext((m_x.length() + m_y.length()) / 2, 18, m_echo.single));
+    putAt(&m_last[8], height);
+}
+
+void LazPoints::decodeTime(ArithmeticDecoder& decoder) {
+    if (m_layout.time >= 0) {
+        putAt(&m_last[static_cast<std::size_t>(m_layout.time)], m_times.decode(decoder));
+    }
+}
+
+void LazPoints::decodeColour(ArithmeticDecoder& decoder) {
+    if (m_layout.colour >= 0) {
+        unsigned char* colour = &m_last[static_cast<std::size_t>(m_layout.colour)];
+        putAt(colour, m_colours.decode(decoder, littleAt<LazColours::Colour>(colour)));
+    }
+}
+
+void LazPoints::decodeRest(ArithmeticDecoder& decoder) {
+    if (m_layout.waves >= 0) {
+        decodeWave(decoder);
+    }
+    for (std::size_t e = 0; e < m_extra.size(); ++e) {
+        unsigned char& byte = m_last[m_layout.bytes + e];
+        byte = static_cast<unsigned char>(byte + decoder.symbol(m_extra[e]));
+    }
 }
 
 void LazPoints::decodeWave(ArithmeticDecoder& decoder) {

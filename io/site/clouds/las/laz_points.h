@@ -19,14 +19,34 @@ public:
     void start(const unsigned char* first);
     /// Writes the record of the next point.
     void decode(ArithmeticDecoder& decoder, unsigned char* record);
+    /// The same of two chunks at once. Each number waits for the one before it in its chunk only, so that a processor works on
+    /// both.
+    static void decodeBoth(std::array<LazPoints*, 2> points, std::array<ArithmeticDecoder*, 2> decoders,
+                           std::array<unsigned char*, 2> records);
 
 private:
-    void decodePlace(ArithmeticDecoder& decoder, std::uint32_t echo, bool single);
+    // The steps of a point in their order.
+    void decodeMarks(ArithmeticDecoder& decoder);
+    void decodeX(ArithmeticDecoder& decoder);
+    void decodeY(ArithmeticDecoder& decoder);
+    void decodeHeight(ArithmeticDecoder& decoder);
+    void decodeTime(ArithmeticDecoder& decoder);
+    void decodeColour(ArithmeticDecoder& decoder);
+    void decodeRest(ArithmeticDecoder& decoder);
+
+    void move(std::size_t at, std::int32_t step);
     void decodeChanged(ArithmeticDecoder& decoder, std::uint32_t changed);
     void decodeWave(ArithmeticDecoder& decoder);
     std::uint32_t byContext(ArithmeticDecoder& decoder, std::vector<SymbolModel>& models, unsigned char context);
 
+    /// How an echo is expected to lie: its kind by number and echoes, its level below the last one, whether it is the only one.
+    struct Echo {
+        std::uint32_t kind = 0;
+        std::uint32_t level = 0;
+        std::uint32_t single = 0;  ///< 1: it is
+    };
     LasLayout m_layout;
+    Echo m_echo;
     std::vector<unsigned char> m_last;  ///< record of the last point; its intensity is 0 before the second one
 
     SymbolModel m_changed;

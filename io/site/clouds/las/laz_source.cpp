@@ -38,16 +38,16 @@ public:
     bool next(CloudBlock& block, const Execution& execution) override {
         execution.check();
         const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(m_left, cloudBlockPoints));
-        const std::size_t count = fitsThreads(execution) ? takeUnpacked(block, most, execution.threads()) : unpack(block, most);
+        const std::size_t count = fitsMemory() ? takeUnpacked(block, most, execution.threads()) : unpack(block, most);
         m_left -= count;
         return count > 0;
     }
 
 private:
-    /// Chunks that a table names are unpacked by all threads; larger ones than usual would take too much memory.
-    bool fitsThreads(const Execution& execution) const {
-        constexpr std::uint64_t bytesMost = std::uint64_t{16} << 20;
-        return !m_chunks.empty() && execution.threads() > 1 && m_largest * m_las.recordBytes <= bytesMost;
+    /// Chunks that a table names are unpacked two at a time by each thread; larger ones than usual would take too much memory.
+    bool fitsMemory() const {
+        constexpr std::uint64_t bytesMost = std::uint64_t{8} << 20;
+        return !m_chunks.empty() && m_largest * m_las.recordBytes <= bytesMost;
     }
 
     /// Points of the chunks that were unpacked together; unpacks the next ones if there are none left.
@@ -72,7 +72,7 @@ private:
 
     void unpackTogether(std::size_t threads) {
         std::vector<LazChunk> chunks;
-        for (; chunks.size() < threads && m_nextChunk < m_chunks.size(); ++m_nextChunk) {
+        for (; chunks.size() < 2 * threads && m_nextChunk < m_chunks.size(); ++m_nextChunk) {
             if (m_chunks[m_nextChunk].points > 0) {
                 chunks.push_back(m_chunks[m_nextChunk]);
             }
@@ -80,18 +80,29 @@ private:
         while (m_unpackers.size() < chunks.size()) {
             m_unpackers.push_back(std::make_unique<LazUnpacker>(*m_file, m_las, m_packing));
         }
-        std::vector<std::optional<std::vector<unsigned char>>> made(chunks.size());
+        std::vector<LazRecords> made(chunks.size());
         std::vector<std::exception_ptr> failures(chunks.size());
+        const auto work = [&](std::size_t c) {
+            try {
+                if (c + 1 == chunks.size()) {
+                    made[c] = m_unpackers[c]->unpack(chunks[c]);
+                } else {
+                    std::array<LazRecords, 2> both =
+                        LazUnpacker::unpackBoth({m_unpackers[c].get(), m_unpackers[c + 1].get()}, {chunks[c], chunks[c + 1]});
+                    made[c] = std::move(both[0]);
+                    made[c + 1] = std::move(both[1]);
+                }
+            } catch (...) {
+                failures[c] = std::current_exception();
+            }
+        };
         {
             std::vector<std::jthread> workers;
-            for (std::size_t c = 0; c < chunks.size(); ++c) {
-                workers.emplace_back([&, c] {
-                    try {
-                        made[c] = m_unpackers[c]->unpack(chunks[c]);
-                    } catch (...) {
-                        failures[c] = std::current_exception();
-                    }
-                });
+            for (std::size_t c = 2; c < chunks.size(); c += 2) {
+                workers.emplace_back([&work, c] { work(c); });
+            }
+            if (!chunks.empty()) {
+                work(0);
             }
         }
         std::size_t sound = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "io/site/clouds/las/laz_points.h"
 
 namespace rubble::io {
+
+/// Records of the points of a chunk; nothing: it is damaged.
+using LazRecords = std::optional<std::vector<unsigned char>>;
 
 /// Unpacks the points of one chunk after another, whichever way they are packed.
 class LazUnpacker {
@@ -27,8 +31,10 @@ public:
     /// Behind the chunk, once all its points are unpacked.
     std::uint64_t end() const { return m_layered ? m_layers.end() : m_bytes->position(); }
 
-    /// All records of a chunk that a table names; nothing: it is damaged.
-    std::optional<std::vector<unsigned char>> unpack(LazChunk chunk);
+    /// All records of a chunk that a table names.
+    LazRecords unpack(LazChunk chunk);
+    /// The same of two chunks, by an unpacker each, in less time than one after the other.
+    static std::array<LazRecords, 2> unpackBoth(std::array<LazUnpacker*, 2> unpackers, std::array<LazChunk, 2> chunks);
 
 private:
     const CloudFile& m_file;

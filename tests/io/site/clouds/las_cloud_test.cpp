@@ -291,6 +291,40 @@ TEST_F(LasCloud, ThreadsUnpackWhatOneDoes) {
     }
 }
 
+/// A LAZ of one chunk with that chunk three times, and the table of three chunks of 17,191 bytes as LASzip codes it.
+CloudBytes threeChunks() {
+    CloudBytes bytes = contentOfCloud(publicCloud("point-time-color.laz"));
+    constexpr std::size_t chunkBytes = 17'191;
+    std::uint32_t start = 0;
+    std::memcpy(&start, &bytes[96], sizeof start);
+    const std::string packer = "laszip encoded";
+    const auto user = std::search(bytes.begin(), bytes.end(), packer.begin(), packer.end());
+    // Points of a chunk stand 12 bytes behind the head of the record, which has 52 bytes from its user on.
+    putNumber(bytes, static_cast<std::size_t>(user - bytes.begin()) + 52 + 12, std::uint32_t{1065});
+    putNumber(bytes, 107, std::uint32_t{3 * 1065});
+    putNumber(bytes, start, std::uint64_t{start + 8 + 3 * chunkBytes});
+    bytes.resize(start + 8 + chunkBytes);
+    const CloudBytes chunk(bytes.end() - chunkBytes, bytes.end());
+    bytes.insert(bytes.end(), chunk.begin(), chunk.end());
+    bytes.insert(bytes.end(), chunk.begin(), chunk.end());
+    bytes.insert(bytes.end(), {0, 0, 0, 0, 3, 0, 0, 0, 0x78, 0x6d, 0x5c, 0x44, 1, 0, 0, 0});
+    return bytes;
+}
+
+TEST_F(LasCloud, ChunksThatAreUnpackedTogetherDoNotMix) {
+    const WholeCloud one = readCloud(publicCloud("point-time-color.laz"));
+    const WholeCloud three = readCloud(layCloud(m_folder / "three.laz", threeChunks()));
+    EXPECT_EQ(three.summary.findings.count("cloud.laz_table_missing"), 0);
+    ASSERT_EQ(three.points.size(), 3195u);
+    for (std::size_t i = 0; i < three.points.size(); ++i) {
+        ASSERT_EQ(three.points.places[i], one.points.places[i % 1065]) << i;
+        ASSERT_EQ(three.points.times[i], one.points.times[i % 1065]) << i;
+        ASSERT_EQ(three.points.colours[i], one.points.colours[i % 1065]) << i;
+        ASSERT_EQ(three.points.intensity[i], one.points.intensity[i % 1065]) << i;
+        ASSERT_EQ(three.points.classes[i], one.points.classes[i % 1065]) << i;
+    }
+}
+
 TEST_F(LasCloud, ATableOfChunksThatIsGoneCostsNoPoint) {
     for (const char* name : {"point-time-color.laz", "1.2-with-color.copc.laz"}) {
         CloudBytes bytes = contentOfCloud(publicCloud(name));

@@ -16,6 +16,8 @@
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
+#include "io/site/meshes/gltf_file.h"
+#include "io/site/raster_file.h"
 
 namespace rubble::io {
 
@@ -34,11 +36,33 @@ bool isCompanion(const std::string& name, const fs::path& of) {
     });
 }
 
+/// What a file is read from beside itself: the buffers of a glTF, the rasters of a mosaic. Nothing where it cannot be read.
+std::vector<std::string> filesNamedBy(const std::string& path, InputRole role) {
+    try {
+        if (role == InputRole::Surroundings) {
+            return hasEnding(path, ".gltf") ? GltfFile(path).files() : std::vector<std::string>();
+        }
+        if (role != InputRole::Photograph) {
+            return RasterFile(path, role == InputRole::Orthophoto ? RasterFile::Holds::Colours : RasterFile::Holds::Heights)
+                .files();
+        }
+    } catch (const Error&) {
+        // Of a mesh, a cloud or an outline there is no raster; what is damaged travels as it is.
+    }
+    return {};
+}
+
 std::vector<std::string> filesOfInput(const std::string& path, InputRole role) {
     if (role == InputRole::Fe) {
         return feFiles(path);
     }
     std::vector<std::string> files{path};
+    std::error_code gone;
+    for (const std::string& named : filesNamedBy(path, role)) {
+        if (!fs::equivalent(named, path, gone) && fs::is_regular_file(named, gone)) {
+            files.push_back(named);
+        }
+    }
     std::error_code ignored;
     for (fs::directory_iterator it(fs::path(path).parent_path(), ignored), end; it != end; it.increment(ignored)) {
         if (it->is_regular_file(ignored) && isCompanion(it->path().filename().string(), path)) {
@@ -46,6 +70,7 @@ std::vector<std::string> filesOfInput(const std::string& path, InputRole role) {
         }
     }
     std::sort(files.begin() + 1, files.end());
+    files.erase(std::unique(files.begin() + 1, files.end()), files.end());
     return files;
 }
 

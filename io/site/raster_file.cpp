@@ -124,6 +124,17 @@ RasterFile::RasterFile(const std::string& path, Holds what, const std::string& s
     readUnits();
 }
 
+std::vector<std::string> RasterFile::files() const {
+    const GdalSession session;
+    char** const names = m_handles->dataset->GetFileList();
+    std::vector<std::string> files;
+    for (int i = 0; i < CSLCount(names); ++i) {
+        files.emplace_back(names[i]);
+    }
+    CSLDestroy(names);
+    return files;
+}
+
 void RasterFile::checkLength() const {
     // GDAL looks for each missing row of a text from its beginning.
     const std::string format = m_handles->dataset->GetDriverName();

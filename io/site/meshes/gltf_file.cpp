@@ -82,10 +82,12 @@ std::string pathIn(std::string_view uri) {
     return path;
 }
 
-std::string bytesOfBuffer(const JsonCursor& buffer, const std::string& path) {
+/// @param files  gets the file that the buffer lies in, if it has one of its own
+std::string bytesOfBuffer(const JsonCursor& buffer, const std::string& path, std::vector<std::string>& files) {
     const std::string uri = buffer["uri"].text();
     if (!uri.starts_with("data:")) {
-        return wholeFile((std::filesystem::path(path).parent_path() / pathIn(uri)).string());
+        files.push_back((std::filesystem::path(path).parent_path() / pathIn(uri)).string());
+        return wholeFile(files.back());
     }
     const std::size_t comma = uri.find(',');
     std::string bytes;
@@ -161,7 +163,7 @@ void GltfFile::readBuffers(const std::string& path, std::string binary) {
     }
     for (const JsonCursor& buffer : top()["buffers"].elements()) {
         const bool own = m_buffers.empty() && !buffer.has("uri");
-        std::string bytes = own ? std::exchange(binary, {}) : bytesOfBuffer(buffer, path);
+        std::string bytes = own ? std::exchange(binary, {}) : bytesOfBuffer(buffer, path, m_files);
         const std::size_t length = sizeAt(buffer, "byteLength", 0);
         if (length > bytes.size()) {
             refuseContent({"surroundings.buffer_cut",

@@ -176,6 +176,33 @@ TEST_F(FeConversion, AFolderOfSomebodyElseIsNeverReplaced) {
     EXPECT_EQ(namesIn(m_folder.path()), std::vector<std::string>{"thesis"});
 }
 
+TEST_F(FeConversion, ATableOfBodiesIsRefusedWhereItsBodiesWouldNoLongerBeKnown) {
+    std::ofstream(m_folder / "boxes.csv") << "id,mass_kg,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m\na,2400,1,1,1,0,0,5\n";
+    std::ofstream(m_folder / "stone.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    std::ofstream(m_folder / "hulls.csv") << "id,mass_kg,mesh,x_m,y_m,z_m\na,400,stone.obj,0,0,5\n";
+    const auto boxes = openFe(m_folder / "boxes.csv", {}, {}, Execution{});
+    const auto hulls = openFe(m_folder / "hulls.csv", {}, {}, Execution{});
+    const auto refused = [&](const FeResult& fe, const std::string& ending) {
+        const std::string path = m_folder / "kept" + ending;
+        try {
+            convertFe(fe, {}, path, false, Execution{});
+        } catch (const UsageError& error) {
+            EXPECT_EQ(error.message().id, "convert.bodies");
+            EXPECT_FALSE(error.remedy().empty());
+            EXPECT_FALSE(fs::exists(path));
+            return true;
+        }
+        return false;
+    };
+    for (const char* ending : {".h5", ".exo", ".pvd"}) {
+        EXPECT_TRUE(refused(*hulls, ending)) << ending;
+    }
+    EXPECT_TRUE(refused(*boxes, ".h5"));
+    // A box is one element: other programs see what it is.
+    EXPECT_FALSE(refused(*boxes, ".exo"));
+    EXPECT_EQ(openFe(m_folder / "kept.exo", {}, {}, Execution{})->mesh().elementCount(), 1u);
+}
+
 TEST_F(FeConversion, AResultIsNeverWrittenOverItself) {
     convertFe(*m_fe, {}, m_folder / "own.pvd", false, Execution{});
     convertFe(*m_fe, {}, m_folder / "own.h5", false, Execution{});

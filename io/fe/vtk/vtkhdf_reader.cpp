@@ -119,7 +119,7 @@ private:
         m_times = m_file.reals(steps + "/Values", 0, m_file.shape(steps + "/Values").rows);
         m_steps.resize(m_times.size());
         fill("Steps/PartOffsets", [](Step& step) -> std::int64_t& { return step.part; });
-        fill("Steps/NumberOfParts", [](Step& step) -> std::int64_t& { return step.parts; });
+        countParts();
         fill("Steps/PointOffsets", [](Step& step) -> std::int64_t& { return step.point; });
         fill("Steps/CellOffsets", [](Step& step) -> std::int64_t& { return step.cell; });
         fill("Steps/ConnectivityIdOffsets", [](Step& step) -> std::int64_t& { return step.entry; });
@@ -130,6 +130,21 @@ private:
             fill("Steps/CellDataOffsets/" + name, [&](Step& step) -> std::int64_t& { return step.cellArrays[name]; });
         }
         requireParts();
+    }
+
+    /// States that do not say how many partitions they have take all up to those that follow.
+    void countParts() {
+        if (m_file.has(root + "/Steps/NumberOfParts")) {
+            fill("Steps/NumberOfParts", [](Step& step) -> std::int64_t& { return step.parts; });
+            return;
+        }
+        auto end = static_cast<std::int64_t>(m_points.size());
+        for (std::size_t k = m_steps.size(); k-- > 0;) {
+            if (k + 1 < m_steps.size() && m_steps[k].part < m_steps[k + 1].part) {
+                end = m_steps[k + 1].part;
+            }
+            m_steps[k].parts = end - m_steps[k].part;
+        }
     }
 
     template <class Member>

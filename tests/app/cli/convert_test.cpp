@@ -1,10 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
@@ -105,13 +107,61 @@ TEST_F(Convert, CachedResultsAreTheSameAndListed) {
     EXPECT_EQ(run({"cache", "list", "--json"}).json()["bytes"], 0);
 }
 
-TEST_F(Convert, FollowSaysWhatHasCome) {
-    const auto writeUpTo = [&](std::size_t states) {
-        io::ExodusBuilder builder = smallCollapse();
-        builder.times.resize(states);
-        builder.write(m_folder / "next");
-        fs::rename(m_folder / "next", m_folder / "growing.exo");
-    };
+/// A result of so many states, replaced by the test while another process follows it.
+struct Followed {
+    std::string name;
+    std::string opened;
+    std::function<void(const io::TemporaryFolder& folder, std::size_t states)> write;
+};
+
+void PrintTo(const Followed& followed, std::ostream* out) {
+    *out << followed.name;
+}
+
+class FollowedConvert : public Convert, public testing::WithParamInterface<Followed> {};
+
+void followExodus(const io::TemporaryFolder& folder, std::size_t states) {
+    io::ExodusBuilder builder = smallCollapse();
+    builder.times.resize(states);
+    builder.write(folder / "next");
+    fs::rename(folder / "next", folder / "growing.exo");
+}
+
+/// Files of all states lie in another folder; those of the first ones are taken over.
+void followGrids(const io::TemporaryFolder& folder, std::size_t states) {
+    if (!fs::exists(folder / "all.pvd")) {
+        ASSERT_EQ(cli({"convert", folder / "small.exo", folder / "all.pvd"}).exitCode, 0);
+        fs::create_directory(folder / "growing");
+    }
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+        if (entry.path().extension() == ".vtu" && entry.path().parent_path().filename() != "growing") {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    ASSERT_EQ(files.size(), 6u);
+    for (std::size_t k = 0; k < states; ++k) {
+        const fs::path file = fs::path(folder / "growing") / ("s" + std::to_string(k) + ".vtu");
+        if (!fs::exists(file)) {
+            fs::copy_file(files[k], folder / "next");
+            fs::rename(folder / "next", file);
+        }
+    }
+}
+
+void followIndex(const io::TemporaryFolder& folder, std::size_t states) {
+    followGrids(folder, states);
+    std::string text = "<VTKFile type=\"Collection\"><Collection>";
+    for (std::size_t k = 0; k < states; ++k) {
+        text += "<DataSet timestep=\"0." + std::to_string(k) + "\" file=\"growing/s" + std::to_string(k) + ".vtu\"/>";
+    }
+    std::ofstream(folder / "next") << text << "</Collection></VTKFile>";
+    fs::rename(folder / "next", folder / "growing.pvd");
+}
+
+TEST_P(FollowedConvert, SaysWhatHasCome) {
+    const auto writeUpTo = [&](std::size_t states) { GetParam().write(m_folder, states); };
     writeUpTo(3);
     const std::string out = m_folder / "out.txt", table = m_folder / "table.csv";
     bool grown = false, stopped = false;
@@ -124,7 +174,7 @@ TEST_F(Convert, FollowSaysWhatHasCome) {
                     writeUpTo(6);
                     grown = true;
                 }
-                const bool told = grown && textOf(out).find("+3 states") != std::string::npos;
+                const bool told = grown && textOf(out).find("now 6 states") != std::string::npos;
                 if (!stopped && (told || std::chrono::steady_clock::now() - begun > std::chrono::minutes(2))) {
                     // A second one would end the program at once.
                     stopped = true;
@@ -132,10 +182,17 @@ TEST_F(Convert, FollowSaysWhatHasCome) {
                 }
             })
             .run({"sh", "-c",
-                  "exec " + cliPath() + " inspect " + m_folder / "growing.exo" + " --follow 0.1 --csv " + table + " > " + out});
+                  "exec " + cliPath() + " inspect " + m_folder / GetParam().opened + " --follow 0.1 --csv " + table + " > " + out});
     EXPECT_EQ(outcome.exitCode, 3) << outcome.err;
-    EXPECT_THAT(textOf(out), HasSubstr("+3 states, 0 dead: now 6 states to 0.5 s"));
+    EXPECT_THAT(textOf(out), HasSubstr("states, 0 dead: now 6 states to "));
+    EXPECT_THAT(textOf(out), HasSubstr(GetParam().name == "Grids" ? "" : "now 6 states to 0.5 s"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Formats, FollowedConvert,
+                         testing::Values(Followed{"Exodus", "growing.exo", followExodus},
+                                         Followed{"Grids", "growing/s0.vtu", followGrids},
+                                         Followed{"Index", "growing.pvd", followIndex}),
+                         [](const auto& followed) { return followed.param.name; });
 
 }  // namespace
 

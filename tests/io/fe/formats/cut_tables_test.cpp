@@ -12,6 +12,7 @@
 #include "io/fe/fe_reader.h"
 #include "io/fe/vtk/vtkhdf_reader.h"
 #include "io/fe/xdmf/xdmf_reader.h"
+#include "tests/io/fe/formats/vtkhdf_builder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -32,62 +33,6 @@ protected:
         return values;
     }
     static std::vector<int> corners() { return {0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10}; }
-
-    template <class T>
-    static void table(hid_t file, const std::string& name, const std::vector<T>& values, hsize_t columns = 1) {
-        const std::vector<hsize_t> extent =
-            columns > 1 ? std::vector<hsize_t>{values.size() / columns, columns} : std::vector<hsize_t>{values.size()};
-        const hid_t type = std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE
-                           : std::is_same_v<T, int>  ? H5T_NATIVE_INT
-                                                     : H5T_NATIVE_UCHAR;
-        const Hdf5Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
-        const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-        H5Pset_create_intermediate_group(links.get(), 1);
-        const Hdf5Handle set(H5Dcreate2(file, name.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-        ASSERT_GE(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
-    }
-
-    static void attribute(hid_t group, const char* name, hid_t type, const std::vector<int>& values, const void* bytes) {
-        const hsize_t count = values.size();
-        const Hdf5Handle space(count > 1 ? H5Screate_simple(1, &count, nullptr) : H5Screate(H5S_SCALAR), H5Sclose);
-        const Hdf5Handle made(H5Acreate2(group, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-        ASSERT_GE(H5Awrite(made.get(), type, bytes), 0);
-    }
-
-    static Hdf5Handle create(const std::string& path) {
-        const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-        H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-        return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose};
-    }
-
-    static void writeVtkHdf(const std::string& path) {
-        const Hdf5Handle file = create(path);
-        const Hdf5Handle grid(H5Gcreate2(file.get(), "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-        const Hdf5Handle steps(H5Gcreate2(file.get(), "VTKHDF/Steps", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-        const std::vector<int> version{2, 0}, states{2};
-        attribute(grid.get(), "Version", H5T_NATIVE_INT, version, version.data());
-        const Hdf5Handle word(H5Tcopy(H5T_C_S1), H5Tclose);
-        H5Tset_size(word.get(), 16);
-        attribute(grid.get(), "Type", word.get(), {0}, "UnstructuredGrid");
-        attribute(steps.get(), "NSteps", H5T_NATIVE_INT, states, states.data());
-        const auto put = [&](const char* name, const auto& values, hsize_t columns = 1) {
-            table(file.get(), std::string("/VTKHDF/") + name, values, columns);
-        };
-        put("NumberOfPoints", std::vector<int>{nodes});
-        put("NumberOfCells", std::vector<int>{2});
-        put("NumberOfConnectivityIds", std::vector<int>{16});
-        put("Points", places(), 3);
-        put("Connectivity", corners());
-        put("Offsets", std::vector<int>{0, 8, 16});
-        put("Types", std::vector<unsigned char>{12, 12});
-        put("CellData/STATUS", std::vector<int>{1, 1, 1, 0});
-        put("Steps/Values", std::vector<double>{0.0, 1.0});
-        put("Steps/CellDataOffsets/STATUS", std::vector<int>{0, 2});
-        for (const char* name : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"}) {
-            put((std::string("Steps/") + name).c_str(), std::vector<int>{0, 0});
-        }
-        put("Steps/NumberOfParts", std::vector<int>{1, 1});
-    }
 
     // Values in a file of tables beside it, or in the text itself.
     static std::string xdmf(const std::string& tables) {
@@ -115,11 +60,11 @@ protected:
     }
 
     static void writeTables(const std::string& path) {
-        const Hdf5Handle file = create(path);
-        table(file.get(), "/corners", corners(), 8);
-        table(file.get(), "/places", places(), 3);
-        table(file.get(), "/status0", std::vector<int>{1, 1});
-        table(file.get(), "/status1", std::vector<int>{1, 0});
+        const Hdf5Handle file = createTables(path);
+        putTable(file.get(), "/corners", corners(), 8);
+        putTable(file.get(), "/places", places(), 3);
+        putTable(file.get(), "/status0", std::vector<int>{1, 1});
+        putTable(file.get(), "/status1", std::vector<int>{1, 0});
     }
 
     using Read = FeResult::Contents (*)(const std::string& path, const ImportSettings& settings, const Execution& execution);
@@ -149,7 +94,7 @@ protected:
 };
 
 TEST_F(CutTables, VtkHdfIsRefusedAtEveryByte) {
-    writeVtkHdf(m_folder / "small.vtkhdf");
+    writeVtkHdf(m_folder / "small.vtkhdf", {.parts = {{.bricks = {0, 1}}}, .status = {{1, 1}, {1, 0}}});
     expectRefusalAtEveryByte(m_folder / "small.vtkhdf", m_folder / "small.vtkhdf", readVtkHdf);
 }
 

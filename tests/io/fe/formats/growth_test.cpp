@@ -8,6 +8,7 @@
 #include "io/fe/fe_reader.h"
 #include "tests/io/fe/d3plot/d3plot_builder.h"
 #include "tests/io/fe/formats/small_results.h"
+#include "tests/io/fe/formats/vtkhdf_builder.h"
 #include "tests/io/fe/med/med_builder.h"
 #include "tests/io/fe/opensees/mpco_builder.h"
 #include "tests/io/fe/pieces/brick_row.h"
@@ -73,6 +74,77 @@ void growPvd(const TemporaryFolder& folder, int states) {
     writeContent(folder / "wall.pvd", pvd(lines));
 }
 
+// Entries of one time are the pieces of a state, each with an index of its own.
+void growPieces(const TemporaryFolder& folder, int states) {
+    std::vector<std::vector<std::string>> lines;
+    for (int k = 0; k < states; ++k) {
+        const std::string name = "wall_" + std::to_string(k);
+        writeContent(folder / (name + "_0.vtu"), BrickRow{.bricks = {0}, .status = {1}}.vtu());
+        writeContent(folder / (name + "_1.vtu"), BrickRow{.bricks = {1}, .status = {k < 2 ? 1 : 0}}.vtu());
+        writeContent(folder / (name + ".pvtu"), pvtu({name + "_0.vtu", name + "_1.vtu"}));
+        lines.push_back({std::to_string(k), "0", name + ".pvtu"});
+    }
+    writeContent(folder / "wall.pvd", pvd(lines));
+}
+
+void growSeriesFile(const TemporaryFolder& folder, int states) {
+    growGrids(folder, states);
+    std::string text = R"({"file-series-version":"1.0","files":[)";
+    for (int k = 0; k < states; ++k) {
+        text +=
+            std::string(k > 0 ? "," : "") + R"({"name":"wall_)" + std::to_string(k) + R"(.vtu","time":)" + std::to_string(k) + "}";
+    }
+    writeContent(folder / "wall.vtu.series", text + "]}");
+}
+
+// Two bricks as legacy VTK, with what the converter of OpenRadioss writes if it is asked for.
+std::string legacyBricks(int state, bool converted) {
+    const std::string alive = "1 " + std::to_string(state < 2 ? 1 : 0);
+    const std::string time = std::to_string(state) + ".0";
+    return "# vtk DataFile Version 3.0\nsmall\nASCII\nDATASET UNSTRUCTURED_GRID\n" +
+           (converted ? "FIELD FieldData 2\nTIME 1 1 double\n" + time + "\nCYCLE 1 1 int\n" + std::to_string(state) + "\n"
+                      : "FIELD FieldData 1\nTimeValue 1 1 double\n" + time + "\n") +
+           "POINTS 12 float\n0 0 0 0 1 0 0 1 1 0 0 1 1 0 0 1 1 0 1 1 1 1 0 1 2 0 0 2 1 0 2 1 1 2 0 1\n\n"
+           "CELLS 2 18\n8 0 4 5 1 3 7 6 2\n8 4 8 9 5 7 11 10 6\n\nCELL_TYPES 2\n12\n12\n\n" +
+           (converted ? "POINT_DATA 12\nSCALARS NODE_ID int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8 9 10 11 12\n" : "") +
+           "CELL_DATA 2\n" +
+           (converted ? "SCALARS ELEMENT_ID int 1\nLOOKUP_TABLE default\n1 2\nSCALARS PART_ID int 1\nLOOKUP_TABLE default\n1 1\n"
+                        "SCALARS EROSION_STATUS int 1\nLOOKUP_TABLE default\n" +
+                            alive + "\n"
+                      : "SCALARS STATUS int 1\nLOOKUP_TABLE default\n" + alive + "\n");
+}
+
+void growLegacy(const TemporaryFolder& folder, int states) {
+    for (int k = 0; k < states; ++k) {
+        writeContent(folder / ("wall_" + std::to_string(k) + ".vtk"), legacyBricks(k, false));
+    }
+}
+
+void growConverted(const TemporaryFolder& folder, int states) {
+    for (int k = 0; k < states; ++k) {
+        writeContent(folder / ("RUN_00" + std::to_string(k + 1) + ".vtk"), legacyBricks(k, true));
+    }
+}
+
+// Of so many bricks that a state takes more room than HDF5 had set aside.
+void growVtkHdf(const TemporaryFolder& folder, int states) {
+    VtkHdfRows rows{.parts = {{}, {}}};
+    for (int x = 0; x < 1000; ++x) {
+        rows.parts[x < 500 ? 0 : 1].bricks.push_back(x);
+    }
+    for (int k = 0; k < states; ++k) {
+        rows.status.emplace_back(1000, 1);
+        rows.status.back().back() = k < 2 ? 1 : 0;
+    }
+    replace(folder / "wall.vtkhdf", [&](const std::string& path) { writeVtkHdf(path, rows); });
+}
+
+void growProcesses(const TemporaryFolder& folder, int states) {
+    writeContent(folder / "wall0.rst", smallRst(states, {.bricks = {1}}));
+    writeContent(folder / "wall1.rst", smallRst(states, {.bricks = {2}}));
+    writeContent(folder / "wall0.rst.deaths.csv", "element,time\n2,2\n");
+}
+
 void growXdmf(const TemporaryFolder& folder, int states) {
     std::string text = "<Xdmf><Domain><Grid GridType=\"Collection\" CollectionType=\"Temporal\">";
     for (int k = 0; k < states; ++k) {
@@ -129,6 +201,12 @@ std::vector<Growing> allGrowing() {
             {"D3plot", "d3plot", growD3plot, "d3plot03"},
             {"Grids", "wall_0.vtu", growGrids, "wall_2.vtu"},
             {"Pvd", "wall.pvd", growPvd, ""},
+            {"Pieces", "wall.pvd", growPieces, ""},
+            {"SeriesFile", "wall.vtu.series", growSeriesFile, ""},
+            {"Legacy", "wall_0.vtk", growLegacy, "wall_2.vtk"},
+            {"Converted", "RUN_001.vtk", growConverted, "RUN_003.vtk"},
+            {"VtkHdf", "wall.vtkhdf", growVtkHdf, ""},
+            {"Processes", "wall0.rst", growProcesses, ""},
             {"Xdmf", "wall.xdmf", growXdmf, ""},
             {"Cdb", "wall_0.cdb", growCdb, "wall_2.cdb"},
             {"Rst", "wall.rst", growRst, ""},

@@ -1,5 +1,6 @@
 #include "tests/io/fe/formats/small_results.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdarg>
 #include <cstdint>
@@ -215,6 +216,19 @@ std::string smallCdb(int state) {
 
 std::string smallRst(int states, const RstHeader& header) {
     RstText text;
+    std::vector<int> own = header.bricks, ownNodes;
+    if (own.empty()) {
+        own = {1, 2};
+    }
+    for (int n = 1; n <= nodes; ++n) {
+        const auto uses = [n](int e) {
+            const auto& brick = bricks[static_cast<std::size_t>(e - 1)];
+            return std::find(brick.begin(), brick.end(), n) != brick.end();
+        };
+        if (std::any_of(own.begin(), own.end(), uses)) {
+            ownNodes.push_back(n);
+        }
+    }
     std::vector<std::int32_t> standard(100), results(header.words), geometry(header.words);
     standard[0] = 12;
     text.integers(standard);
@@ -222,7 +236,7 @@ std::string smallRst(int states, const RstHeader& header) {
     const std::size_t geometryAt = text.integers(geometry);
     std::vector<std::int32_t> numbers;
     const std::size_t nodesAt = text.words();
-    for (int n = 1; n <= nodes; ++n) {
+    for (const int n : ownNodes) {
         const auto x = place(n);
         text.reals({static_cast<double>(n), x[0], x[1], x[2], 0.0, 0.0, 0.0});
         numbers.push_back(n);
@@ -232,33 +246,42 @@ std::string smallRst(int states, const RstHeader& header) {
     text.integers({4});  // words from here to the type
     text.integers({1, 185});
     // Two words of places, three around them.
-    const std::size_t elementsAt = text.integers({5, 5 + 21});
-    for (int e = 0; e < 2; ++e) {
-        std::vector<std::int32_t> values{1, 1, 1, 1, 0, 0, 0, 0, e + 1, 0};
-        values.insert(values.end(), bricks[static_cast<std::size_t>(e)].begin(), bricks[static_cast<std::size_t>(e)].end());
+    std::vector<std::int32_t> elementPlaces;
+    for (std::size_t e = 0; e < own.size(); ++e) {
+        elementPlaces.push_back(static_cast<std::int32_t>(3 + own.size() + 21 * e));
+    }
+    const std::size_t elementsAt = text.integers(elementPlaces);
+    for (const int e : own) {
+        std::vector<std::int32_t> values{1, 1, 1, 1, 0, 0, 0, 0, e, 0};
+        const auto& brick = bricks[static_cast<std::size_t>(e - 1)];
+        values.insert(values.end(), brick.begin(), brick.end());
         text.integers(values);
     }
     std::vector<std::int32_t> sets(6);
     for (int state = 0; state < states; ++state) {
         std::vector<std::int32_t> set(header.setWords);
-        set[2] = nodes;
+        set[2] = static_cast<std::int32_t>(ownNodes.size());
         set[10] = static_cast<std::int32_t>(header.setWords) + 3;
         set[19] = 3;
         set[20] = 1, set[21] = 2, set[22] = 3;
         sets[static_cast<std::size_t>(state)] = static_cast<std::int32_t>(text.integers(set));
         std::vector<double> moved;
-        for (int n = 0; n < nodes; ++n) {
+        for (std::size_t n = 0; n < ownNodes.size(); ++n) {
             moved.insert(moved.end(), {0.1 * state, 0.0, 0.0});
         }
         text.reals(moved);
     }
     const std::size_t setsAt = text.integers(sets);
     const std::size_t timesAt = text.reals({0.0, 1.0, 2.0});
-    text.set(resultsAt, 2, {std::size_t{nodes}, 3});
+    text.set(resultsAt, 2, {ownNodes.size(), 3});
+    if (!header.bricks.empty()) {
+        constexpr std::size_t modelNodes = 48;
+        text.set(resultsAt, modelNodes, {std::size_t{nodes}});
+    }
     text.set(resultsAt, 7, {static_cast<std::size_t>(header.analysis), static_cast<std::size_t>(states)});
     text.set(resultsAt, 10, {setsAt, timesAt});
     text.set(resultsAt, 14, {orderAt, geometryAt});
-    text.set(geometryAt, 3, {std::size_t{nodes}, 2});
+    text.set(geometryAt, 3, {ownNodes.size(), own.size()});
     text.set(geometryAt, 6, {typesAt});
     text.set(geometryAt, 8, {nodesAt});
     text.set(geometryAt, 10, {elementsAt});

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace rubble::io {
 
@@ -17,6 +18,7 @@ struct RstHeader {
     int analysis = 4;            ///< code of ANTYPE: 0 static, 4 transient
     std::size_t words = 80;      ///< of the headers of results and geometry; releases of long ago: 40
     std::size_t setWords = 200;  ///< of the header of a set
+    std::vector<int> bricks{};   ///< that one process of a distributed analysis has, from 1; empty: the file is whole
 };
 /// It has no deaths: a list beside it tells them. @param states  that are written
 std::string smallRst(int states, const RstHeader& header = {});

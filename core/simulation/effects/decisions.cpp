@@ -39,6 +39,18 @@ Verdict impossible(Message reason) {
     return {false, std::move(reason), unknown, unknown, false};
 }
 
+/// All of a terrain but its roughness: debris that runs on leaves the window about the structure. Empty: there is none.
+Aabb wholeOf(const TerrainGrid* terrain) {
+    if (terrain == nullptr) {
+        return {};
+    }
+    const std::vector<double>& heights = terrain->grid().heights;
+    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    const auto end = [&](double first, std::size_t count) { return first + terrain->cell() * static_cast<double>(count - 1); };
+    return {Vec3(terrain->x0(), terrain->y0(), *lowest),
+            Vec3(end(terrain->x0(), terrain->nx()), end(terrain->y0(), terrain->ny()), *highest)};
+}
+
 /// "element 12 (deck)"
 std::string placeOf(const EffectScene& scene, ElementIndex e) {
     return "element " + englishInteger(scene.fe.mesh().elementIds[at(e)]) + " (" +
@@ -79,6 +91,7 @@ private:
 
     const EffectScene& m_scene;
     const EffectSettings& m_effects;
+    const Aabb m_terrain;  ///< m, all of it; empty: there is none
     bool m_terrainOn = false, m_groundOn = false;
     bool m_carriesLoose = false;
     std::vector<Reach> m_reach;  ///< [clusters]
@@ -86,7 +99,7 @@ private:
     Aabb m_site;  ///< of all that falls
 };
 
-Decider::Decider(const EffectScene& scene) : m_scene(scene), m_effects(scene.scenario.effects) {}
+Decider::Decider(const EffectScene& scene) : m_scene(scene), m_effects(scene.scenario.effects), m_terrain(wholeOf(scene.terrain)) {}
 
 FallLimits Decider::limits() const {
     const SimulationSettings& s = m_scene.scenario.simulation;
@@ -94,7 +107,7 @@ FallLimits Decider::limits() const {
     limits.gravity = s.gravity;
     limits.end = m_scene.fe.times().back() + s.settleTime;
     if (m_terrainOn) {
-        limits.surface = m_scene.terrain->window().min().z();
+        limits.surface = m_terrain.min().z();
     } else if (m_groundOn) {
         limits.surface = s.groundHeight;
     }
@@ -182,8 +195,8 @@ Verdict Decider::terrain() const {
     if (terrain == nullptr) {
         return impossible({"effect.terrain.none", "the case has no terrain", {}});
     }
-    const double lowest = terrain->window().min().z();
-    const double highest = terrain->window().max().z();
+    const double lowest = m_terrain.min().z();
+    const double highest = m_terrain.max().z();
     FallLimits limits = this->limits();
     limits.surface =
         asked(EffectKind::Ground, EffectSwitch::Off) ? lowest : std::min(lowest, m_scene.scenario.simulation.groundHeight);
@@ -195,7 +208,7 @@ Verdict Decider::terrain() const {
         return {false, {"effect.terrain.nothing", "nothing falls on it", {}}};
     }
     // Only what lies beside or above the debris is out of reach: the terrain is solid below its surface.
-    Aabb below = terrain->window();
+    Aabb below = m_terrain;
     below.min().z() = std::min(site.min().z(), lowest);
     Aabb column = site;
     column.extend(Vec3(site.center().x(), site.center().y(), below.min().z()));

@@ -457,6 +457,10 @@ void Collapse::warnOfTerrain() {
         return "element " + englishInteger(m_description.fe->mesh().elementIds[at(fragments[piece].element)]);
     };
     addTerrainEnds(*m_surface.terrain, places, nameOf, m_result.findings);
+    const EffectSettings& effects = m_description.scenario.effects;
+    if (effects.waterLevel && !isOn(m_decisions, EffectKind::Water) && effects.of(EffectKind::Water) == EffectSwitch::Auto) {
+        addWaterMissed(*effects.waterLevel, places, nameOf, m_result.findings);
+    }
 }
 
 void Collapse::warn() {

@@ -66,6 +66,24 @@ void addTerrainEnds(const TerrainGrid& terrain, std::span<const Vec3> places, co
     }
 }
 
+void addWaterMissed(double level, std::span<const Vec3> places, const std::function<std::string(std::size_t)>& nameOf,
+                    Findings& findings) {
+    std::int64_t below = 0;
+    std::size_t lowest = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool wet = places[i].z() < level;
+        lowest = wet && (below == 0 || places[i].z() < places[lowest].z()) ? i : lowest;
+        below += wet ? 1 : 0;
+    }
+    if (below > 0) {
+        findings.add({"simulation.water_missed",
+                      "{0} pieces of debris ran to below the level of the water, which acted on nothing: no flight leads there",
+                      {below}},
+                     {"simulation.water_missed.remedy", "set water=on and simulate again", {}},
+                     nameOf(lowest) + " at z = " + englishNumber(places[lowest].z()) + " m", below);
+    }
+}
+
 void addTerrainRoughness(const TerrainGrid* terrain, const EffectSettings& effects, Findings& findings) {
     if (!(effects.terrainRoughness > 0.0)) {
         return;

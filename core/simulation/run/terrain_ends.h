@@ -18,6 +18,11 @@ namespace rubble {
 void addTerrainEnds(const TerrainGrid& terrain, std::span<const Vec3> places, const std::function<std::string(std::size_t)>& nameOf,
                     Findings& findings);
 
+/// Says of debris that came to lie below a level of water that was left out, since what flies does not get there: it ran there.
+/// @param level  m, of the water
+void addWaterMissed(double level, std::span<const Vec3> places, const std::function<std::string(std::size_t)>& nameOf,
+                    Findings& findings);
+
 /// Tells of roughness: how high, how far apart and from which seed; or that it lies on nothing.
 /// @param terrain  that carries debris; null: there is none
 void addTerrainRoughness(const TerrainGrid* terrain, const EffectSettings& effects, Findings& findings);

@@ -40,5 +40,16 @@ TEST(TerrainEnds, BeyondTheRasterEachPieceCountsAndTheFarthestIsNamed) {
     EXPECT_THAT(englishText(findings.list().back().remedy), HasSubstr("coarser"));
 }
 
+TEST(TerrainEnds, DebrisBelowWaterThatActedOnNothingIsCounted) {
+    Findings findings;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    addWaterMissed(-3.0, std::array{Vec3(0, 0, 1), Vec3(9, 0, -2.9)}, nameOf, findings);
+    EXPECT_TRUE(findings.empty());
+    addWaterMissed(-3.0, std::array{Vec3(0, 0, none), Vec3(40, 0, -4), Vec3(0, 0, 1), Vec3(50, 0, -6), Vec3(45, 0, -5)}, nameOf,
+                   findings);
+    EXPECT_EQ(findings.count("simulation.water_missed"), 3);
+    EXPECT_EQ(findings.list().front().example, "piece 3 at z = -6 m");
+}
+
 }  // namespace
 }  // namespace rubble

@@ -11531,6 +11531,30 @@
         <source>The report as PDF has no tags for screen readers: {0}</source>
         <translation>PDF 报告没有供读屏软件使用的标记：{0}</translation>
     </message>
+    <message>
+        <source>Give the standard deviation of the place in m.</source>
+        <translation>请给出该处以 m 计的标准差。</translation>
+    </message>
+    <message>
+        <source>of some control points nobody states how accurate they are: they were taken as the others</source>
+        <translation>部分控制点无人给出精度：按其余控制点取值</translation>
+    </message>
+    <message>
+        <source>set water=on and simulate again</source>
+        <translation>请设 water=on 并重新模拟</translation>
+    </message>
+    <message>
+        <source>state it for each pair</source>
+        <translation>请为每一对给出</translation>
+    </message>
+    <message>
+        <source>{0} pieces of debris ran to below the level of the water, which acted on nothing: no flight leads there</source>
+        <translation>{0} 块碎块滚到水位以下，而水未起作用：任何抛落都到不了那里</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2} is below zero</source>
+        <translation>{0} 第 {1} 行：{2} 小于零</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -21227,6 +21251,10 @@ What the file fits: %2.</source>
         <source>Write the pairs as a table that Pairs from a table… and the command line take</source>
         <translation>把点对写成表，“取自表的点对…”和命令行可以读取</translation>
     </message>
+    <message>
+        <source>How accurate the places of the case are is not known, and not in it.</source>
+        <translation>案例中各处的精度未知，未计入其中。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::PredictionBox</name>
@@ -23465,6 +23493,14 @@ Program: %3</source>
     <message>
         <source>Move the survey to where it belongs: click three places or more in it and in the model, and see at once how well they fit</source>
         <translation>把测量移到其所在之处：在测量和模型中单击三处或更多，并立即看到其相符程度</translation>
+    </message>
+    <message>
+        <source>control points to %1 m</source>
+        <translation>控制点精确到 %1 m</translation>
+    </message>
+    <message>
+        <source>control points: accuracy not known</source>
+        <translation>控制点：精度未知</translation>
     </message>
 </context>
 <context>

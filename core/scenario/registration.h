@@ -18,6 +18,8 @@ struct Registration {
     std::int64_t fitted = 0;    ///< points of what did not move that it was fitted by; 0: it was not
     double fitBefore = 0.0;     ///< m, root mean square of their distances to the surfaces of the case before
     double fitLeft = 0.0;       ///< m, the same once moved
+    /// m, standard deviation of the control points themselves along each axis, which is part of the error; unset: nobody stated it.
+    std::optional<double> control = std::nullopt;
     /// m, standard deviation by which a place may still be off along each axis; unset: not known.
     std::optional<double> error = std::nullopt;
 

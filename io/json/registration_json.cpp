@@ -36,6 +36,9 @@ nlohmann::json registrationJson(const Registration& registration) {
                           {"fitted", registration.fitted},
                           {"fit_rms_before_m", jsonNumber(registration.fitBefore)},
                           {"fit_rms_m", jsonNumber(registration.fitLeft)}};
+    if (registration.control) {
+        object["control_error_m"] = jsonNumber(*registration.control);
+    }
     if (registration.error) {
         object["error_m"] = jsonNumber(*registration.error);
     }
@@ -43,8 +46,8 @@ nlohmann::json registrationJson(const Registration& registration) {
 }
 
 Registration registrationFromJson(const JsonCursor& object) {
-    object.allowOnly(
-        {"turn_rad", "about_m", "shift_m", "pairs", "pairs_rms_m", "fitted", "fit_rms_before_m", "fit_rms_m", "error_m"});
+    object.allowOnly({"turn_rad", "about_m", "shift_m", "pairs", "pairs_rms_m", "fitted", "fit_rms_before_m", "fit_rms_m",
+                      "control_error_m", "error_m"});
     Registration made;
     made.turn = object["turn_rad"].vector();
     made.about = object["about_m"].vector();
@@ -54,6 +57,9 @@ Registration registrationFromJson(const JsonCursor& object) {
     made.fitted = countFrom(object["fitted"]);
     made.fitBefore = lengthFrom(object["fit_rms_before_m"]);
     made.fitLeft = lengthFrom(object["fit_rms_m"]);
+    if (object.has("control_error_m")) {
+        made.control = lengthFrom(object["control_error_m"]);
+    }
     if (object.has("error_m")) {
         made.error = lengthFrom(object["error_m"]);
     }

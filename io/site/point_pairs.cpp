@@ -22,11 +22,14 @@ constexpr std::array<std::string_view, 5> pictureColumns{"picture_x_px", "pictur
 constexpr std::array<std::string_view, 6> surveyColumns{"survey_x", "survey_y", "survey_z", "x_m", "y_m", "z_m"};
 constexpr std::array<std::string_view, 6> metreColumns{"survey_x_m", "survey_y_m", "survey_z_m", "x_m", "y_m", "z_m"};
 
+constexpr std::string_view deviationColumn = "deviation_m";
+
 /// A row of numbers and its name; without one it is called by its number.
 template <std::size_t Count>
 struct NamedNumbers {
     std::string name;
     std::array<double, Count> values{};
+    std::optional<double> deviation{};  ///< m, of the place, where the table states it
 };
 
 /// Where each column stands.
@@ -34,6 +37,7 @@ template <std::size_t Count>
 struct Columns {
     std::array<std::size_t, Count> numbers{};
     std::size_t name = ~std::size_t{0};
+    std::size_t deviation = ~std::size_t{0};
 
     Columns(const std::vector<std::string>& heading, const std::array<std::string_view, Count>& names, const std::string& path) {
         std::string whole = "name";
@@ -48,8 +52,10 @@ struct Columns {
             }
             numbers[c] = static_cast<std::size_t>(found - heading.begin());
         }
-        const auto named = std::find(heading.begin(), heading.end(), "name");
-        name = named == heading.end() ? name : static_cast<std::size_t>(named - heading.begin());
+        for (const auto& [column, at] : {std::pair{std::string_view("name"), &name}, std::pair{deviationColumn, &deviation}}) {
+            const auto found = std::find(heading.begin(), heading.end(), column);
+            *at = found == heading.end() ? *at : static_cast<std::size_t>(found - heading.begin());
+        }
     }
 };
 
@@ -81,6 +87,13 @@ std::vector<NamedNumbers<Count>> numbersOf(const DelimitedTable& table, const st
         for (std::size_t c = 0; c < Count; ++c) {
             each.values[c] = numberIn(table, row, columns.numbers[c], names[c], path);
         }
+        if (columns.deviation < row.fields.size() && !row.fields[columns.deviation].empty()) {
+            each.deviation = numberIn(table, row, columns.deviation, deviationColumn, path);
+            if (*each.deviation < 0.0) {
+                throw ParseError({"pairs.deviation", "{0}, line {1}: {2} is below zero", {path, row.line, deviationColumn}},
+                                 {"pairs.deviation.remedy", "Give the standard deviation of the place in m.", {}});
+            }
+        }
         const bool named = columns.name < row.fields.size() && !row.fields[columns.name].empty();
         each.name = named ? row.fields[columns.name] : std::to_string(row.line - 1);
     }
@@ -91,7 +104,7 @@ std::vector<NamedNumbers<Count>> numbersOf(const DelimitedTable& table, const st
 
 std::vector<PointPair> readPointPairs(const std::string& path) {
     std::vector<PointPair> pairs;
-    for (const auto& [name, values] : numbersOf(readDelimitedTable(path, pairBytesMax), path, pictureColumns)) {
+    for (const auto& [name, values, deviation] : numbersOf(readDelimitedTable(path, pairBytesMax), path, pictureColumns)) {
         pairs.push_back({name, {values[0], values[1]}, {values[2], values[3], values[4]}});
     }
     return pairs;
@@ -108,7 +121,7 @@ std::vector<PointPair> readPointPairs(const std::string& path, std::span<const N
     constexpr std::array<std::string_view, 2> columns{pictureColumns[0], pictureColumns[1]};
     std::vector<PointPair> pairs;
     std::vector<std::string> missing;
-    for (const auto& [name, values] : numbersOf(readDelimitedTable(path, pairBytesMax), path, columns)) {
+    for (const auto& [name, values, deviation] : numbersOf(readDelimitedTable(path, pairBytesMax), path, columns)) {
         const auto found = std::ranges::find(measured, name, &NamedPoint::name);
         if (found == measured.end()) {
             missing.push_back(name);
@@ -127,8 +140,8 @@ PlacePairTable readPlacePairs(const std::string& path) {
     const DelimitedTable table = readDelimitedTable(path, pairBytesMax);
     PlacePairTable read;
     read.metres = !table.rows.empty() && std::ranges::count(table.rows.front().fields, metreColumns[0]) > 0;
-    for (const auto& [name, values] : numbersOf(table, path, read.metres ? metreColumns : surveyColumns)) {
-        read.pairs.push_back({name, {values[0], values[1], values[2]}, {values[3], values[4], values[5]}});
+    for (const auto& [name, values, deviation] : numbersOf(table, path, read.metres ? metreColumns : surveyColumns)) {
+        read.pairs.push_back({name, {values[0], values[1], values[2]}, {values[3], values[4], values[5]}, deviation});
     }
     return read;
 }
@@ -141,7 +154,8 @@ void writePlacePairs(const std::string& path, const std::vector<PlacePair>& pair
         for (const std::string_view column : metreColumns) {
             out << ',' << column;
         }
-        out << '\n';
+        const bool stated = std::ranges::any_of(pairs, [](const PlacePair& pair) { return pair.deviation.has_value(); });
+        out << (stated ? "," + std::string(deviationColumn) : "") << '\n';
         for (const PlacePair& pair : pairs) {
             out << csvField(pair.name);
             for (const Vec3& at : {Vec3(place.toWorld(pair.surveyed) - lift), place.toWorld(pair.placed)}) {
@@ -149,7 +163,7 @@ void writePlacePairs(const std::string& path, const std::vector<PlacePair>& pair
                     out << ',' << exactNumber(number);
                 }
             }
-            out << '\n';
+            out << (stated ? "," : "") << (pair.deviation ? exactNumber(*pair.deviation) : "") << '\n';
         }
     });
 }

@@ -36,7 +36,8 @@ struct PlacePairTable {
 };
 
 /// Reads such pairs from a table as above, with the columns survey_x, survey_y, survey_z in numbers of the survey, or survey_x_m,
-/// survey_y_m, survey_z_m in metres of the system of the case; x_m, y_m, z_m, and if there is one name. Throws as above.
+/// survey_y_m, survey_z_m in metres of the system of the case; x_m, y_m, z_m, and if there are any name and deviation_m, the
+/// standard deviation of x_m, y_m and z_m. Throws as above.
 PlacePairTable readPlacePairs(const std::string& path);
 
 /// Writes pairs of the case as a table that readPlacePairs() takes, in metres of the system of the case. @param pairs  local

@@ -481,6 +481,7 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     registration.shift = Vec3(0.1, 0.2, -0.3);
     registration.pairs = 4;
     registration.pairsLeft = 0.012;
+    registration.control = 0.015;
     registration.error = 0.02;
     theCase.inputs.push_back(survey);
     CaseInput before{"survey-2", InputRole::Survey, "before.laz", {}};
@@ -506,6 +507,8 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     EXPECT_NE(refused("\"noise_m\": 0.05", "\"noise_m\": -0.05").find("/inputs/1/noise_m"), std::string::npos);
     EXPECT_NE(refused("\"offset_error_m\": 0.03", "\"offset_error_m\": -1").find("/inputs/1/offset_error_m"), std::string::npos);
     EXPECT_NE(refused("\"error_m\": 0.02", "\"error_m\": -1").find("/inputs/1/registration/error_m"), std::string::npos);
+    EXPECT_NE(refused("\"control_error_m\": 0.015", "\"control_error_m\": -1").find("registration/control_error_m"),
+              std::string::npos);
     EXPECT_NE(refused("2021-06-25 16:30:00", "2021-06-31 16:30:00").find("/inputs/1/taken"), std::string::npos);
     EXPECT_NE(refused("2021-06-26 08:00:00", "then").find("/removals/0/time"), std::string::npos);
     EXPECT_NE(refused("\"area_m\": [", "\"area_m\": [[[[0, 0], [1, 1]]],").find("/inputs/1/area_m/0/0"), std::string::npos);

@@ -30,6 +30,11 @@ QString placedText(const std::optional<Registration>& registration) {
         parts << SurveyPlace::tr("fitted, RMS %1 m before, %2 m after")
                      .arg(shownNumber(registration->fitBefore), shownNumber(registration->fitLeft));
     }
+    if (registration->control) {
+        parts << SurveyPlace::tr("control points to %1 m").arg(shownNumber(*registration->control));
+    } else if (registration->pairs > 0) {
+        parts << SurveyPlace::tr("control points: accuracy not known");
+    }
     parts << (registration->error ? SurveyPlace::tr("known to %1 m (standard deviation)").arg(shownNumber(*registration->error))
                                   : SurveyPlace::tr("how well it is known is not known"));
     return parts.join(QStringLiteral(" · "));

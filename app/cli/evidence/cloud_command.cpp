@@ -5,6 +5,7 @@
 
 #include "app/cli/evidence/cloud_distance_output.h"
 #include "app/cli/evidence/cloud_output.h"
+#include "app/cli/evidence/placed_survey.h"
 #include "app/cli/evidence/scanned_site.h"
 #include "app/cli/evidence/scope_options.h"
 #include "app/cli/exports/map_subject.h"
@@ -119,15 +120,25 @@ io::CloudRequest cloudRequestFrom(const Arguments& arguments) {
 }
 
 /// Options that ask for distances, and mean nothing without another cloud.
-constexpr std::array<std::string_view, 18> distanceOptions{"--case",         "--pairs",
-                                                           "--fit",          "--cell",
-                                                           "--out",          "--cores",
-                                                           "--normal-scale", "--projection-scale",
-                                                           "--depth",        "--registration-error",
-                                                           "--metres",       "--scanner",
-                                                           "--time",         "--live-threshold",
-                                                           "--area",         "--leave-out",
-                                                           "--fe",           "--terrain"};
+constexpr std::array<std::string_view, 19> distanceOptions{"--case",
+                                                           "--pairs",
+                                                           "--pairs-error",
+                                                           "--fit",
+                                                           "--cell",
+                                                           "--out",
+                                                           "--cores",
+                                                           "--normal-scale",
+                                                           "--projection-scale",
+                                                           "--depth",
+                                                           "--registration-error",
+                                                           "--metres",
+                                                           "--scanner",
+                                                           "--time",
+                                                           "--live-threshold",
+                                                           "--area",
+                                                           "--leave-out",
+                                                           "--fe",
+                                                           "--terrain"};
 
 double scaleFrom(const Arguments& arguments, std::string_view option) {
     if (!arguments.has(option)) {
@@ -231,8 +242,8 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     const Inputs inputs = openInputsOfRun(path, run.origin(), arguments, session, &findings);
     request.frame = inputs.frame;
     if (const auto pairs = arguments.value("--pairs")) {
-        const PairFit fit = io::placeByPairs(
-            {request.cloud, *pairs, request.read, request.frame, request.site, io::boundsAtRest(inputs.fe->mesh())});
+        const PairFit fit = io::placeByPairs({request.cloud, *pairs, request.read, request.frame, request.site,
+                                              io::boundsAtRest(inputs.fe->mesh()), pairsErrorFrom(arguments)});
         findings.append(fit.findings);
         request.placed = fit.registration;
     }
@@ -276,6 +287,7 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
     request.cores = arguments.value("--cores").value_or("");
     request.read = cloudRequestFrom(arguments);
     request.pairs = arguments.value("--pairs").value_or("");
+    request.control = pairsErrorFrom(arguments);
     request.metres = arguments.has("--metres");
     request.settings = distanceSettingsFrom(arguments);
     if (arguments.has("--fit")) {
@@ -348,6 +360,7 @@ Command cloudCommand() {
          {"--pairs", "FILE", false,
           "move one to the other first by three pairs or more: a table of survey_x,survey_y,survey_z in CLOUD (in FILE against a "
           "run), x_m,y_m,z_m in FILE (in the case)"},
+         pairsErrorOption("E"),
          {"--fit", "FILE|all", false,
           "fit one to the other first by what did not move: polygons of it, or all; the error of the fit is the registration "
           "error"},

@@ -111,9 +111,13 @@ Json fitJson(const CloudFit& fit) {
 /// Lengths are in the unit of the comparison.
 Json pairsJson(const Registration& placed) {
     const auto three = [](const Vec3& of, double by) { return Json{by * of.x(), by * of.y(), by * of.z()}; };
-    return {{"shift", three(placed.shift, 1.0)}, {"turn_deg", three(placed.turn, degreesOfRadian)},
-            {"about", three(placed.about, 1.0)}, {"pairs", placed.pairs},
-            {"rms", placed.pairsLeft},           {"error", placed.error ? Json(*placed.error) : Json()}};
+    return {{"shift", three(placed.shift, 1.0)},
+            {"turn_deg", three(placed.turn, degreesOfRadian)},
+            {"about", three(placed.about, 1.0)},
+            {"pairs", placed.pairs},
+            {"rms", placed.pairsLeft},
+            {"control_error", placed.control ? Json(*placed.control) : Json()},
+            {"error", placed.error ? Json(*placed.error) : Json()}};
 }
 
 std::string fitText(const CloudFit& fit) {
@@ -173,8 +177,11 @@ FactList distanceFacts(const io::CloudComparison& made, const CloudDistanceSetti
     facts.add("scales", "normal " + englishNumber(settings.normalRadius) + ", projection " +
                             englishNumber(settings.projectionRadius) + ", depth " + englishNumber(settings.depth) + unit);
     if (made.placed) {
-        facts.add("placed by", counted(made.placed->pairs, "pair", "pairs") + ", RMS " + englishNumber(made.placed->pairsLeft) +
-                                   ", error " + englishNumber(made.placed->error.value_or(unknown)) + unit);
+        facts.add("placed by",
+                  counted(made.placed->pairs, "pair", "pairs") + ", RMS " + englishNumber(made.placed->pairsLeft) + ", error " +
+                      englishNumber(made.placed->error.value_or(unknown)) + unit +
+                      (made.placed->control ? ", of which the points themselves " + englishNumber(*made.placed->control) + unit
+                                            : "; how accurate the points are nobody stated: it is not in it"));
     }
     if (made.fit) {
         facts.add("registration", fitText(*made.fit) + unit);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/cli/evidence/placed_survey.h"
 #include "app/cli/evidence/scanned_site.h"
 #include "app/cli/exports/map_subject.h"
 #include "app/cli/frame/option_value.h"
@@ -23,8 +24,8 @@ namespace rubble::cli {
 namespace {
 
 /// Options that say something of a survey.
-constexpr std::array<std::string_view, 8> surveyOptions{
-    "--pairs", "--fit", "--registration-error", "--unregister", "--taken", "--instant", "--before", "--crs"};
+constexpr std::array<std::string_view, 9> surveyOptions{
+    "--pairs", "--pairs-error", "--fit", "--registration-error", "--unregister", "--taken", "--instant", "--before", "--crs"};
 
 void needs(const Arguments& arguments, std::string_view option, std::string_view other) {
     if (arguments.has(option) && !arguments.has(other)) {
@@ -37,6 +38,7 @@ void checkEvidenceOptions(const Arguments& arguments) {
     for (const std::string_view option : surveyOptions) {
         needs(arguments, option, "--survey");
     }
+    needs(arguments, "--pairs-error", "--pairs");
     needs(arguments, "--fit", "--radius");
     needs(arguments, "--radius", "--fit");
     needs(arguments, "--scanner", "--fit");
@@ -72,6 +74,7 @@ public:
     void byPairs() {
         io::PairsRequest request{m_path, *m_arguments.value("--pairs"), m_read, m_opened.inputs.frame, site(), {}};
         request.around = io::boundsAtRest(m_opened.inputs.fe->mesh());
+        request.control = pairsErrorFrom(m_arguments);
         const PairFit fit = io::placeByPairs(request);
         m_findings.append(fit.findings);
         m_survey.registration = fit.registration;
@@ -198,6 +201,7 @@ void addRemoval(Case& theCase, const Arguments& arguments, Session& session, Fin
 std::vector<Option> evidenceChangeOptions() {
     return {{"--survey", "FILE", false, "a survey, cloud or outline: it is taken into the case if it is none of its surveys"},
             {"--pairs", "FILE", false, "place it by three pairs or more: a table of survey_x,survey_y,survey_z,x_m,y_m,z_m"},
+            pairsErrorOption("M"),
             {"--fit", "FILE|all", false, "place a cloud by what did not move: polygons of it, or all; after the pairs"},
             {"--radius", "M", false, "about a point, m: surfaces within it are what it is fitted to"},
             scannerOption("for the fit: where a scanner stood, easting, northing and height, m (default: as the cloud says)"),

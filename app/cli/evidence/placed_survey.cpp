@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "app/cli/frame/option_value.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/message.h"
 #include "io/case/case_file.h"
@@ -31,6 +32,17 @@ Option evidenceCaseOption() {
     return {"--case", "CASE", false, "of a run: the case that says when the survey was taken and how it lies"};
 }
 
+Option pairsErrorOption(std::string_view unit) {
+    return {
+        "--pairs-error", unit, false,
+        "standard deviation of the control points themselves along each axis, where the table has no column deviation_m (default: "
+        "not known, and not in the error)"};
+}
+
+std::optional<double> pairsErrorFrom(const Arguments& arguments) {
+    return arguments.has("--pairs-error") ? std::optional(parseLength(arguments, "--pairs-error", 0.0, true)) : std::nullopt;
+}
+
 std::string caseOfEvidence(const Arguments& arguments) {
     return io::isCaseFile(arguments.operand()) ? arguments.operand() : arguments.value("--case").value_or("");
 }
@@ -46,6 +58,7 @@ Json registrationJson(const std::optional<Registration>& registration) {
             {"about_m", three(registration->about, 1.0)},
             {"pairs", registration->pairs},
             {"pairs_rms_m", registration->pairs > 0 ? Json(registration->pairsLeft) : Json()},
+            {"control_error_m", registration->control ? Json(*registration->control) : Json()},
             {"fitted_points", registration->fitted},
             {"fit_rms_before_m", fitted ? Json(registration->fitBefore) : Json()},
             {"fit_rms_m", fitted ? Json(registration->fitLeft) : Json()},
@@ -59,8 +72,12 @@ std::string placedText(const Frame& frame, const Site& site, const std::optional
     }
     text += "; then moved by " + englishNumber(registration->shift.norm()) + " m and turned by " +
             englishNumber(degreesOf * registration->turn.norm()) + " degrees" + waysText(*registration);
-    return text + ", a place is known to " +
-           (registration->error ? englishNumber(*registration->error) + " m" : std::string("an error that is not known"));
+    text += ", a place is known to " +
+            (registration->error ? englishNumber(*registration->error) + " m" : std::string("an error that is not known"));
+    if (registration->control) {
+        return text + ", of which the control points themselves " + englishNumber(*registration->control) + " m";
+    }
+    return text + (registration->pairs > 0 ? "; how accurate the control points are nobody stated: it is not in it" : "");
 }
 
 }  // namespace rubble::cli

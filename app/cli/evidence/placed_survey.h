@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/cli/frame/arguments.h"
+#include "app/cli/frame/command.h"
 #include "app/cli/frame/json_output.h"
 #include "core/fe/frame.h"
 #include "core/scenario/registration.h"
@@ -15,6 +17,10 @@ namespace rubble::cli {
 Option evidenceCaseOption();
 /// The case that says how evidence lies: the operand if it is one, else that of --case; empty: none.
 std::string caseOfEvidence(const Arguments& arguments);
+
+/// The option --pairs-error of what is placed by pairs. @param unit  of lengths, as help names it
+Option pairsErrorOption(std::string_view unit);
+std::optional<double> pairsErrorFrom(const Arguments& arguments);
 
 /// How a survey was moved and how well that is known; null: it lies as its coordinates say.
 Json registrationJson(const std::optional<Registration>& registration);

@@ -91,6 +91,26 @@ double errorAt(std::span<const PlacePair> pairs, const Centred& centred, const A
     return std::sqrt(squares / count);
 }
 
+/// m, root mean square of what the points are stated to be off by; those of which nothing is stated are counted.
+std::optional<double> controlOf(std::span<const PlacePair> pairs, Findings& findings) {
+    double squares = 0.0;
+    std::int64_t stated = 0;
+    for (const PlacePair& pair : pairs) {
+        squares += pair.deviation ? *pair.deviation * *pair.deviation : 0.0;
+        stated += pair.deviation ? 1 : 0;
+    }
+    if (stated == 0) {
+        return std::nullopt;
+    }
+    if (const auto unstated = static_cast<std::int64_t>(pairs.size()) - stated; unstated > 0) {
+        findings.add({"pairs.control_partly",
+                      "of some control points nobody states how accurate they are: they were taken as the others",
+                      {}},
+                     {"pairs.control_partly.remedy", "state it for each pair", {}}, {}, unstated);
+    }
+    return std::sqrt(squares / static_cast<double>(stated));
+}
+
 void judge(PairFit& fit, std::span<const PlacePair> pairs, double reach) {
     if (std::abs(fit.scale - 1.0) > scaleMost) {
         fit.findings.add({"pairs.scale", "lengths of the survey are {0} times as long in the case", {fit.scale}},
@@ -138,7 +158,9 @@ PairFit fitPairs(std::span<const PlacePair> pairs, const Aabb& site) {
     }
     const auto count = static_cast<double>(pairs.size());
     fit.registration.pairsLeft = std::sqrt(squares / count);
-    fit.registration.error = errorAt(pairs, centred, site, squares / (3.0 * count - 6.0));
+    fit.registration.control = controlOf(pairs, fit.findings);
+    fit.registration.error =
+        std::hypot(errorAt(pairs, centred, site, squares / (3.0 * count - 6.0)), fit.registration.control.value_or(0.0));
     judge(fit, pairs, reach);
     return fit;
 }

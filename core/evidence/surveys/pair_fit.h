@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct PlacePair {
     std::string name;
     Vec3 surveyed = Vec3::Zero();  ///< m, local, where the survey has it as its coordinates say
     Vec3 placed = Vec3::Zero();    ///< m, local, where it belongs
+    /// m, standard deviation of where it belongs along each axis, as whoever measured it states; unset: not stated.
+    std::optional<double> deviation = std::nullopt;
     friend bool operator==(const PlacePair&, const PlacePair&) = default;
 };
 
@@ -26,7 +29,9 @@ struct PairFit {
 };
 
 /// Fits by the singular values of the pairs (Kabsch 1976; Umeyama 1991), without a scale. The error is what the residuals allow at
-/// the corners of a box: of three pairs on an equal footing three of nine numbers are left to judge by.
+/// the corners of a box, with what the control points are stated to be off by themselves: points measured together may be off
+/// together, which no residual shows, so that their mean square is added whole (ASPRS Positional Accuracy Standards, edition 2,
+/// 2023). Of three pairs on an equal footing three of nine numbers are left to judge by.
 /// @param site  m, local, what the move must hold for; empty: the pairs themselves
 /// Throws UsageError (fewer than three pairs, numbers that are none, pairs in one place or on a line).
 PairFit fitPairs(std::span<const PlacePair> pairs, const Aabb& site);

@@ -158,6 +158,10 @@ private:
                 pair.surveyed = pair.surveyed.cwiseProduct(m_unit);
                 pair.placed = pair.placed.cwiseProduct(m_unit);
             }
+            pair.deviation = pair.deviation ? pair.deviation : m_request.control;
+            if (pair.deviation && m_request.metres) {
+                *pair.deviation *= m_unit.maxCoeff();
+            }
         }
         const PairFit fit = fitPairs(pairs, {});
         m_made.placed = fit.registration;

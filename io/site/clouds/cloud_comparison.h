@@ -30,6 +30,8 @@ struct CloudComparisonRequest {
     std::string second;
     std::string cores;  ///< cloud of core points; empty: the points of the first, one to each cube as wide as the projection radius
     CloudRequest read;  ///< how the first is read, and the others where they say nothing themselves
+    /// Standard deviation of those in the first cloud where the table does not state it, in numbers of the files; unset: not known.
+    std::optional<double> control = std::nullopt;
     std::string pairs = {};  ///< table of places in the second cloud and in the first, in numbers of the files; empty: none
     bool metres = false;     ///< places are brought to metres first; else all lengths are in units of the files
     CloudDistanceSettings settings;

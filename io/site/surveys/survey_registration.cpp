@@ -25,6 +25,7 @@ PairFit placeByPairs(const PairsRequest& request) {
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         pairs[p].surveyed = surveyed[p];
         pairs[p].placed = place.toLocal(pairs[p].placed);
+        pairs[p].deviation = pairs[p].deviation ? pairs[p].deviation : request.control;
     }
     PairFit fit = fitPairs(pairs, request.around);
     findings.append(fit.findings);

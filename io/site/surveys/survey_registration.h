@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/evidence/surveys/pair_fit.h"
@@ -18,6 +19,8 @@ struct PairsRequest {
     Frame frame;        ///< of the case
     Site site;
     Aabb around;  ///< m, local, of the structure at rest: what the error holds for
+    /// m, standard deviation of control points whose accuracy the table does not state; unset: not stated.
+    std::optional<double> control = std::nullopt;
 };
 
 /// Brings both places of each pair to the case and fits. Findings are those of the fit and of the cloud.

@@ -106,6 +106,15 @@ TEST_F(EvidenceOfCase, APlacedCloudLiesWhereItBelongsInEveryNumber) {
     EXPECT_LT(row["placed"]["pairs_rms_m"], 0.005);
     EXPECT_NEAR(std::abs(row["placed"]["turn_deg"][2].get<double>()), 3.0, 0.1);
     EXPECT_GT(row["place_within_95_m"], 0.0);
+    EXPECT_TRUE(row["placed"]["control_error_m"].is_null());
+    EXPECT_THAT(cli({"evidence", m_case}).out, testing::HasSubstr("how accurate the control points are nobody stated"));
+    // Points that are known to 0.1 m place no cloud better.
+    const nlohmann::json known =
+        evidence({"--survey", m_cloud, "--pairs", pairs(), "--pairs-error", "0.1"})["evidence"][0]["placed"];
+    EXPECT_EQ(known["control_error_m"], 0.1);
+    EXPECT_NEAR(known["error_m"].get<double>(), std::hypot(row["placed"]["error_m"].get<double>(), 0.1), 1e-9);
+    EXPECT_EQ(cli({"evidence", m_case, "--survey", m_cloud, "--pairs-error", "0.1"}).exitCode, 2) << "of which pairs";
+    evidence({"--survey", m_cloud, "--pairs", pairs()});
 
     const nlohmann::json placed = compared({"--case", m_case, "--cell", "0.5"});
     EXPECT_NEAR(placed["distance"]["median"], 0.0, 0.01);

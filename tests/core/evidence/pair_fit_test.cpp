@@ -76,6 +76,26 @@ TEST(PairFit, ErrorIsWhatPlacesAreOffBy) {
     EXPECT_NEAR(std::sqrt(told / sets), std::sqrt(squares / sets), 0.03 * std::sqrt(squares / sets));
 }
 
+// What all control points are off by together no residual shows: it is added as stated.
+TEST(PairFit, WhatControlPointsAreOffByThemselvesEnters) {
+    std::vector<PlacePair> pairs = pairsOfPlaces(5, 0.02, 7);
+    const PairFit alone = fitPairs(pairs, wholeSite);
+    EXPECT_FALSE(alone.registration.control);
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        pairs[p].deviation = p < 2 ? 0.03 : 0.05;
+    }
+    const PairFit stated = fitPairs(pairs, wholeSite);
+    const double control = std::sqrt((2 * 0.03 * 0.03 + 3 * 0.05 * 0.05) / 5.0);
+    EXPECT_NEAR(stated.registration.control.value(), control, 1e-12);
+    EXPECT_NEAR(*stated.registration.error, std::hypot(*alone.registration.error, control), 1e-12);
+    EXPECT_EQ(stated.registration.shift, alone.registration.shift);
+    EXPECT_EQ(stated.findings.count("pairs.control_partly"), 0);
+    pairs[4].deviation.reset();
+    const PairFit partly = fitPairs(pairs, wholeSite);
+    EXPECT_EQ(partly.findings.count("pairs.control_partly"), 1);
+    EXPECT_NEAR(partly.registration.control.value(), std::sqrt((2 * 0.03 * 0.03 + 2 * 0.05 * 0.05) / 4.0), 1e-12);
+}
+
 TEST(PairFit, SaysWhatSpeaksAgainstThePairs) {
     // Feet taken for metres.
     const PairFit feet = fitPairs(pairsOfPlaces(5, 0.0, 1, 0.3048), wholeSite);

@@ -127,8 +127,21 @@ TEST_F(NamedPoints, PairsOfASurveyThatWereWrittenAreReadBack) {
     EXPECT_TRUE(read.metres);
     ASSERT_EQ(read.pairs.size(), 2u);
     EXPECT_EQ(read.pairs[1].placed, Vec3(500010, 5400011, 112.5));
+    EXPECT_FALSE(read.pairs[1].deviation);
     // As a survey has it: before the datum shift of the case is added.
     EXPECT_EQ(read.pairs[1].surveyed, Vec3(499992.875, 5400008, 109 - 45.5));
+}
+
+TEST_F(NamedPoints, PairsMayStateHowAccurateTheirPointsAre) {
+    const std::string heading = "name,survey_x,survey_y,survey_z,x_m,y_m,z_m,deviation_m\n";
+    const PlacePairTable read = readPlacePairs(lay("pairs.csv", heading + "a,1,2,3,4,5,6,0.02\nb,1,2,3,4,5,6,\n"));
+    EXPECT_EQ(read.pairs[0].deviation, 0.02);
+    EXPECT_FALSE(read.pairs[1].deviation);
+    writePlacePairs(m_folder / "again.csv", read.pairs, {}, {});
+    const PlacePairTable again = readPlacePairs(m_folder / "again.csv");
+    EXPECT_EQ(again.pairs[0].deviation, 0.02);
+    EXPECT_FALSE(again.pairs[1].deviation);
+    EXPECT_THAT(refusal([&] { readPlacePairs(lay("pairs.csv", heading + "a,1,2,3,4,5,6,-0.02\n")); }), HasSubstr("below zero"));
 }
 
 }  // namespace

@@ -302,6 +302,9 @@ void PlacePairsDialog::showTable() {
                    .arg(shownNumber(placed.shift.norm()), shownNumber(placed.turn.norm() * 180.0 / std::numbers::pi));
         sum << tr("RMS of the pairs %1 m; places known to %2 m (standard deviation).")
                    .arg(shownNumber(placed.pairsLeft), shownNumber(placed.error.value_or(0.0)));
+        if (!placed.control) {
+            sum << tr("How accurate the places of the case are is not known, and not in it.");
+        }
     }
     sum << tr("The survey has a height every %1 m: a click is no better.").arg(shownNumber(m_plan.spacing()));
     m_sum->setText(sum.join(QLatin1Char('\n')));

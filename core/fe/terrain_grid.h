@@ -74,7 +74,7 @@ public:
         Unread,  ///< the raster goes on there, but there was no room for it
     };
     Source source(double x, double y) const;
-    /// The window about the structure with its heights, m: what is decided before anything falls is decided by this part.
+    /// The window about the structure with its heights, m.
     const Aabb& window() const { return m_window; }
     const TerrainExtent& extent() const { return m_extent; }
     const HeightGrid& grid() const { return m_grid; }

@@ -192,6 +192,29 @@ TEST(Decisions, OnlyTheRiverUnderTheReachCounts) {
     EXPECT_TRUE(scene.on(EffectKind::Water));
 }
 
+TEST(Decisions, WhatLiesBeyondTheWindowCountsAsWell) {
+    // Ground at -5 m about the structure, at -50 m beyond it.
+    std::vector<double> heights;
+    for (int j = -20; j <= 20; ++j) {
+        for (int i = -20; i <= 20; ++i) {
+            heights.push_back(std::max(std::abs(i), std::abs(j)) <= 10 ? -5.0 : -50.0);
+        }
+    }
+    TerrainExtent extent;
+    extent.column = extent.row = 10;
+    extent.columns = extent.rows = 21;
+    extent.x0 = extent.y0 = -10.0;
+    Scene scene = oneCube();
+    scene.terrain = std::make_shared<TerrainGrid>(HeightGrid{-20.0, -20.0, 1.0, 1.0, 41, 41, heights}, extent);
+    const double beyond = scene.of(EffectKind::AirDrag).measure;
+    const auto level = [&](double height) {
+        scene.terrain = std::make_shared<TerrainGrid>(-20.0, -20.0, 1.0, 41, 41, std::vector<double>(41 * 41, height));
+        return scene.of(EffectKind::AirDrag).measure;
+    };
+    EXPECT_DOUBLE_EQ(beyond, level(-50.0));
+    EXPECT_LT(beyond, level(-5.0));
+}
+
 TEST(Decisions, AirDragIsOnBelowSeventeenTimesItsWeight) {
     // A plate of thickness t falling from rest by h: R = density t / (rho C_d h).
     const double t = 0.02, density = 2400.0;

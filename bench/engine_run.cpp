@@ -151,7 +151,7 @@ private:
         }
         m_measure.meanHeight = centre.z() - m_scene.settings.groundHeight;
         m_measure.asleep = static_cast<double>(resting) / static_cast<double>(present);
-        m_measure.overlap = selftest::measureOverlap(boxes, owners);
+        m_measure.overlap = measureOverlap(boxes, owners);
     }
 
     const EngineScene& m_scene;

@@ -6,7 +6,7 @@
 
 #include "bench/engine_scene.h"
 #include "core/base/hash.h"
-#include "core/selftest/box_overlap.h"
+#include "core/validation/box_overlap.h"
 
 namespace rubble::bench {
 
@@ -21,17 +21,17 @@ struct EngineMeasure {
     double birthWallSeconds = 0.0;       ///< s, of these, as the clock goes
     double birthProcessorSeconds = 0.0;  ///< s, of these, of all processors
     std::int64_t birthSteps = 0;
-    double processorSeconds = 0.0;     ///< s, of all steps
-    std::int64_t pairsPeak = 0;        ///< touching at one time, as the engine counts them
-    std::int64_t pointsPeak = 0;       ///< of these
-    double pointsMean = 0.0;           ///< of the steps between the births
-    std::int64_t tooFast = 0;          ///< bodies that were ever 3 % faster than their birth and fall allow
-    std::int64_t thrown = 0;           ///< bodies that ever rose faster than 3 m/s, and than they were born
-    selftest::OverlapMeasure overlap;  ///< at the end, between bodies
-    double meanHeight = 0.0;           ///< m above the ground, of the mass, at the end
-    double spread = 0.0;               ///< m, 95 % of the mass ends no farther from its centre across
-    double asleep = 0.0;               ///< share of the bodies present at the end
-    Digest end;                        ///< of all places at the end: equal bits in a repeat
+    double processorSeconds = 0.0;  ///< s, of all steps
+    std::int64_t pairsPeak = 0;     ///< touching at one time, as the engine counts them
+    std::int64_t pointsPeak = 0;    ///< of these
+    double pointsMean = 0.0;        ///< of the steps between the births
+    std::int64_t tooFast = 0;       ///< bodies that were ever 3 % faster than their birth and fall allow
+    std::int64_t thrown = 0;        ///< bodies that ever rose faster than 3 m/s, and than they were born
+    OverlapMeasure overlap;         ///< at the end, between bodies
+    double meanHeight = 0.0;        ///< m above the ground, of the mass, at the end
+    double spread = 0.0;            ///< m, 95 % of the mass ends no farther from its centre across
+    double asleep = 0.0;            ///< share of the bodies present at the end
+    Digest end;                     ///< of all places at the end: equal bits in a repeat
 };
 
 /// Runs a scene. Pieces and bodies are the scene's alone: nothing acts besides the engine.

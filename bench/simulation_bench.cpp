@@ -10,8 +10,8 @@
 #include "core/analysis/debris/debris.h"
 #include "core/clusters/clustering.h"
 #include "core/clusters/sizing.h"
-#include "core/selftest/box_overlap.h"
 #include "core/simulation/run/collapse_run.h"
+#include "core/validation/box_overlap.h"
 #include "tests/samples/arches.h"
 
 namespace rubble {
@@ -88,7 +88,7 @@ void countPile(benchmark::State& state, const std::string& whose, const DebrisRe
             boxes.push_back(fragment.box);
         }
     }
-    const selftest::OverlapMeasure overlap = selftest::measureOverlap(boxes);
+    const OverlapMeasure overlap = measureOverlap(boxes);
     state.counters[whose + " mean height m"] = moment / mass;
     state.counters[whose + " overlap p99 m"] = overlap.p99;
     state.counters[whose + " overlap deepest m"] = overlap.deepest;

@@ -5,131 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/debris/box_outline.h"
 #include "core/base/message.h"
 #include "core/base/same_bits.h"
 #include "core/selftest/pile.h"
+#include "core/validation/box_overlap.h"
+#include "core/validation/heap_form.h"
 
 namespace rubble::selftest {
 
 namespace {
 
 constexpr double cubeSide = 0.14;
-constexpr double sieve = 0.05;  ///< m, cells of the surface
-
-/// Highest box above each cell of a rectangle; negative where there is none.
-class Surface {
-public:
-    Surface(const std::vector<OrientedBox>& boxes, double halfX, double halfY)
-        : m_halfX(halfX),
-          m_halfY(halfY),
-          m_nx(static_cast<std::size_t>(std::ceil(2.0 * halfX / sieve))),
-          m_ny(static_cast<std::size_t>(std::ceil(2.0 * halfY / sieve))),
-          m_top(m_nx * m_ny, -1.0) {
-        for (const OrientedBox& box : boxes) {
-            const BoxTop top(box);
-            const double reach = box.halfExtents.norm();
-            const auto [i0, i1] = range(box.centre.x(), reach, halfX, m_nx);
-            const auto [j0, j1] = range(box.centre.y(), reach, halfY, m_ny);
-            for (std::size_t j = j0; j < j1; ++j) {
-                for (std::size_t i = i0; i < i1; ++i) {
-                    m_top[j * m_nx + i] = std::max(m_top[j * m_nx + i], top.at(x(i), y(j)).value_or(-1.0));
-                }
-            }
-        }
-    }
-    double x(std::size_t i) const { return -m_halfX + sieve * (static_cast<double>(i) + 0.5); }
-    double y(std::size_t j) const { return -m_halfY + sieve * (static_cast<double>(j) + 0.5); }
-    /// Calls visit(x, y, top) for every cell.
-    template <class Visit>
-    void each(Visit visit) const {
-        for (std::size_t j = 0; j < m_ny; ++j) {
-            for (std::size_t i = 0; i < m_nx; ++i) {
-                visit(x(i), y(j), m_top[j * m_nx + i]);
-            }
-        }
-    }
-
-private:
-    static std::pair<std::size_t, std::size_t> range(double at, double reach, double half, std::size_t n) {
-        const double low = std::floor((at - reach + half) / sieve), high = std::ceil((at + reach + half) / sieve);
-        const double most = static_cast<double>(n);
-        return {static_cast<std::size_t>(std::clamp(low, 0.0, most)), static_cast<std::size_t>(std::clamp(high, 0.0, most))};
-    }
-    double m_halfX, m_halfY;
-    std::size_t m_nx, m_ny;
-    std::vector<double> m_top;
-};
-
-/// Mean height of a surface by distance from its centre (or along x).
-class Profile {
-public:
-    static constexpr double width = cubeSide;
-    std::vector<double> height;  ///< m, mean over all cells, bare ones count as 0
-
-    void add(double distance, double top) {
-        const auto bin = static_cast<std::size_t>(distance / width);
-        if (bin >= m_cells.size()) {
-            m_cells.resize(bin + 1, 0.0);
-            height.resize(bin + 1, 0.0);
-        }
-        m_cells[bin] += 1.0;
-        height[bin] += std::max(top, 0.0);
-    }
-    void finish() {
-        for (std::size_t i = 0; i < m_cells.size(); ++i) {
-            height[i] /= std::max(m_cells[i], 1.0);
-        }
-    }
-
-private:
-    std::vector<double> m_cells;
-};
-
-/// The boxes that hang together with the one nearest to a point, by gaps of less than half a block: the deposit without what rolled
-/// off alone. Its edge is the run-out of Lube et al. 2004 and Staron & Hinch 2005; the front is a single layer of blocks that
-/// barely touch.
-std::vector<OrientedBox> deposit(const std::vector<OrientedBox>& boxes, const Vec3& heart) {
-    constexpr double near = 0.5 * cubeSide;
-    std::vector<bool> in(boxes.size(), false);
-    std::vector<std::size_t> edge{static_cast<std::size_t>(std::min_element(boxes.begin(), boxes.end(),
-                                                                            [&](const OrientedBox& a, const OrientedBox& b) {
-                                                                                return (a.centre - heart).squaredNorm() <
-                                                                                       (b.centre - heart).squaredNorm();
-                                                                            }) -
-                                                           boxes.begin())};
-    in[edge.front()] = true;
-    std::vector<OrientedBox> found;
-    while (!edge.empty()) {
-        const OrientedBox box = boxes[edge.back()];
-        edge.pop_back();
-        found.push_back(box);
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            if (!in[i] && (boxes[i].centre - box.centre).norm() < std::numbers::sqrt3 * cubeSide + near &&
-                overlapOf(boxes[i], box) > -near) {
-                in[i] = true;
-                edge.push_back(i);
-            }
-        }
-    }
-    return found;
-}
-
-/// Mean over sectors of the farthest reach in each.
-/// @param sectorOf  index of a box's sector, below `sectors`
-template <class Sector, class Reach>
-double front(const std::vector<OrientedBox>& boxes, std::size_t sectors, Sector sectorOf, Reach reachOf) {
-    std::vector<double> farthest(sectors, 0.0);
-    for (const OrientedBox& box : boxes) {
-        double& most = farthest[std::min(sectorOf(box), sectors - 1)];
-        most = std::max(most, reachOf(box));
-    }
-    double sum = 0.0;
-    for (const double reach : farthest) {
-        sum += reach;
-    }
-    return sum / static_cast<double>(sectors);
-}
+constexpr double touching = 0.5 * cubeSide;  ///< m, gap of blocks of one deposit
 
 struct Collapse {
     double aspect = 0.0;  ///< height over radius or length before
@@ -210,18 +97,18 @@ Collapse axisymmetric(const CaseSetting& setting, double aspect) {
         scene.world().removePiece(piece);
     }
     scene.run(5.0 + 0.5 * std::sqrt(height));
-    const std::vector<OrientedBox> heap = deposit(placedBoxes(scene.world(), pile.sizes()), Vec3::Zero());
-    Profile profile;
-    Surface(heap, 9.0, 9.0).each([&](double x, double y, double top) { profile.add(std::hypot(x, y), top); });
+    const std::vector<OrientedBox> heap = joinedBoxes(placedBoxes(scene.world(), pile.sizes()), Vec3::Zero(), touching);
+    HeapProfile profile(cubeSide);
+    HeapSurface(heap, 9.0, 9.0).each([&](double x, double y, double top) { profile.add(std::hypot(x, y), top); });
     profile.finish();
-    const double edge = front(
+    const double edge = meanFront(
         heap, sides,
         [](const OrientedBox& box) {
             const double turns = std::atan2(box.centre.y(), box.centre.x()) / (2.0 * std::numbers::pi) + 0.5;
             return static_cast<std::size_t>(turns * sides);
         },
         [](const OrientedBox& box) { return box.centre.head<2>().norm() + 0.5 * cubeSide; });
-    return {height / radius, (edge - radius) / radius, 0.5 * (profile.height[0] + profile.height[1])};
+    return {height / radius, (edge - radius) / radius, 0.5 * (profile.height()[0] + profile.height()[1])};
 }
 
 Collapse channel(const CaseSetting& setting, double aspect, std::uint64_t seed) {
@@ -239,47 +126,30 @@ Collapse channel(const CaseSetting& setting, double aspect, std::uint64_t seed) 
                                [](const Vec3&) { return true; });
     scene.world().removePiece(gate);
     scene.run(5.0 + 0.5 * std::sqrt(height));
-    const std::vector<OrientedBox> heap = deposit(placedBoxes(scene.world(), pile.sizes()), {-0.5 * length, 0, 0});
-    Profile profile;
-    Surface(heap, reach, halfWidth).each([&](double x, double, double top) {
+    const std::vector<OrientedBox> heap = joinedBoxes(placedBoxes(scene.world(), pile.sizes()), {-0.5 * length, 0, 0}, touching);
+    HeapProfile profile(cubeSide);
+    HeapSurface(heap, reach, halfWidth).each([&](double x, double, double top) {
         if (x > -0.5 * length) {
             profile.add(x + 0.5 * length, top);
         }
     });
     profile.finish();
     constexpr std::size_t strips = 3;
-    const double edge = front(
+    const double edge = meanFront(
         heap, strips,
         [](const OrientedBox& box) {
             return static_cast<std::size_t>(std::max(0.0, (box.centre.y() / halfWidth + 1.0) * 0.5 * strips));
         },
         [](const OrientedBox& box) { return box.centre.x() + 0.5 * length + 0.5 * cubeSide; });
-    return {height / length, (edge - length) / length, 0.5 * (profile.height[0] + profile.height[1])};
+    return {height / length, (edge - length) / length, 0.5 * (profile.height()[0] + profile.height()[1])};
 }
-
-/// Exponent and factor of runOut = factor * aspect^exponent by least squares in the logarithms.
-struct PowerLaw {
-    double exponent = 0.0;
-    double factor = 0.0;
-};
 
 PowerLaw fitted(const std::vector<Collapse>& collapses) {
-    double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    std::vector<std::pair<double, double>> points;
     for (const Collapse& c : collapses) {
-        const double x = std::log(c.aspect), y = std::log(c.runOut);
-        n += 1.0;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
+        points.emplace_back(c.aspect, c.runOut);
     }
-    const double exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-    return {exponent, std::exp((sy - exponent * sx) / n)};
-}
-
-/// Factor by which two positive numbers differ; infinity where one is not positive.
-double apart(double a, double b) {
-    return a > 0.0 && b > 0.0 ? std::max(a / b, b / a) : std::numeric_limits<double>::infinity();
+    return powerLawThrough(points);
 }
 
 /// Heights of columns against a law: by their geometric mean, and one by one with the twentieth more by which single ones differ
@@ -315,13 +185,13 @@ void columnAxisymmetric(const CaseSetting& setting, Outcome& outcome) {
         collapses.push_back(axisymmetric(setting, aspect));
         // Lube et al. 2004: h = 0.88 r0 a^(1/6) for a > 1.7. Blocks a seventh of the radius wide: a factor of 1.6.
         const Collapse& c = collapses.back();
-        height.add(apart(c.height, 0.88 * std::pow(c.aspect, 1.0 / 6.0)));
+        height.add(factorApart(c.height, 0.88 * std::pow(c.aspect, 1.0 / 6.0)));
     }
     height.check("0.88 a^(1/6)", outcome);
     const PowerLaw law = fitted(collapses);
     // Lube et al. 2004: (r - r0) / r0 = 1.6 a^(1/2) for a > 1.7; the scatter of the exponent as published.
     outcome.near("exponent of the run-out, around an axis", law.exponent, 0.5, 0.12);
-    outcome.atMost("its prefactor over 1.6, factor", apart(law.factor, 1.6), 1.6);
+    outcome.atMost("its prefactor over 1.6, factor", factorApart(law.factor, 1.6), 1.6);
 }
 
 void columnChannel(const CaseSetting& setting, Outcome& outcome) {
@@ -345,7 +215,8 @@ void columnChannel(const CaseSetting& setting, Outcome& outcome) {
         }
         if (fillings > 0) {
             // Lajeunesse et al. 2005: h = 0.65 L a^(1/3); Lube et al. 2005: 0.72 L a^(2/5). Measured against the nearer one.
-            height.add(std::min(apart(c.height, 0.65 * std::cbrt(c.aspect)), apart(c.height, 0.72 * std::pow(c.aspect, 0.4))));
+            height.add(
+                std::min(factorApart(c.height, 0.65 * std::cbrt(c.aspect)), factorApart(c.height, 0.72 * std::pow(c.aspect, 0.4))));
             collapses.push_back(c);
         }
     }
@@ -353,7 +224,7 @@ void columnChannel(const CaseSetting& setting, Outcome& outcome) {
     const PowerLaw law = fitted(collapses);
     // Lajeunesse et al. 2005, Lube et al. 2005: 1.9 a^(2/3) for high columns; Staron & Hinch 2005 find 0.7 for simulated grains.
     outcome.near("exponent of the run-out, in a channel", law.exponent, 2.0 / 3.0, 0.12);
-    outcome.atMost("its prefactor over 1.9, factor", apart(law.factor, 1.9), 1.6);
+    outcome.atMost("its prefactor over 1.9, factor", factorApart(law.factor, 1.9), 1.6);
 }
 
 void repose(const CaseSetting& setting, Outcome& outcome) {
@@ -377,18 +248,18 @@ void repose(const CaseSetting& setting, Outcome& outcome) {
         }
     }
     scene.run(3.0);
-    Profile profile;
-    Surface(placedBoxes(scene.world(), pile.sizes()), 6.0, 6.0).each([&](double x, double y, double height) {
+    HeapProfile profile(cubeSide);
+    HeapSurface(placedBoxes(scene.world(), pile.sizes()), 6.0, 6.0).each([&](double x, double y, double height) {
         profile.add(std::hypot(x, y), height);
     });
     profile.finish();
     // Slope of the flank between 80 and 20 % of the height.
-    const double peak = *std::max_element(profile.height.begin(), profile.height.end());
+    const double peak = *std::max_element(profile.height().begin(), profile.height().end());
     const auto radiusAt = [&](double height) {
-        for (std::size_t i = 1; i < profile.height.size(); ++i) {
-            if (profile.height[i] < height) {
-                const double share = (profile.height[i - 1] - height) / (profile.height[i - 1] - profile.height[i]);
-                return Profile::width * (static_cast<double>(i) - 0.5 + share);
+        for (std::size_t i = 1; i < profile.height().size(); ++i) {
+            if (profile.height()[i] < height) {
+                const double share = (profile.height()[i - 1] - height) / (profile.height()[i - 1] - profile.height()[i]);
+                return cubeSide * (static_cast<double>(i) - 0.5 + share);
             }
         }
         return 0.0;

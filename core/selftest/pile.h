@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/sequence.h"
-#include "core/selftest/box_overlap.h"
 #include "core/selftest/world_scene.h"
+#include "core/validation/box_overlap.h"
 
 namespace rubble::selftest {
 

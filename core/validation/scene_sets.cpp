@@ -2,9 +2,15 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/elapsed.h"
 #include "core/base/unknown.h"
+#include "core/validation/grain_column.h"
+#include "core/validation/heap_form.h"
 #include "core/validation/packing.h"
 #include "core/validation/tilting_table.h"
 #include "core/validation/voussoir_arch.h"
@@ -16,6 +22,7 @@ namespace {
 constexpr const char* diceSource =
     "Baker & Kudrolli, Phys. Rev. E 82 (2010) 061304: plastic dice, random loose and random close packing";
 constexpr std::int64_t poursByDefault = 2;
+constexpr std::int64_t columnsByDefault = 1;
 
 /// A die with the packings that were measured of it.
 struct PouredDie {
@@ -60,6 +67,84 @@ ValidationSet packingSet() {
                               {"restitution", "0.1", "assumed"}};
         set.criteria.push_back({poured.name, "solid_fraction", poured.loose - 0.01, poured.close + 0.01, {}});
         set.variants.push_back(std::move(variant));
+    }
+    return set;
+}
+
+constexpr const char* rodsSource =
+    "Trepanier & Franklin, Phys. Rev. E 82 (2010) 011308: columns of rods, exponent of the run-out of tall ones 0.6 +- 0.1";
+constexpr const char* grainsSource =
+    "Lube et al., J. Fluid Mech. 508 (2004) 175: run-out 1.6 a^0.5, height 0.88 a^(1/6) of tall columns, whatever the grains";
+constexpr std::array columnAspects{3.0, 6.0, 12.0};
+
+/// Grains with the law that columns of them are held against.
+struct ColumnGrains {
+    const char* name;
+    const char* words;
+    Vec3 sides;  ///< m, of equal volume
+    double exponent;
+    double within;
+};
+const std::vector<ColumnGrains>& columnGrains() {
+    static const std::vector<ColumnGrains> grains{
+        {"cubes", "cubes of 0.18 m: the law of irregular grains", {0.18, 0.18, 0.18}, 0.5, 0.12},
+        {"rods", "rods 4 : 1 : 1 of the same volume: the measured exponent of rods", {0.4536, 0.1134, 0.1134}, 0.6, 0.1},
+        {"plates",
+         "plates 3 : 3 : 1 of the same volume: no measurement of plates is known, so the law of irregular grains",
+         {0.2595, 0.2595, 0.0866},
+         0.5,
+         0.12},
+    };
+    return grains;
+}
+
+ConfidenceInterval spreadOf(const std::vector<double>& values) {
+    const MeanAndScatter sample = meanAndScatter(values);
+    return {sample.mean, sample.mean - sample.scatter, sample.mean + sample.scatter};
+}
+
+std::vector<SetFigure> columnFigures(std::size_t variant, const ValidationOptions& options, const Execution& execution) {
+    std::vector<double> exponents, factors, runOuts, heights, fractions;
+    for (std::int64_t r = 0; r < options.repeats.value_or(columnsByDefault); ++r) {
+        std::vector<std::pair<double, double>> points;
+        for (const double aspect : columnAspects) {
+            GrainColumn column;
+            column.grain = columnGrains()[variant].sides;
+            column.aspect = aspect;
+            column.seed = static_cast<std::uint64_t>(options.seed + r);
+            const ColumnDeposit deposit = collapseOf(column, execution);
+            points.emplace_back(deposit.aspect, deposit.runOut);
+            runOuts.push_back(deposit.runOut / (1.6 * std::sqrt(deposit.aspect)));
+            heights.push_back(deposit.height / (0.88 * std::pow(deposit.aspect, 1.0 / 6.0)));
+            fractions.push_back(deposit.solidFraction);
+        }
+        const PowerLaw law = powerLawThrough(points);
+        exponents.push_back(law.exponent);
+        factors.push_back(law.factor);
+    }
+    return {{"run_out_exponent", "", spreadOf(exponents)},
+            {"run_out_factor", "", spreadOf(factors)},
+            {"run_out_over_law", "", spreadOf(runOuts)},
+            {"height_over_law", "", spreadOf(heights)},
+            {"solid_fraction", "", spreadOf(fractions)}};
+}
+
+ValidationSet columnSet() {
+    ValidationSet set;
+    set.id = "columns";
+    set.title = "Round columns of cubes, rods and plates collapse";
+    set.source = std::string(grainsSource) + "; " + rodsSource;
+    set.licence = "numbers of publications";
+    for (const ColumnGrains& grains : columnGrains()) {
+        set.variants.push_back(
+            {grains.name,
+             grains.words,
+             {{"friction", "0.6", "assumed: the sources find that it matters little"}, {"restitution", "0.1", "assumed"}},
+             {}});
+        set.criteria.push_back(
+            {grains.name, "run_out_exponent", grains.exponent - grains.within, grains.exponent + grains.within, {}});
+        set.criteria.push_back({grains.name, "run_out_over_law", 1.0 / 1.6, 1.6, {}});
+        set.criteria.push_back({grains.name, "height_over_law", 1.0 / 1.6, 1.6, {}});
     }
     return set;
 }
@@ -134,7 +219,8 @@ ValidationSet standingSet() {
 }  // namespace
 
 std::span<const SceneSet> sceneSets() {
-    static const std::array sets{SceneSet{packingSet(), packingFigures}, SceneSet{standingSet(), standingFigures}};
+    static const std::array sets{SceneSet{packingSet(), packingFigures}, SceneSet{standingSet(), standingFigures},
+                                 SceneSet{columnSet(), columnFigures}};
     return sets;
 }
 

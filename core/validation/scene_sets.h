@@ -13,7 +13,7 @@ struct SceneSet {
     std::vector<SetFigure> (*figures)(std::size_t variant, const ValidationOptions& options, const Execution& execution);
 };
 
-/// Poured packings of dice, and blocks and walls on a tilting table.
+/// Poured packings of dice, blocks and walls on a tilting table, and columns of grains.
 std::span<const SceneSet> sceneSets();
 
 /// Simulates all variants of a scene and judges them. The same options give the same numbers. Throws Cancelled.

@@ -18,7 +18,7 @@ BlindShare shareFrom(const json& from) {
 FurtherEvidence furtherFrom(const json& from) {
     FurtherEvidence further;
     const auto kind = from.at("kind").get<std::string>();
-    for (const EvidenceKind each : {EvidenceKind::Footprint, EvidenceKind::Heights, EvidenceKind::Photograph}) {
+    for (const EvidenceKind each : {EvidenceKind::Footprint, EvidenceKind::Heights, EvidenceKind::Photograph, EvidenceKind::Time}) {
         further.kind = kind == evidenceKindName(each) ? each : further.kind;
     }
     if (const json& part = from.at("part_m"); !part.is_null()) {
@@ -27,6 +27,10 @@ FurtherEvidence furtherFrom(const json& from) {
     }
     if (const json& place = from.at("from_m"); !place.is_null()) {
         further.from = Eigen::Vector2d(place.at(0).get<double>(), place.at(1).get<double>());
+    }
+    // Rankings of earlier versions know no times.
+    if (const auto accuracy = from.find("accuracy_s"); accuracy != from.end() && !accuracy->is_null()) {
+        further.accuracy = accuracy->get<double>();
     }
     further.named = shareFrom(from);
     return further;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -16,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int formatVersion = 2;
+constexpr int formatVersion = 3;
 
 json islandsJson(const WorldOrigin& origin, const SettledWorld& settled) {
     json list = json::array();
@@ -31,10 +32,38 @@ json islandsJson(const WorldOrigin& origin, const SettledWorld& settled) {
                         {"state", island.state},
                         {"elements", std::move(elements)}});
     }
+    json rows = json::array(), columns = json::array(), times = json::array();
+    for (const DebrisArrival& arrival : settled.arrivals.squares) {
+        rows.push_back(arrival.j);
+        columns.push_back(arrival.i);
+        times.push_back(jsonNumber(arrival.time));
+    }
     return {{"version", formatVersion},
             {"world", origin.key.hex()},
             {"trajectory", settled.world.trajectoryHash.hex()},
-            {"islands", std::move(list)}};
+            {"islands", std::move(list)},
+            {"arrivals", {{"rows", std::move(rows)}, {"columns", std::move(columns)}, {"times", std::move(times)}}}};
+}
+
+std::int32_t squareFrom(const JsonCursor& cursor) {
+    const std::int64_t index = cursor.integer();
+    if (index < std::numeric_limits<std::int32_t>::min() || index > std::numeric_limits<std::int32_t>::max()) {
+        cursor.fail("the index of a square");
+    }
+    return static_cast<std::int32_t>(index);
+}
+
+DebrisArrivals arrivalsFrom(const JsonCursor& cursor) {
+    const std::vector<JsonCursor> rows = cursor["rows"].elements(), columns = cursor["columns"].elements(),
+                                  times = cursor["times"].elements();
+    if (rows.size() != columns.size() || rows.size() != times.size()) {
+        cursor.fail("as many rows, columns and times");
+    }
+    DebrisArrivals arrivals;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        arrivals.squares.push_back({squareFrom(rows[k]), squareFrom(columns[k]), times[k].number()});
+    }
+    return arrivals;
 }
 
 std::vector<CarriedIsland> islandsFrom(const JsonCursor& cursor, const WorldOrigin& origin, const SimulatedWorld& world) {
@@ -88,6 +117,7 @@ std::optional<SettledWorld> SettledFiles::settled(const WorldOrigin& origin, Fin
         const json document = parseJson(text, path);
         SettledWorld settled;
         settled.islands = islandsFrom(JsonCursor(document, path), origin, *world);
+        settled.arrivals = arrivalsFrom(JsonCursor(document, path)["arrivals"]);
         settled.world = std::move(*world);
         return settled;
     } catch (const ParseError& error) {

@@ -8,7 +8,7 @@
 namespace rubble::io {
 
 /// Keeps settled worlds in a folder: the world as StudyFiles does, so that other studies find it, and beside it islands/KEY.json
-/// with the islands that were released. Written atomically, the world last: what is there is whole.
+/// with the islands that were released and the arrivals of debris. Written atomically, the world last: what is there is whole.
 class SettledFiles : public SettledStore {
 public:
     /// Makes the folder when something is kept.

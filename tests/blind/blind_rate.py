@@ -3,9 +3,11 @@
 
 Each collapse has one of the causes, in turn, and friction, births and a seed that are drawn and that no member has. A survey is
 taken of its debris, with noise and with patches that nobody surveyed; what it finds lower than twice the noise it takes for ground.
+With --time a witness says when debris first lay at a place, to half a second; of a place that none reached nobody says anything.
 Causes are then compared twice: all of them, and without the true one. Tells a table and, with --json, every collapse.
 
-    tests/blind/blind_rate.py RUBBLE_CLI CAUSE CAUSE... [--collapses N] [--members N] [--noise M] [--set KEY=VALUE] [--cache FOLDER]
+    tests/blind/blind_rate.py RUBBLE_CLI CAUSE CAUSE... [--collapses N] [--members N] [--noise M] [--time X,Y[,RADIUS]]
+                              [--set KEY=VALUE] [--cache FOLDER]
 
 Right, wrong and undecided are counted where no cause was refused; a collapse is missed where all causes are.
 """
@@ -24,6 +26,8 @@ CELL = 1.0     # m
 MARGIN = 10.0  # m, of the survey around the debris
 PATCHES = 4    # that were not surveyed
 PATCH = 4      # cells, side of one
+ACCURACY = 0.5  # s, of a time that a witness gives
+VARIED = ["--vary", "friction=uniform:0.4:0.8", "--vary", "birth_shift=uniform:0:0.1"]
 
 
 def told(words):
@@ -37,17 +41,17 @@ def settings_of(options):
     return [word for each in options.set for word in ("--set", each)]
 
 
-def heights_of(options, cause, drawn, folder):
-    """Height of debris and fallen structure by cells, m."""
+def hidden(options, cause, number, folder):
+    """What was drawn for a collapse, its heights of debris and fallen structure by cells, m, and its times at the places, s."""
     table = folder / "heights.csv"
-    told([options.cli, "map", cause, *settings_of(options), "--set", f"friction={drawn['friction']}",
-          "--set", f"birth_shift={drawn['birth_shift']}", "--set", f"seed={drawn['seed']}", "--cell", CELL, "--out", table])
+    reached = [word for each in options.time for word in ("--reached", each)]
+    made = json.loads(told([options.cli, "ensemble", cause, "--members", 1, "--seed", 1000 + number, *VARIED, *settings_of(options),
+                            *reached, "--cell", CELL, "--cache", options.cache, "--out", table, "--json"]))
     heights = {}
     with open(table, newline="", encoding="utf-8") as rows:
         for row in csv.DictReader(rows):
-            height = max(float(row[name] or 0) for name in ("height_m", "live_height_m") if name in row)
-            heights[float(row["x_m"]), float(row["y_m"])] = 0.0 if math.isnan(height) else height
-    return heights
+            heights[float(row["x_m"]), float(row["y_m"])] = float(row["height_p50_m"] or 0)
+    return made["list"][0]["drawn"], heights, [place["members_s"][0] for place in made["reached"]]
 
 
 def write_survey(options, heights, chance, path):
@@ -67,26 +71,30 @@ def write_survey(options, heights, chance, path):
             out.write(" ".join(line) + "\n")
 
 
-def compared(options, causes, survey):
+def compared(options, causes, evidence):
     return json.loads(told([
-        options.cli, "compare", *causes, "--members", options.members, "--vary", "friction=uniform:0.4:0.8",
-        "--vary", "birth_shift=uniform:0:0.1", *settings_of(options), "--cell", CELL, "--cache", options.cache,
-        "--against", f"height={survey}", "--json"]))
+        options.cli, "compare", *causes, "--members", options.members, *VARIED, *settings_of(options), "--cell", CELL,
+        "--cache", options.cache, *[word for each in evidence for word in ("--against", each)], "--json"]))
 
 
 def blind(options, number, folder):
     chance = random.Random(1000 + number)
     truth = options.causes[number % len(options.causes)]
-    drawn = {"friction": round(chance.uniform(0.4, 0.8), 4), "birth_shift": round(chance.uniform(0.0, 0.1), 4),
-             "seed": 1000 + number}
+    drawn, heights, times = hidden(options, truth, number, folder)
     survey = folder / "survey.asc"
-    write_survey(options, heights_of(options, truth, drawn, folder), chance, survey)
-    found = compared(options, options.causes, survey)
-    none = compared(options, [each for each in options.causes if each != truth], survey)
+    write_survey(options, heights, chance, survey)
+    evidence = [f"height={survey}"]
+    for place, time in zip(options.time, times):
+        if time is not None:
+            x, y, radius = (place.split(",") + ["5"])[:3]
+            said = max(0.0, time + chance.uniform(-ACCURACY, ACCURACY))
+            evidence.append(f"time={said:.2f},{x},{y},{radius},{ACCURACY}")
+    found = compared(options, options.causes, evidence)
+    none = compared(options, [each for each in options.causes if each != truth], evidence)
     answer = "missed" if found["unexplained"] else "undecided"
     if found["told_apart"] and not found["unexplained"]:
         answer = "right" if found["closest"] == truth.stem else "wrong"
-    return {"truth": truth.stem, **drawn, "answer": answer, "closest": found["closest"], "fit": found["fit"],
+    return {"truth": truth.stem, **drawn, "times": times, "answer": answer, "closest": found["closest"], "fit": found["fit"],
             "noticed": none["unexplained"], "fit_without": none["fit"], "named_without": none["told_apart"] and not none["unexplained"]}
 
 
@@ -120,6 +128,7 @@ def main():
     parser.add_argument("--collapses", type=int, default=40)
     parser.add_argument("--members", type=int, default=10)
     parser.add_argument("--noise", type=float, default=0.1, help="standard deviation of a surveyed height, m")
+    parser.add_argument("--time", action="append", default=[], metavar="X,Y[,RADIUS]", help="a witness tells when debris came there")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     parser.add_argument("--cache", type=pathlib.Path, default=pathlib.Path("blind-cache"))
     parser.add_argument("--json", type=pathlib.Path)

@@ -29,6 +29,7 @@ SettledWorld settledWorld() {
     island.elements = {idAt<ElementIndex>(3), idAt<ElementIndex>(70000)};
     island.state = 17;
     island.moved = {Vec3(1.0 / 3.0, -2.0, 1e-300), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
+    settled.arrivals.squares = {{-3, 4, 1.0 / 3.0}, {0, -70, 12.25}};
     return settled;
 }
 
@@ -46,6 +47,7 @@ TEST(SettledFiles, WhatIsKeptComesBackToTheBit) {
     EXPECT_EQ(back->islands[0].state, 17u);
     EXPECT_EQ(back->islands[0].moved.position, settledWorld().islands[0].moved.position);
     EXPECT_EQ(back->islands[0].moved.orientation.coeffs(), settledWorld().islands[0].moved.orientation.coeffs());
+    EXPECT_EQ(back->arrivals, settledWorld().arrivals);
     EXPECT_TRUE(findings.empty());
     // Other studies find the world under the same key.
     StudyFiles study(folder.path());

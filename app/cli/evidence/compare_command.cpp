@@ -5,6 +5,7 @@
 
 #include "app/cli/accuracy/study_place.h"
 #include "app/cli/evidence/ensemble_output.h"
+#include "app/cli/evidence/reached_places.h"
 #include "app/cli/evidence/scope_options.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/ensemble_commands.h"
@@ -27,6 +28,7 @@ namespace {
 /// What --against names.
 struct Against {
     std::vector<io::EvidenceFile> files;
+    std::vector<TimeEvidence> times;
     bool photographs = false;
 };
 
@@ -39,6 +41,10 @@ Against parseAgainst(const Arguments& arguments) {
             continue;
         }
         const auto [keyword, path] = splitAssignment("--against", text);
+        if (keyword == evidenceKindName(EvidenceKind::Time)) {
+            against.times.push_back(parseTimeEvidence(path));
+            continue;
+        }
         const std::size_t before = against.files.size();
         for (const Kind kind : {Kind::Footprint, Kind::Heights, Kind::Surface}) {
             if (keyword == io::evidenceKeyword(kind)) {
@@ -46,7 +52,7 @@ Against parseAgainst(const Arguments& arguments) {
             }
         }
         if (against.files.size() == before) {
-            throw wrongValue("--against", text, "footprint=FILE, height=FILE, surface=FILE or photographs");
+            throw wrongValue("--against", text, "footprint=FILE, height=FILE, surface=FILE, time=SECONDS,X,Y or photographs");
         }
     }
     return against;
@@ -104,6 +110,7 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
                            Session& session) {
     const Against against = parseAgainst(arguments);
     CauseEvidence evidence;
+    evidence.times = against.times;
     EnsembleSubject& first = causes.subjects.front();
     const EnsembleScene& scene = first.scenes.front();
     io::EvidenceSite site{first.frame, first.theCase.site, {true, scene.scenario.simulation.groundHeight, scene.inputs.terrain}};
@@ -304,6 +311,7 @@ Json tellingJson(const TellingEvidence& telling, const std::vector<std::string>&
         row["kind"] = evidenceKindName(each.kind);
         row["part_m"] =
             each.part ? Json{each.part->min().x(), each.part->min().y(), each.part->max().x(), each.part->max().y()} : Json();
+        row["accuracy_s"] = each.kind == EvidenceKind::Time ? Json(each.accuracy) : Json();
         row["from_m"] = each.from ? Json{each.from->x(), each.from->y()} : Json();
         object["ranked"].push_back(std::move(row));
     }
@@ -332,7 +340,7 @@ void printTelling(std::ostream& out, const TellingEvidence& telling, const std::
     }
     table.print(out);
     out << "Each of " << englishInteger(telling.ranked.empty() ? 0 : telling.ranked.front().named.trials)
-        << " members in turn was what happened, seen without error. "
+        << " members in turn was what happened, seen without error, a time to its accuracy. "
         << englishInteger(static_cast<std::int64_t>(telling.ranked.size()))
         << " pieces of evidence were tried; the first of many is flattered by chance.\n";
 }
@@ -475,8 +483,8 @@ ExitCode compare(const Arguments& arguments, Session& session) {
 Command compareCommand() {
     std::vector<Option> options{
         {"--against", "KIND=FILE", true,
-         "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER of the surface, or photographs of the first "
-         "case"},
+         "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER of the surface, "
+         "time=SECONDS,X,Y[,RADIUS[,ACCURACY]] at which debris reached a place, or photographs of the first case"},
         areaOption(),
         leaveOutOption(),
         {"--blind", "", false, "let each member in turn be what was observed, and say how often its cause is found"},
@@ -502,7 +510,7 @@ Command compareCommand() {
             "FE|CASE...",
             "which cause: several hypotheses of one collapse, each with its ensemble, against the same evidence",
             "Ranks supposed causes of one collapse, several cases or FE results or the scenarios of one case, by how close their "
-            "debris comes to footprints, surveyed heights and photographs, "
+            "debris comes to footprints, surveyed heights, times and photographs, "
             "with their spread, or says that the evidence cannot tell them apart. Without --against it says how far footprints and "
             "heights could tell them apart at all.",
             std::move(options),

@@ -2,6 +2,7 @@
 
 #include "app/cli/accuracy/study_place.h"
 #include "app/cli/evidence/ensemble_output.h"
+#include "app/cli/evidence/reached_places.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/ensemble_commands.h"
 #include "app/cli/frame/output_file.h"
@@ -55,6 +56,7 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
     const EnsembleMaps maps(arguments,
                             {MapLayer::Probability, MapLayer::AboveSecond, MapLayer::HeightMiddle, MapLayer::HeightHigh});
     const HeightThresholds heights = parseThresholds(arguments);
+    const std::vector<ReachedPlace> places = reachedPlaces(arguments);
     checkCsvPath(arguments, operandsOf(arguments));
     EnsembleSubject subject = openEnsembleSubject(arguments.operand(), arguments.value("--scenario"), arguments, request, session);
     io::SettledFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
@@ -85,6 +87,7 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
     writeCsv(arguments, memberTable(report));
     if (arguments.json()) {
         Json object = ensembleJson(report, map ? &*map : nullptr);
+        object["reached"] = reachedJson(report, places);
         object["exports"] = written;
         object["warnings"] = findingsJson(report.findings);
         if (session.execution().cancelled()) {
@@ -93,6 +96,7 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
         printJson(session, object);
     } else {
         printEnsemble(session.out(), report);
+        printReached(session.out(), report, places);
         for (const std::string& path : written) {
             session.out() << path << '\n';
         }
@@ -109,6 +113,7 @@ Command ensembleCommand() {
         options.push_back(option);
     }
     options.push_back({"--heights", "M,M,M", false, "heights that the map has the probability of, m (default: 0.25,0.5,1)"});
+    options.push_back(reachedOption());
     for (const Option& option : StudyPlace::options()) {
         options.push_back(option);
     }

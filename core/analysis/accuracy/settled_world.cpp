@@ -110,7 +110,8 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     const auto start = std::chrono::steady_clock::now();
     const MachineLoad load;
     DebrisRecorder recorder;
-    IslandRecorder islands(&recorder);
+    ArrivalRecorder arrivals(description, &recorder);
+    IslandRecorder islands(&arrivals);
     const SimulationResult result = simulate(description, islands, execution, checkpoints);
     SettledWorld settled;
     SimulatedWorld& world = settled.world;
@@ -126,6 +127,7 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);
     world.checkpoints = result.checkpoints;
     settled.islands = islands.carried();
+    settled.arrivals = arrivals.arrivals();
     return settled;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/analysis/accuracy/study_store.h"
+#include "core/analysis/debris/arrivals.h"
 
 namespace rubble {
 
@@ -33,6 +34,7 @@ std::vector<CarriedIsland> leftIslands(const FragmentSet& fragments, std::span<c
 struct SettledWorld {
     SimulatedWorld world;
     std::vector<CarriedIsland> islands;  ///< at rest
+    DebrisArrivals arrivals;
 };
 
 /// Simulates a world; frames are not kept. Throws what simulate() throws.

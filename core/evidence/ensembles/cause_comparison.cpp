@@ -69,6 +69,10 @@ Departures departuresOf(const Hypothesis& hypothesis, const CauseEvidence& evide
         for (std::size_t p = 0; p < evidence.photographs.size(); ++p) {
             departures[evidence.surfaces.size() + p].push_back(p < member->looked.size() ? member->looked[p] : unknown);
         }
+        for (std::size_t t = 0; t < evidence.times.size(); ++t) {
+            departures[evidence.surfaces.size() + evidence.photographs.size() + t].push_back(
+                departureFrom(evidence.times[t], member->arrivals));
+        }
     }
     return departures;
 }
@@ -112,6 +116,26 @@ double chanceOf(const FigureSpread& spread, double departure) {
         return departure > spread.mean ? 0.0 : 1.0;
     }
     return studentBelow((spread.mean - departure) / scale, count - 1.0);
+}
+
+/// Chance that debris of one more member would reach the place as much earlier or later than theirs: Student's prediction, with the
+/// accuracy as limits between which a time may lie anywhere (GUM, type B). NaN with fewer than two members that reach it.
+double chanceOf(const Hypothesis& hypothesis, const TimeEvidence& evidence) {
+    std::vector<double> times;
+    for (const EnsembleMember* member : hypothesis.ensemble->done()) {
+        times.push_back(member->arrivals.firstWithin(evidence.place, evidence.radius) - member->arrivals.first());
+    }
+    const FigureSpread spread = spreadOf(times);
+    if (spread.count < 2) {
+        return unknown;
+    }
+    const double count = static_cast<double>(spread.count);
+    const double variance = spread.deviation * spread.deviation * (1.0 + 1.0 / count) + evidence.accuracy * evidence.accuracy / 3.0;
+    const double apart = std::abs(evidence.time - spread.mean);
+    if (variance == 0.0) {
+        return apart > 0.0 ? 0.0 : 1.0;
+    }
+    return 2.0 * studentBelow(-apart / std::sqrt(variance), count - 1.0);
 }
 
 /// Height of a surface in a cell, m; 0 where it has nothing.
@@ -222,6 +246,14 @@ Message verdictOf(const CauseComparison& made) {
                 {name, listOf(made.alike)}};
     }
     const RankedCause& next = made.ranking.causes[1];
+    const bool times =
+        std::all_of(made.kinds.begin(), made.kinds.end(), [](EvidenceKind kind) { return kind == EvidenceKind::Time; });
+    if (made.ranking.decided() && times) {
+        return {"causes.told_time",
+                "Of these hypotheses {0} explains the times best: one of its members is closer than one of {1} in {2} % of the "
+                "pairs, at least {3} % with 95 % confidence. A cause that is not among them may give the same times.",
+                {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
+    }
     const bool outlines =
         std::none_of(made.kinds.begin(), made.kinds.end(), [](EvidenceKind kind) { return kind == EvidenceKind::Heights; });
     if (made.ranking.decided() && outlines) {
@@ -248,8 +280,12 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
         const FigureSpread among = amongMembers(hypotheses[best.hypothesis], evidence.surfaces[s]);
         made.fit = std::fmin(made.fit, chanceOf(among, best.departures[s].mean));
     }
+    for (const TimeEvidence& time : evidence.times) {
+        made.fit = std::fmin(made.fit, chanceOf(hypotheses[best.hypothesis], time));
+    }
     // With more pieces the worst of them is worse by chance.
-    made.fit = std::isnan(made.fit) ? unknown : std::min(1.0, made.fit * static_cast<double>(evidence.surfaces.size()));
+    const auto pieces = static_cast<double>(evidence.surfaces.size() + evidence.times.size());
+    made.fit = std::isnan(made.fit) ? unknown : std::min(1.0, made.fit * pieces);
     made.unexplained = made.fit < leastFit && best.score.count >= membersToJudge;
     if (made.unexplained) {
         made.findings.add({"causes.no_fit",
@@ -293,16 +329,23 @@ void checkAlike(std::span<const Hypothesis> hypotheses) {
 }
 
 std::string_view evidenceKindName(EvidenceKind kind) {
-    static constexpr std::array<std::string_view, 3> names{"footprint", "heights", "photograph"};
+    static constexpr std::array<std::string_view, 4> names{"footprint", "heights", "photograph", "time"};
     return names[static_cast<std::size_t>(kind)];
 }
 
 std::string CauseEvidence::name(std::size_t evidence) const {
-    return evidence < surfaces.size() ? surfaces[evidence].name : photographs[evidence - surfaces.size()].name;
+    if (evidence < surfaces.size()) {
+        return surfaces[evidence].name;
+    }
+    evidence -= surfaces.size();
+    return evidence < photographs.size() ? photographs[evidence].name : times[evidence - photographs.size()].name;
 }
 
 EvidenceKind CauseEvidence::kind(std::size_t evidence) const {
-    return evidence < surfaces.size() ? surfaces[evidence].kind : EvidenceKind::Photograph;
+    if (evidence < surfaces.size()) {
+        return surfaces[evidence].kind;
+    }
+    return evidence < surfaces.size() + photographs.size() ? EvidenceKind::Photograph : EvidenceKind::Time;
 }
 
 double departureFrom(const SurfaceEvidence& evidence, const MemberSurface& surface) {
@@ -325,6 +368,22 @@ double departureFrom(const SurfaceEvidence& evidence, const MemberSurface& surfa
         all += a + b;
     });
     return all > 0.0 ? apart / all : unknown;
+}
+
+double departureFrom(const TimeEvidence& evidence, const DebrisArrivals& arrivals) {
+    const double first = arrivals.first();
+    return std::isfinite(first)
+               ? timesApart(evidence.time, arrivals.firstWithin(evidence.place, evidence.radius) - first, evidence.accuracy)
+               : unknown;
+}
+
+double timesApart(double a, double b, double accuracy) {
+    if (!std::isfinite(a) || !std::isfinite(b)) {
+        return std::isfinite(a) == std::isfinite(b) ? 0.0 : 1.0;
+    }
+    constexpr double half = 1.0;  // s, at which a departure is one half
+    const double beyond = std::max(0.0, std::abs(a - b) - accuracy);
+    return beyond / (beyond + half);
 }
 
 double departureFrom(const PhotoEvidence& evidence, const MemberSite& site, const SurfaceSettings& settings,
@@ -353,8 +412,9 @@ std::vector<double> lookedAt(const CauseEvidence& evidence, const MemberSite& si
 
 CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {
     if (evidence.count() == 0) {
-        throw UsageError({"causes.no_evidence", "There is no evidence to hold the hypotheses against.", {}},
-                         {"causes.no_evidence.remedy", "Give a footprint, a height model, or photographs with an outline.", {}});
+        throw UsageError(
+            {"causes.no_evidence", "There is no evidence to hold the hypotheses against.", {}},
+            {"causes.no_evidence.remedy", "Give a footprint, a height model, a time, or photographs with an outline.", {}});
     }
     checkAlike(hypotheses);
     CauseComparison made;

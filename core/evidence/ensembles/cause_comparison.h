@@ -11,8 +11,8 @@
 
 namespace rubble {
 
-enum class EvidenceKind : std::uint8_t { Footprint, Heights, Photograph };
-/// "footprint", "heights", "photograph"
+enum class EvidenceKind : std::uint8_t { Footprint, Heights, Photograph, Time };
+/// "footprint", "heights", "photograph", "time"
 std::string_view evidenceKindName(EvidenceKind kind);
 
 /// Where debris was seen on the ground, on the cells that hypotheses are mapped on.
@@ -32,12 +32,23 @@ struct PhotoEvidence {
     CameraMatch match;
 };
 
+/// When debris reached a place: by a witness, a video, a gauge. Counted from the first debris that came down anywhere, because no
+/// clock of the site shows when an FE result begins.
+struct TimeEvidence {
+    std::string name;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< m
+    double radius = 0.0;                              ///< m, around it
+    double time = 0.0;                                ///< s, after the first debris that came down anywhere
+    double accuracy = 0.0;                            ///< s, plus or minus
+};
+
 /// What hypotheses are held against.
 struct CauseEvidence {
     std::vector<SurfaceEvidence> surfaces;
     std::vector<PhotoEvidence> photographs;
+    std::vector<TimeEvidence> times;
 
-    std::size_t count() const { return surfaces.size() + photographs.size(); }
+    std::size_t count() const { return surfaces.size() + photographs.size() + times.size(); }
     std::string name(std::size_t evidence) const;
     EvidenceKind kind(std::size_t evidence) const;
 };
@@ -45,6 +56,12 @@ struct CauseEvidence {
 /// How far debris is from evidence, 0 the same, 1 nothing in common. Footprint: 1 less the overlap of the cells (IoU). Heights: the
 /// sum of the differences of height over the sum of both heights (Bray & Curtis 1957). NaN if neither holds anything.
 double departureFrom(const SurfaceEvidence& evidence, const MemberSurface& surface);
+
+/// How far a time is from when debris reached the place, 0 within its accuracy, 1 where none did: d / (d + 1 s), d being what lies
+/// beyond the accuracy. NaN if nothing came down at all.
+double departureFrom(const TimeEvidence& evidence, const DebrisArrivals& arrivals);
+/// The same of two times that may be unknown: no debris came there. @param accuracy  s, plus or minus
+double timesApart(double a, double b, double accuracy);
 
 /// 1 less the overlap of silhouettes, mean over cameras that the match allows. Of a photograph that was not taken at rest NaN: what
 /// a member keeps is its debris at rest. Throws as compareWithPhoto().
@@ -78,7 +95,7 @@ struct CauseComparison {
     std::vector<std::string> alike;  ///< hypotheses that cannot be told from the closest one, that one not among them
     std::size_t telling = 0;         ///< piece of evidence that tells the first two apart best
     /// Chance that one more member of the closest hypothesis would be as far from the others as the evidence is, least over the
-    /// pieces of surface evidence times their number, at most 1; NaN without those or with fewer than two members.
+    /// surveys and times, multiplied by their number, at most 1; NaN without those or with fewer than two members.
     double fit = 0.0;
     /// The evidence lies outside of what the closest hypothesis does: fit below 1 %, where there are members enough to judge by.
     bool unexplained = false;

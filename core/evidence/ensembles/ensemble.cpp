@@ -214,6 +214,7 @@ private:
         figure(member, MemberMeasure::Mass) = mass;
         figure(member, MemberMeasure::MeanHeight) = figures.meanHeight;
         figure(member, MemberMeasure::PileHeight) = highest;
+        member.arrivals = settled.arrivals;
         member.trajectoryHash = world.trajectoryHash;
         member.endTime = world.endTime;
         member.wallSeconds = world.wallSeconds;

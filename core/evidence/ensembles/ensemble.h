@@ -63,6 +63,7 @@ struct EnsembleMember {
     std::int64_t breaches = 0;  ///< of the limits of health
     std::array<double, memberMeasureCount> figures{};
     std::shared_ptr<const MemberSurface> surface;
+    DebrisArrivals arrivals;
     std::vector<double> looked;  ///< what was seen on it
 
     double of(MemberMeasure measure) const { return figures[static_cast<std::size_t>(measure)]; }

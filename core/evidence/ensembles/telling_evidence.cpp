@@ -19,6 +19,7 @@ constexpr int partsAlong = 4;          // of the longer side of the site
 constexpr int places = 8;              // around the debris
 constexpr double placeDistance = 2.0;  // half diagonals of the debris
 constexpr double eyeHeight = 1.7;      // m
+constexpr double timeAccuracy = 0.5;   // s, of a time that a witness or a video gives
 constexpr std::size_t columns = 256;   // of a silhouette
 constexpr double halfAngle = 0.56;     // rad, that debris within one half diagonal can take from two of them, and a little
 
@@ -26,6 +27,7 @@ constexpr double halfAngle = 0.56;     // rad, that debris within one half diago
 struct Trial {
     std::size_t cause = 0;  ///< place among those that are to be told apart
     const MemberSurface* surface = nullptr;
+    const DebrisArrivals* arrivals = nullptr;
 };
 
 /// Departures of each member from each other, as if one were the evidence.
@@ -70,6 +72,16 @@ Apart apartBy(const std::vector<Trial>& trials, const SurfaceEvidence& like, con
                 }
                 return departureFrom(evidence, *trials[j].surface);
             }};
+}
+
+/// @param place  gives when debris first reached it, s; NaN where none did
+template <class Place>
+Apart apartInTime(const std::vector<Trial>& trials, double accuracy, Place place) {
+    std::vector<double> times;
+    for (const Trial& trial : trials) {
+        times.push_back(place(*trial.arrivals) - trial.arrivals->first());
+    }
+    return {trials.size(), [&](std::size_t i, std::size_t j) { return timesApart(times[i], times[j], accuracy); }};
 }
 
 /// The part of a surface that lies in a box.
@@ -255,6 +267,11 @@ Message FurtherEvidence::words() const {
                 "photograph of the debris at rest from x = {0}, y = {1}, towards its middle",
                 {{std::round(from->x()), "m"}, {std::round(from->y()), "m"}}};
     }
+    if (kind == EvidenceKind::Time && part) {
+        return {"further.time",
+                "time at which debris first lay in the part x = {0} to {1}, y = {2} to {3} m, within {4}",
+                {part->min().x(), part->max().x(), part->min().y(), part->max().y(), {accuracy, "s"}}};
+    }
     if (!part) {
         return heights ? Message{"further.heights", "heights of all debris", {}}
                        : Message{"further.outline", "outline of all debris", {}};
@@ -289,7 +306,7 @@ TellingEvidence tellingEvidence(std::span<const Hypothesis> hypotheses, const Ca
     std::vector<Trial> trials;
     for (std::size_t k = 0; k < causes.size(); ++k) {
         for (const EnsembleMember* member : hypotheses[causes[k]].ensemble->done()) {
-            trials.push_back({k, member->surface.get()});
+            trials.push_back({k, member->surface.get(), &member->arrivals});
         }
     }
     if (trials.size() < 2) {
@@ -298,6 +315,10 @@ TellingEvidence tellingEvidence(std::span<const Hypothesis> hypotheses, const Ca
     std::vector<Apart> known;
     for (const SurfaceEvidence& surface : atHand.surfaces) {
         known.push_back(apartBy(trials, surface, execution));
+    }
+    for (const TimeEvidence& time : atHand.times) {
+        known.push_back(apartInTime(trials, time.accuracy,
+                                    [&](const DebrisArrivals& arrivals) { return arrivals.firstWithin(time.place, time.radius); }));
     }
     std::vector<const Apart*> pieces;
     for (const Apart& each : known) {
@@ -321,7 +342,7 @@ TellingEvidence tellingEvidence(std::span<const Hypothesis> hypotheses, const Ca
         if (!whollySeen(atHand, kind)) {
             SurfaceEvidence all;
             all.kind = kind;
-            take({kind, {}, {}, {}}, apartBy(trials, all, execution));
+            take({kind, {}, {}, 0.0, {}}, apartBy(trials, all, execution));
         }
     }
     for (int k = 0; k < places; ++k) {
@@ -329,7 +350,7 @@ TellingEvidence tellingEvidence(std::span<const Hypothesis> hypotheses, const Ca
         const double angle = 2.0 * std::numbers::pi * k / places;
         const Eigen::Vector2d from =
             box.center() + 0.5 * placeDistance * box.diagonal().norm() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        take({EvidenceKind::Photograph, {}, from, {}}, apartFrom(trials, Look(from, box.center(), ground, cell), execution));
+        take({EvidenceKind::Photograph, {}, from, 0.0, {}}, apartFrom(trials, Look(from, box.center(), ground, cell), execution));
     }
     const std::vector<Eigen::AlignedBox2d> parts = partsOf(box, cell);
     for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -349,9 +370,11 @@ TellingEvidence tellingEvidence(std::span<const Hypothesis> hypotheses, const Ca
             if (!whollySeen(atHand, kind)) {
                 SurfaceEvidence all;
                 all.kind = kind;
-                take({kind, parts[p], {}, {}}, apartBy(inPart, all, execution));
+                take({kind, parts[p], {}, 0.0, {}}, apartBy(inPart, all, execution));
             }
         }
+        take({EvidenceKind::Time, parts[p], {}, timeAccuracy, {}},
+             apartInTime(trials, timeAccuracy, [&](const DebrisArrivals& arrivals) { return arrivals.firstIn(parts[p]); }));
     }
     std::stable_sort(telling.ranked.begin(), telling.ranked.end(), [](const FurtherEvidence& a, const FurtherEvidence& b) {
         return a.named.right != b.named.right ? a.named.right > b.named.right : a.named.wrong < b.named.wrong;

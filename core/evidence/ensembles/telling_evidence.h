@@ -24,8 +24,9 @@ struct BlindShare {
 /// Evidence that is not at hand, and how far it would tell causes apart.
 struct FurtherEvidence {
     EvidenceKind kind = EvidenceKind::Heights;
-    std::optional<Eigen::AlignedBox2d> part;  ///< m, of the site that is surveyed; unset: all of it
+    std::optional<Eigen::AlignedBox2d> part;  ///< m, of the site that is surveyed or that debris reaches; unset: all of it
     std::optional<Eigen::Vector2d> from;      ///< m, where a photograph is taken, 1.7 m above the ground
+    double accuracy = 0.0;                    ///< s, plus or minus, of a time
     BlindShare named;                         ///< with it and what is at hand
 
     /// "heights of all debris", "photograph at rest from x = 12 m, y = -40 m".
@@ -41,9 +42,10 @@ struct TellingEvidence {
 
 /// Each member of each cause in turn is what happened. The evidence at hand, looked at as it was, and one further piece are taken
 /// from it without any error; then the causes are ranked as compareCauses() does. Pieces are outline and heights of all debris and
-/// of parts of the site, and the silhouette of the debris from eight places around it. What is told is what a perfect survey could
-/// tell at best: a silhouette knows neither standing structure nor ground before it. The first of many is flattered by chance.
-/// Photographs at hand take no part, since no outline can be drawn on what a member would have shown.
+/// of parts of the site, the time at which debris first reached a part, to half a second, and the silhouette of the debris from
+/// eight places around it. What is told is what a perfect survey could tell at best: a silhouette knows neither standing structure
+/// nor ground before it. The first of many is flattered by chance. Photographs at hand take no part, since no outline can be drawn
+/// on what a member would have shown.
 /// @param causes  hypotheses to be told apart, at least two
 /// @param ground  on which the debris lies
 /// Throws as compareCauses(), UsageError for fewer than two causes, Cancelled.

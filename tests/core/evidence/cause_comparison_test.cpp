@@ -241,5 +241,50 @@ TEST(ProbabilityMap, SettlesAsMembersAreAdded) {
     }
 }
 
+/// Members that lie alike and reach a place at x = 20 m at times around one, 2 s after their first debris.
+Hypothesis reaching(const std::string& name, double at, unsigned seed, int members = 12) {
+    std::mt19937 random(seed);
+    EnsembleReport report = ensembleOf(std::vector<MemberSurface>(static_cast<std::size_t>(members), patch(0, 0, 10, 1.0F)));
+    for (EnsembleMember& member : report.members) {
+        const double by = 0.001 * static_cast<double>(random() % 1000) - 0.5;
+        member.arrivals.squares = {{0, 0, 2.0}, {0, 20, 2.0 + at + by}};
+    }
+    return {name, std::make_shared<const EnsembleReport>(std::move(report))};
+}
+
+TEST(CauseComparison, ATimeDepartsByWhatLiesBeyondItsAccuracy) {
+    DebrisArrivals arrivals;
+    arrivals.squares = {{0, 0, 2.0}, {0, 20, 5.0}};
+    const TimeEvidence at{"witness", {20.5, 0.5}, 3.0, 3.4, 0.5};
+    EXPECT_EQ(departureFrom(at, arrivals), 0.0) << "3 s after the first";
+    TimeEvidence late = at;
+    late.time = 5.5;
+    EXPECT_NEAR(departureFrom(late, arrivals), 2.0 / 3.0, 1e-12);
+    late.place = {90.0, 0.0};
+    EXPECT_EQ(departureFrom(late, arrivals), 1.0) << "none came there";
+    EXPECT_TRUE(std::isnan(departureFrom(at, DebrisArrivals())));
+    EXPECT_EQ(timesApart(std::nan(""), std::nan(""), 0.5), 0.0);
+}
+
+TEST(CauseComparison, TimesTellCausesThatLieAlikeAndNoticeOneThatIsLeftOut) {
+    const std::vector<Hypothesis> hypotheses{reaching("early", 1.0, 1), reaching("late", 6.0, 2)};
+    CauseEvidence evidence;
+    evidence.times.push_back({"video", {20.5, 0.5}, 3.0, 6.1, 0.5});
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_TRUE(made.ranking.decided());
+    EXPECT_EQ(made.hypotheses[made.ranking.causes.front().hypothesis], "late");
+    EXPECT_EQ(made.kinds.front(), EvidenceKind::Time);
+    EXPECT_EQ(made.evidence.front(), "video");
+    EXPECT_FALSE(made.unexplained) << made.fit;
+    EXPECT_EQ(made.verdict.id, "causes.told_time");
+    // Neither: closer to one of them than to the other, but where none of its members comes.
+    evidence.times.front().time = 9.0;
+    const CauseComparison none = compareCauses(hypotheses, evidence);
+    EXPECT_TRUE(none.unexplained) << none.fit;
+    // A time that says little notices nothing.
+    evidence.times.front().accuracy = 4.0;
+    EXPECT_FALSE(compareCauses(hypotheses, evidence).unexplained);
+}
+
 }  // namespace
 }  // namespace rubble

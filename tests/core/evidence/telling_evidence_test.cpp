@@ -107,6 +107,38 @@ TEST(TellingEvidence, AddsToWhatIsAtHandAndDoesNotAskForItAgain) {
     EXPECT_EQ(find(telling, "further.heights").named.right, 28);
 }
 
+TEST(TellingEvidence, ATimeTellsWhereTheRestLiesAlike) {
+    const Heights same = [](std::int32_t, std::int32_t, double drawn) { return 1.0 + drawn; };
+    std::vector<Hypothesis> hypotheses;
+    for (const double at : {3.0, 5.0}) {
+        const Hypothesis lies = cause(at < 4.0 ? "at once" : "later", 7, same);
+        EnsembleReport report = *lies.ensemble;
+        for (EnsembleMember& member : report.members) {
+            const double by = 0.02 * static_cast<double>(member.number);
+            // All begin at the west; only the east end differs. By less than half a second the south-west does too.
+            member.arrivals.squares = {{0, 0, 2.0}, {0, 1, 2.1 + 0.1 * at}, {15, 36, 2.0 + at + by}};
+        }
+        hypotheses.push_back({lies.name, std::make_shared<const EnsembleReport>(std::move(report))});
+    }
+    const TellingEvidence telling = tell(hypotheses);
+    const FurtherEvidence& best = telling.ranked.front();
+    EXPECT_EQ(best.kind, EvidenceKind::Time);
+    ASSERT_TRUE(best.part);
+    EXPECT_TRUE(best.part->contains(Eigen::Vector2d(36.5, 15.5)));
+    EXPECT_EQ(best.named.right, 28);
+    EXPECT_EQ(best.accuracy, 0.5) << "as stated";
+    EXPECT_EQ(best.words().id, "further.time");
+    for (const FurtherEvidence& each : telling.ranked) {
+        if (each.kind == EvidenceKind::Time && !each.part->contains(Eigen::Vector2d(36.5, 15.5))) {
+            EXPECT_EQ(each.named.right, 0) << "nothing beyond the accuracy";
+        }
+    }
+    // What is at hand counts.
+    CauseEvidence atHand;
+    atHand.times.push_back({"video", {36.5, 15.5}, 3.0, 3.0, 0.5});
+    EXPECT_EQ(tell(hypotheses, atHand).atHand.right, 28);
+}
+
 TEST(TellingEvidence, NothingTellsCausesThatLeaveTheSame) {
     const Heights same = [](std::int32_t, std::int32_t, double drawn) { return 1.0 + drawn; };
     const TellingEvidence telling = tell({cause("a", 3, same), cause("b", 4, same)});

@@ -1,4 +1,4 @@
-#include "core/selftest/box_overlap.h"
+#include "core/validation/box_overlap.h"
 
 #include <gtest/gtest.h>
 

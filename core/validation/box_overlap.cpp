@@ -1,10 +1,10 @@
-#include "core/selftest/box_overlap.h"
+#include "core/validation/box_overlap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace rubble::selftest {
+namespace rubble {
 
 namespace {
 
@@ -105,4 +105,4 @@ std::vector<OrientedBox> placedBoxes(const RigidWorld& world, const std::vector<
     return boxes;
 }
 
-}  // namespace rubble::selftest
+}  // namespace rubble

@@ -6,7 +6,7 @@
 #include "core/base/geometry.h"
 #include "core/engine/world/rigid_world.h"
 
-namespace rubble::selftest {
+namespace rubble {
 
 /// How deep two boxes are inside each other: the least distance along any of the 15 separating axes that parts them, m; negative is
 /// a gap (a lower bound of it). Takes nothing from any solver, so that a solver cannot be the judge of itself.
@@ -27,4 +27,4 @@ OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes, const std::
 /// @param sizes  [bodies] full sizes of the boxes, centred on the bodies
 std::vector<OrientedBox> placedBoxes(const RigidWorld& world, const std::vector<Vec3>& sizes);
 
-}  // namespace rubble::selftest
+}  // namespace rubble

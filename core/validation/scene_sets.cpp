@@ -71,10 +71,9 @@ ValidationSet packingSet() {
     return set;
 }
 
-constexpr const char* rodsSource =
+constexpr const char* columnsSource =
+    "Lube et al., J. Fluid Mech. 508 (2004) 175: run-out 1.6 a^0.5 and height 0.88 a^(1/6) of tall columns, whatever the grains; "
     "Trepanier & Franklin, Phys. Rev. E 82 (2010) 011308: columns of rods, exponent of the run-out of tall ones 0.6 +- 0.1";
-constexpr const char* grainsSource =
-    "Lube et al., J. Fluid Mech. 508 (2004) 175: run-out 1.6 a^0.5, height 0.88 a^(1/6) of tall columns, whatever the grains";
 constexpr std::array columnAspects{3.0, 6.0, 12.0};
 
 /// Grains with the law that columns of them are held against.
@@ -98,7 +97,7 @@ const std::vector<ColumnGrains>& columnGrains() {
     return grains;
 }
 
-ConfidenceInterval spreadOf(const std::vector<double>& values) {
+ConfidenceInterval meanInterval(const std::vector<double>& values) {
     const MeanAndScatter sample = meanAndScatter(values);
     return {sample.mean, sample.mean - sample.scatter, sample.mean + sample.scatter};
 }
@@ -122,19 +121,19 @@ std::vector<SetFigure> columnFigures(std::size_t variant, const ValidationOption
         exponents.push_back(law.exponent);
         factors.push_back(law.factor);
     }
-    return {{"run_out_exponent", "", spreadOf(exponents)},
-            {"run_out_factor", "", spreadOf(factors)},
-            {"run_out_over_law", "", spreadOf(runOuts)},
-            {"height_over_law", "", spreadOf(heights)},
-            {"solid_fraction", "", spreadOf(fractions)}};
+    return {{"run_out_exponent", "", meanInterval(exponents)},
+            {"run_out_factor", "", meanInterval(factors)},
+            {"run_out_over_law", "", meanInterval(runOuts)},
+            {"height_over_law", "", meanInterval(heights)},
+            {"solid_fraction", "", meanInterval(fractions)}};
 }
 
 ValidationSet columnSet() {
     ValidationSet set;
     set.id = "columns";
     set.title = "Round columns of cubes, rods and plates collapse";
-    set.source = std::string(grainsSource) + "; " + rodsSource;
-    set.licence = "numbers of publications";
+    set.source = columnsSource;
+    set.licence = "numbers of a publication";
     for (const ColumnGrains& grains : columnGrains()) {
         set.variants.push_back(
             {grains.name,

@@ -80,6 +80,78 @@ TEST_F(WhichEvidence, IsNotLookedForUnasked) {
     EXPECT_TRUE(told.json()["further_evidence"].is_null());
 }
 
+/// Two tables whose bodies come to lie alike; in one the last fall two seconds later.
+class TimeAsEvidence : public testing::Test {
+protected:
+    void SetUp() override {
+        write("soon", 0.0);
+        write("late", 2.0);
+    }
+    void write(const std::string& name, double after) {
+        std::ofstream table(m_folder / (name + ".csv"));
+        table << "mass_kg,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m,time_s\n2400,1,1,1,0,0,2,0\n";
+        for (int k = 0; k < 3; ++k) {
+            table << "2400,1,1,1,30," << 3 * k << ",2," << after << '\n';
+        }
+    }
+    nlohmann::json compare(const std::string& time) {
+        const Outcome outcome = cli({"compare", m_folder / "soon.csv", m_folder / "late.csv", "--members", "10", "--against", time,
+                                     "--cache", m_folder / "cache", "--json"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    }
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(TimeAsEvidence, NamesTheCauseAndSaysWhereNoneFits) {
+    const nlohmann::json told = compare("time=2.1,30,3,6");
+    EXPECT_TRUE(told["told_apart"].get<bool>()) << told["words"];
+    EXPECT_EQ(told["closest"], "late");
+    EXPECT_EQ(told["evidence"][0]["kind"], "time");
+    EXPECT_FALSE(told["unexplained"].get<bool>());
+    EXPECT_TRUE(compare("time=9,30,3,6")["unexplained"].get<bool>());
+    EXPECT_FALSE(compare("time=1,30,3,6,3")["told_apart"].get<bool>()) << "within its accuracy both are right";
+}
+
+TEST_F(TimeAsEvidence, IsRankedWithItsAccuracy) {
+    const Outcome told = cli({"compare", m_folder / "soon.csv", m_folder / "late.csv", "--members", "10", "--which-evidence",
+                              "--cache", m_folder / "cache", "--json"});
+    ASSERT_EQ(told.exitCode, 0) << told.err;
+    const nlohmann::json first = told.json()["further_evidence"]["ranked"][0];
+    EXPECT_EQ(first["kind"], "time");
+    EXPECT_EQ(first["accuracy_s"], 0.5);
+    EXPECT_EQ(first["right"], 20);
+}
+
+TEST_F(TimeAsEvidence, IsSaidOfEachMember) {
+    const auto ensemble = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"ensemble", m_folder / "late.csv", "--members", "3", "--cache", m_folder / "cache"});
+        return cli(more);
+    };
+    const Outcome said = ensemble({"--reached", "30,3,6", "--reached", "-40,0", "--json"});
+    ASSERT_EQ(said.exitCode, 0) << said.err;
+    const nlohmann::json reached = said.json()["reached"];
+    ASSERT_EQ(reached.size(), 2u);
+    // A fall of a metre takes 0.45 s for all, so two seconds stay between them; frames are 1/24 s apart.
+    EXPECT_NEAR(reached[0]["time_s"]["mean"].get<double>(), 2.0, 0.1);
+    EXPECT_EQ(reached[0]["members_s"].size(), 3u);
+    EXPECT_EQ(reached[1]["radius_m"], 5.0);
+    EXPECT_TRUE(reached[1]["members_s"][0].is_null()) << "none came there";
+    EXPECT_THAT(ensemble({"--reached", "30,3"}).out, HasSubstr("When debris first lies there"));
+}
+
+TEST_F(TimeAsEvidence, RefusesWhatIsNoTime) {
+    for (const char* time : {"time=", "time=4", "time=4,1", "time=4,1,x", "time=-1,0,0", "time=4,0,0,0", "time=4,0,0,1,-1",
+                             "time=4,0,0,1,1,1", "time=nan,0,0", "time=inf,0,0"}) {
+        const Outcome outcome = cli({"compare", m_folder / "soon.csv", m_folder / "late.csv", "--against", time});
+        EXPECT_EQ(outcome.exitCode, 2) << time;
+        EXPECT_THAT(outcome.err, HasSubstr("time=SECONDS,X,Y")) << time;
+    }
+    for (const char* place : {"", "3", "3,x", "3,4,0", "1,2,3,4"}) {
+        EXPECT_EQ(cli({"ensemble", m_folder / "soon.csv", "--reached", place}).exitCode, 2) << place;
+    }
+}
+
 }  // namespace
 
 }  // namespace rubble::cli

@@ -26,6 +26,9 @@ bool onlyGrows(const Activity& activity, std::size_t earlier, std::size_t later)
 /// the states, for what has died only comes back on that way.
 template <class Visit>
 void visitLooseIslands(const FeResult& fe, const Activity& activity, const SiteSurface& ground, Visit visit) {
+    if (fe.contents().looseBodies) {
+        return;  // a body of a table waits where it is until it is let go
+    }
     const Mesh& mesh = fe.mesh();
     const Supports supports(fe, activity, ground);
     NodeGroups groups(mesh.nodeCount());

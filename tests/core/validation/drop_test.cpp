@@ -113,6 +113,18 @@ TEST(Drop, EachIsLetGoAtItsTime) {
     EXPECT_NEAR(result.bodies[0].fall, result.bodies[1].fall, 1e-3);
 }
 
+TEST(Drop, WhatWaitsForItsTimeWithASpeedWaits) {
+    LooseBody first = cubeAt({0, 0, 5}), second = cubeAt({0, 8, 5});
+    first.velocity = second.velocity = {4.0, 0.0, 0.0};
+    second.id = "late";
+    second.time = 0.5;
+    const DropResult result = dropped({first, second});
+    EXPECT_EQ(result.count(Ending::AtRest), 2);
+    EXPECT_NEAR(result.bodies[1].trace.from, 0.5, 1e-12);
+    EXPECT_NEAR(result.bodies[1].trace.start.position.x(), 0.0, 1e-12);
+    EXPECT_NEAR(result.bodies[1].runOut, result.bodies[0].runOut, 0.02 * result.bodies[0].runOut);
+}
+
 /// A regular tetrahedron of an edge of 1 m, upside down on a corner and a little askew.
 LooseBody tetrahedronAt(const Vec3& place) {
     const double s = 1.0 / std::sqrt(8.0);

@@ -11594,6 +11594,18 @@
             <source>time at which debris first lay in the part x = {0} to {1}, y = {2} to {3} m, within {4}</source>
             <translation>堆积物首次位于 x = {0} 至 {1}、y = {2} 至 {3} m 部分的时刻，准确到 {4}</translation>
         </message>
+        <message>
+            <source>columns of cubes</source>
+            <translation>立方体的柱</translation>
+        </message>
+        <message>
+            <source>columns of plates</source>
+            <translation>板的柱</translation>
+        </message>
+        <message>
+            <source>columns of rods</source>
+            <translation>杆的柱</translation>
+        </message>
     </context>
     <context>
         <name>options</name>

@@ -86,9 +86,9 @@ struct ColumnGrains {
 };
 const std::vector<ColumnGrains>& columnGrains() {
     static const std::vector<ColumnGrains> grains{
-        {"cubes", "cubes of 0.18 m: the law of irregular grains", {0.18, 0.18, 0.18}, 0.5, 0.12},
-        {"rods", "rods 4 : 1 : 1 of the same volume: the measured exponent of rods", {0.4536, 0.1134, 0.1134}, 0.6, 0.1},
-        {"plates",
+        {"columns of cubes", "cubes of 0.18 m: the law of irregular grains", {0.18, 0.18, 0.18}, 0.5, 0.12},
+        {"columns of rods", "rods 4 : 1 : 1 of the same volume: the measured exponent of rods", {0.4536, 0.1134, 0.1134}, 0.6, 0.1},
+        {"columns of plates",
          "plates 3 : 3 : 1 of the same volume: no measurement of plates is known, so the law of irregular grains",
          {0.2595, 0.2595, 0.0866},
          0.5,

@@ -49,6 +49,7 @@ public:
         std::vector<std::string> files;     ///< all that were read, in their order; several for a series
         bool alone = false;                 ///< opened without other files that differ in a number
         std::uint64_t bytes = 0;            ///< of all files
+        std::int64_t written = 0;           ///< ns, when the last of them was written to, by the clock of the file system
         double indexSeconds = 0.0;          ///< wall time it took to read mesh, times and activity
         std::string sha256;                 ///< of the file, hex; of a series, of the list of its files (io::sha256OfFe)
         std::string activityFrom;           ///< how activity was decided, for people: "STATUS, 1 is active"

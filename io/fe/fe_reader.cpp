@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/error.h"
+#include "io/fe/fe_copy/file_traces.h"
 #include "io/fe/fe_search.h"
 #include "io/fe/result_frame.h"
 #include "io/fe/series/death_list.h"
@@ -77,14 +78,20 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
                                        const Execution& execution) {
     FoundFe found = findFe(path, settings.onlyThisFile);
     const auto begun = std::chrono::steady_clock::now();
+    // What is written while this reads counts as growth.
+    std::vector<FileTrace> traces = tracesOf(found.files);
     FeResult::Contents contents = readOrAlone(found, path, settings, frame, execution);
+    if (traces.size() != found.files.size()) {
+        traces = tracesOf(found.files);
+    }
     notePiece(found, path, contents.findings);
     contents.indexSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     contents.format = found.format->name;
     contents.path = found.files.front();
     contents.alone = contents.alone || settings.onlyThisFile;
     contents.files = found.files;
-    contents.bytes = bytesOf(found.files);
+    contents.bytes = bytesOf(traces);
+    contents.written = lastWritten(traces);
     contents.sha256 = sha256OfSeries(found.files, execution);
     contents.fingerprint = feFingerprint(*found.format, contents.sha256, settings, contents.frame, contents.units);
     if (contents.alone) {
@@ -121,7 +128,9 @@ bool hasGrown(const FeResult& fe) {
         return false;
     }
     const std::vector<std::string> files = feFiles(fe.contents().path, fe.contents().alone);
-    return files != fe.contents().files || bytesOf(files) != fe.contents().bytes;
+    const std::vector<FileTrace> traces = tracesOf(files);
+    // HDF5 writes into room that it had set aside: the size may stay.
+    return files != fe.contents().files || bytesOf(traces) != fe.contents().bytes || lastWritten(traces) != fe.contents().written;
 }
 
 FeGrowth growthBetween(const FeResult& before, const FeResult& after) {

@@ -204,16 +204,6 @@ void notePiece(const FoundFe& found, const std::string& path, Findings& findings
     }
 }
 
-std::uint64_t bytesOf(const std::vector<std::string>& files) {
-    std::uint64_t bytes = 0;
-    for (const std::string& file : files) {
-        std::error_code error;
-        const std::uintmax_t size = fs::file_size(file, error);
-        bytes += error ? 0 : size;
-    }
-    return bytes;
-}
-
 Digest feFingerprint(const FeFormat& format, const std::string& sha256, const ImportSettings& settings, const Frame& frame,
                      const FileUnits& units) {
     Hasher hasher;

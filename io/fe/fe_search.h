@@ -28,9 +28,6 @@ FoundFe findFeAt(const std::string& path, const FileHead& head);
 /// Counts that the file which was given is a piece of the result that was found.
 void notePiece(const FoundFe& found, const std::string& path, Findings& findings);
 
-/// Bytes of all files.
-std::uint64_t bytesOf(const std::vector<std::string>& files);
-
 /// Names the content of a result as it is opened: files, settings, and the frame and units that were decided on, so that it is
 /// known again once the decision is recorded.
 Digest feFingerprint(const FeFormat& format, const std::string& sha256, const ImportSettings& settings, const Frame& frame,

@@ -61,7 +61,9 @@ void followGrowth(const io::OpenedCase& subject, double pause, Session& session)
         try {
             if (io::hasGrown(*fe)) {
                 const auto newer = io::openFe(subject.fePath, subject.scenario.import, subject.inputs.frame, session.execution());
-                printGrowth(session.out(), *fe, *newer);
+                if (newer->contents().sha256 != fe->contents().sha256) {
+                    printGrowth(session.out(), *fe, *newer);
+                }
                 fe = newer;
             }
         } catch (const Error&) {

@@ -44,11 +44,15 @@ Aabb wholeOf(const TerrainGrid* terrain) {
     if (terrain == nullptr) {
         return {};
     }
-    const std::vector<double>& heights = terrain->grid().heights;
-    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    double lowest = unknown, highest = unknown;
+    for (const double height : terrain->grid().heights) {
+        // Where the terrain has none, the other one stays.
+        lowest = std::fmin(lowest, height);
+        highest = std::fmax(highest, height);
+    }
     const auto end = [&](double first, std::size_t count) { return first + terrain->cell() * static_cast<double>(count - 1); };
-    return {Vec3(terrain->x0(), terrain->y0(), *lowest),
-            Vec3(end(terrain->x0(), terrain->nx()), end(terrain->y0(), terrain->ny()), *highest)};
+    return {Vec3(terrain->x0(), terrain->y0(), lowest),
+            Vec3(end(terrain->x0(), terrain->nx()), end(terrain->y0(), terrain->ny()), highest)};
 }
 
 /// "element 12 (deck)"

@@ -202,7 +202,9 @@ private:
         contents.format = m_found.format->name;
         contents.path = m_found.files.front();
         contents.files = m_found.files;
-        contents.bytes = bytesOf(m_found.files);
+        const std::vector<FileTrace> traces = tracesOf(m_found.files);
+        contents.bytes = bytesOf(traces);
+        contents.written = lastWritten(traces);
         contents.sha256 = copy.about.sha256;
         contents.frame = copy.about.frame;
         // Nothing in the copy depends on the coordinate system: it may have been given to the case since.

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -39,6 +40,22 @@ std::vector<FileTrace> tracesOf(const std::vector<std::string>& files) {
         }
     }
     return traces;
+}
+
+std::uint64_t bytesOf(const std::vector<FileTrace>& traces) {
+    std::uint64_t bytes = 0;
+    for (const FileTrace& trace : traces) {
+        bytes += static_cast<std::uint64_t>(std::max<std::int64_t>(0, trace.bytes));
+    }
+    return bytes;
+}
+
+std::int64_t lastWritten(const std::vector<FileTrace>& traces) {
+    std::int64_t last = 0;
+    for (const FileTrace& trace : traces) {
+        last = std::max(last, trace.contentNs);
+    }
+    return last;
 }
 
 bool sameSizes(const std::vector<FileTrace>& a, const std::vector<FileTrace>& b) {

@@ -24,6 +24,12 @@ struct SeriesTrace {
 
 std::vector<FileTrace> tracesOf(const std::vector<std::string>& files);
 
+/// Of all that are there.
+std::uint64_t bytesOf(const std::vector<FileTrace>& traces);
+
+/// ns, when the content of one of them was changed last; 0 where there is none.
+std::int64_t lastWritten(const std::vector<FileTrace>& traces);
+
 /// Whether both name the same files with the same sizes.
 bool sameSizes(const std::vector<FileTrace>& a, const std::vector<FileTrace>& b);
 

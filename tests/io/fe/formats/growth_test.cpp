@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 
@@ -240,6 +241,16 @@ TEST_P(Growth, AStateThatComesIsNoticedAndItsDeathCounted) {
     EXPECT_EQ(after->stateCount(), 3u);
     EXPECT_FALSE(hasGrown(*after));
     EXPECT_NE(after->contents().fingerprint, before->contents().fingerprint);
+}
+
+// HDF5 may write a state into room that it had set aside.
+TEST_P(Growth, WhatIsWrittenInPlaceIsNoticed) {
+    GetParam().write(m_folder, 2);
+    const auto before = open();
+    const std::string last = before->contents().files.back();
+    std::filesystem::last_write_time(last, std::filesystem::last_write_time(last) + std::chrono::seconds(1));
+    EXPECT_TRUE(hasGrown(*before));
+    EXPECT_FALSE(hasGrown(*open()));
 }
 
 /// Those with a file for each state.

@@ -27,7 +27,8 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "breeze-icon-theme")
 if(RUBBLE_PYTHON)
     set(CPACK_COMPONENTS_ALL runtime python development)
     set(CPACK_COMPONENT_PYTHON_GROUP runtime)
-    # Built for one version of Python, as its file name says.
+    # Built for one version of Python, as its file name says. What the module's own folder found is not known here.
+    find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter Development.Module)
     string(APPEND CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
         ", python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
     math(EXPR next_python "${Python3_VERSION_MINOR} + 1")

@@ -7,6 +7,7 @@
 #include "tests/support/places.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::cli {
 
@@ -183,6 +184,16 @@ TEST_F(Packaged, TheDebianPackagesHoldAllAndNameWhatTheyNeed) {
                "--screenshot", "/tmp/window.png", "--size", "1280x800"});
     expectOk(shown);
     EXPECT_GT(fs::file_size(root + "/tmp/window.png"), 50000u);
+}
+
+// An empty version makes a package that apt cannot install.
+TEST(Package, NamesTheVersionsThatItDependsOn) {
+    const io::TemporaryFolder folder;
+    expectOk(CommandRun().in(sourcePath()).run({"cmake", "--preset", "package", "-B", folder / "package"}));
+    const std::string config = io::wholeFile(folder / "package/CPackConfig.cmake");
+    EXPECT_THAT(config, HasSubstr("python3 (>= 3."));
+    EXPECT_THAT(config, HasSubstr("python3 (<< 3."));
+    EXPECT_THAT(config, Not(HasSubstr("= .")));
 }
 
 }  // namespace

@@ -9732,10 +9732,6 @@
         <translation>步长更大时，Bullet 求解器的堆积体会被压入自身</translation>
     </message>
     <message>
-        <source>bodies of {0}: one that falls over its edge turns by 3 degrees in a step (at least {1}, at most {2} a second)</source>
-        <translation>{0} 的刚体：绕棱翻倒的刚体每步转动 3 度（每秒至少 {1}，至多 {2}）</translation>
-    </message>
-    <message>
         <source>by size and number of the bodies, {0} and {1}</source>
         <translation>按刚体的尺寸和数目，{0} 和 {1}</translation>
     </message>
@@ -9758,14 +9754,6 @@
     <message>
         <source>terrain_roughness = {0} has no terrain to lie on: the level ground is smooth</source>
         <translation>terrain_roughness = {0} 没有可依附的地形：水平地面是光滑的</translation>
-    </message>
-    <message>
-        <source>the same at 240 steps a second, six times what a collapse takes by itself</source>
-        <translation>同上，每秒 240 步，为倒塌自动步数的六倍</translation>
-    </message>
-    <message>
-        <source>the same wall at 120 steps a second, three times what a collapse takes by itself</source>
-        <translation>同一面墙，每秒 120 步，为倒塌自动步数的三倍</translation>
     </message>
     <message>
         <source>the terrain was given obstacles of {0} on average, {1} apart, at random (seed {2}): nobody measured where they are</source>
@@ -11607,6 +11595,30 @@
         <source>columns of rods</source>
         <translation>杆的柱</translation>
     </message>
+    <message>
+        <source>a body of {0} corners rolls: on a slope it goes the farther, the more steps a second are simulated</source>
+        <translation>{0} 个角的刚体会滚动：在坡上，每秒模拟的步数越多，它走得越远</translation>
+    </message>
+    <message>
+        <source>bodies of {0}: one that falls over its edge turns by 1.5 degrees in a step (at least {1}, at most {2} a second)</source>
+        <translation>{0} 的刚体：绕棱翻倒的刚体每步转动 1.5 度（每秒至少 {1}，至多 {2}）</translation>
+    </message>
+    <message>
+        <source>fitted on the other half, judged on the one</source>
+        <translation>用另一半拟合，用这一半评判</translation>
+    </message>
+    <message>
+        <source>repeat with step_rate doubled before its run-out is used, or say with the result how much that changed</source>
+        <translation>使用其散落距离之前，把每秒步数加倍再算一次，或在结果旁说明改变了多少</translation>
+    </message>
+    <message>
+        <source>the same at 240 steps a second, six times the least of a collapse</source>
+        <translation>同上，每秒 240 步，为倒塌最少步数的六倍</translation>
+    </message>
+    <message>
+        <source>the same wall at 120 steps a second, three times the least of a collapse</source>
+        <translation>同一面墙，每秒 120 步，为倒塌最少步数的三倍</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -12034,10 +12046,6 @@
         <translation>实时帧率</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure, until the FE result ends; bodies of a table 40 to 240, so that one that falls over its edge turns by 3 degrees in a step; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时在有限元结果结束前最低 40；物体表为 40 至 240，使绕棱翻倒的刚体每步转动 3 度；bullet 始终为 60。</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>材料</translation>
     </message>
@@ -12416,6 +12424,10 @@
     <message>
         <source>Where the restitution of each pair of materials lies in the range of its source: 0 the least, 1 the greatest, for all pairs alike. A pair that was set stays. Automatic: the number of the table.</source>
         <translation>各材料对的恢复系数在其来源范围内的位置：0 为最小，1 为最大，所有材料对相同。已设定的材料对不变。自动：表中的数。</translation>
+    </message>
+    <message>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure, until the FE result ends; bodies of a table 40 to 480, so that one that falls over its edge turns by 1.5 degrees in a step; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时在有限元结果结束前最低 40；物体表为 40 至 480，使绕棱翻倒的刚体每步转动 1.5 度；bullet 始终为 60。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/world/rigid_world.h"
+#include "core/scenario/scenario.h"
 
 namespace rubble {
 
@@ -61,6 +62,8 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
     WorldSettings settings;
     settings.pairs = PairTable::uniform(wall.friction, 0.0);
     settings.ground = false;
+    settings.substeps = substepsOf(Scenario());
+    settings.partsJammed = true;
     settings.threads = execution.threads();
     settings.cancelled = [execution] { return execution.cancelled(); };
     const std::unique_ptr<RigidWorld> world = makeWorld(SolverKind::SoftStep, settings);

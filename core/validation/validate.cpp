@@ -1,6 +1,7 @@
 #include "core/validation/validate.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -21,9 +22,9 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 /// s. Simulated beyond the last measurement.
 constexpr double timeBeyond = 0.5;
-/// Values of a fitted setting that are tried from end to end, and again around the best.
+/// Values of a fitted setting that are tried from end to end, each with all of the others, and again around the best.
 constexpr int fitSteps = 7;
-constexpr int fitRounds = 3;
+constexpr int fitRounds = 4;
 
 /// Where a body was compared: in the axes of its table.
 struct ComparedEnd {
@@ -70,7 +71,11 @@ public:
     }
 
     /// Lets all go in every repeat. @param parameters  key and value
-    void simulate(const std::vector<SetParameter>& parameters) {
+    void simulate(const std::vector<SetParameter>& parameters, const std::vector<SetVaried>& varied) {
+        m_series.varied.clear();
+        for (const SetVaried& one : varied) {
+            m_series.varied.push_back(one.setting);
+        }
         m_series.scenario = Scenario();
         prepareForBodies(m_series.scenario, m_series.bodies);
         for (const SetParameter& parameter : parameters) {
@@ -81,6 +86,22 @@ public:
         for (std::int64_t r = 0; r < m_series.repeats; ++r) {
             take(dropOnce(m_series, r, m_execution));
         }
+    }
+
+    /// Takes over what another run simulated of some of these bodies. @param chosen  which, in its order
+    void takeOver(const VariantRun& part, const std::vector<std::size_t>& chosen) {
+        m_ends.resize(m_series.bodies.size());
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            m_ends[chosen[i]] = part.m_ends[i];
+        }
+        moving += part.moving;
+        left += part.left;
+        lost += part.lost;
+        stepRate = part.stepRate;
+        stepRateReason = part.stepRateReason;
+        findings.append(part.findings);
+        lifted.count += part.lifted.count;
+        lifted.measure = std::max(lifted.measure, part.lifted.measure);
     }
 
     const std::vector<MeasuredEnd>& measured() const { return m_measured; }
@@ -156,14 +177,6 @@ std::vector<double> measuredOf(const VariantRun& run, Of of) {
     return values;
 }
 
-double medianOf(const std::vector<std::vector<double>>& values) {
-    std::vector<double> all;
-    for (const std::vector<double>& repeats : values) {
-        all.insert(all.end(), repeats.begin(), repeats.end());
-    }
-    return quantileOf(std::move(all), 0.5);
-}
-
 std::vector<std::vector<double>> placeErrors(const VariantRun& run) {
     return valuesOf(run,
                     [&](std::size_t i, const ComparedEnd& end) { return (end.end.position - *run.measured()[i].place).norm(); });
@@ -180,21 +193,16 @@ std::vector<std::vector<double>> rightFaces(const VariantRun& run) {
     });
 }
 
-/// What a fit makes small: median errors of place and rotation over what was measured of them, and the share of wrong faces.
+/// What a fit makes small: the squares of the place's errors. Rotation and face are not fitted, so they judge what was found.
 double misfit(const VariantRun& run) {
-    std::vector<double> travelled, turned;
-    for (std::size_t i = 0; i < run.measured().size(); ++i) {
-        travelled.push_back(runOut(run.bodies()[i].pose.position, *run.measured()[i].place));
-        if (run.measured()[i].turn) {
-            turned.push_back(angleBetween(run.bodies()[i].pose.orientation, *run.measured()[i].turn));
+    double squares = 0.0;
+    for (const std::vector<double>& repeats : placeErrors(run)) {
+        for (const double error : repeats) {
+            squares += error * error;
         }
     }
-    double sum = medianOf(placeErrors(run)) / meanAndScatter(travelled).mean;
-    if (turnsMeasured(run.measured())) {
-        sum += medianOf(turnErrors(run)) / meanAndScatter(turned).mean;
-        sum += 1.0 - intervalOf(rightFaces(run), Statistic::Mean, 0).value;
-    }
-    return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+    // Whoever is lost has no place: such a setting fits nothing.
+    return std::isfinite(squares) ? squares : std::numeric_limits<double>::infinity();
 }
 
 /// Four decimals: what is fitted is not known better.
@@ -202,15 +210,18 @@ std::string shortNumber(double number) {
     return exactNumber(std::round(number * 1e4) / 1e4);
 }
 
-/// Finds the fitted settings one after the other, each over its range, then around the best.
-std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant) {
+/// Finds the fitted settings together, over their ranges, then around the best: one that makes up for another hides the best from a
+/// search along one at a time.
+/// @param source  of the values found
+/// @return the settings of the variant and those found after them
+std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant, const char* source) {
     std::vector<SetParameter> all = variant.parameters;
     const std::size_t first = all.size();
     std::vector<double> best, width;
     for (const FittedParameter& fitted : variant.fitted) {
         best.push_back(0.5 * (fitted.low + fitted.high));
         width.push_back(fitted.high - fitted.low);
-        all.push_back({fitted.key, shortNumber(best.back()), "fitted on one half, judged on the other"});
+        all.push_back({fitted.key, shortNumber(best.back()), source});
     }
     std::map<std::vector<double>, double> tried;
     const auto misfitAt = [&](const std::vector<double>& at) {
@@ -220,23 +231,31 @@ std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant) {
             for (std::size_t p = 0; p < at.size(); ++p) {
                 trial[first + p].value = shortNumber(at[p]);
             }
-            run.simulate(trial);
+            run.simulate(trial, variant.varied);
             known->second = misfit(run);
         }
         return known->second;
     };
+    auto combinations = std::size_t{1};
+    for (std::size_t p = 0; p < best.size(); ++p) {
+        combinations *= fitSteps;
+    }
     for (int round = 0; round < fitRounds; ++round) {
-        for (std::size_t p = 0; p < best.size(); ++p) {
-            const double middle = best[p];
-            for (int step = 0; step < fitSteps; ++step) {
-                std::vector<double> at = best;
-                at[p] = std::clamp(middle + width[p] * (static_cast<double>(step) / (fitSteps - 1) - 0.5), variant.fitted[p].low,
-                                   variant.fitted[p].high);
-                if (misfitAt(at) < misfitAt(best)) {
-                    best = at;
-                }
+        const std::vector<double> middle = best;
+        for (std::size_t combination = 0; combination < combinations; ++combination) {
+            std::vector<double> at;
+            std::size_t rest = combination;
+            for (std::size_t p = 0; p < middle.size(); ++p) {
+                const double step = static_cast<double>(rest % fitSteps) / (fitSteps - 1) - 0.5;
+                at.push_back(std::clamp(middle[p] + width[p] * step, variant.fitted[p].low, variant.fitted[p].high));
+                rest /= fitSteps;
             }
-            width[p] *= 0.4;
+            if (misfitAt(at) < misfitAt(best)) {
+                best = at;
+            }
+        }
+        for (double& one : width) {
+            one *= 0.4;
         }
     }
     for (std::size_t p = 0; p < best.size(); ++p) {
@@ -346,13 +365,28 @@ private:
     const ValidationOptions& m_options;
 };
 
-/// Every second body, from the first or the second on; all where nothing is fitted.
-std::vector<std::size_t> half(const ValidationSet& set, bool fitted, std::size_t first) {
+std::vector<std::size_t> every(std::size_t step, std::size_t first, std::size_t count) {
     std::vector<std::size_t> chosen;
-    for (std::size_t i = fitted ? first : 0; i < set.bodies.size(); i += fitted ? 2 : 1) {
+    for (std::size_t i = first; i < count; i += step) {
         chosen.push_back(i);
     }
     return chosen;
+}
+
+/// Fits on each half of the bodies and simulates the other with what was found, so that each is judged by a fit without it.
+void simulateFitted(VariantRun& run, VariantResult& result, const ValidationSet& set, const ValidationOptions& options,
+                    const Execution& execution) {
+    static constexpr std::array sources{"fitted on one half, judged on the other", "fitted on the other half, judged on the one"};
+    for (std::size_t half = 0; half < sources.size(); ++half) {
+        const std::vector<std::size_t> judged = every(2, 1 - half, set.bodies.size());
+        VariantRun fitting(set, every(2, half, set.bodies.size()), options, execution);
+        const std::vector<SetParameter> found = fit(fitting, result.variant, sources[half]);
+        VariantRun judging(set, judged, options, execution);
+        judging.simulate(found, result.variant.varied);
+        run.takeOver(judging, judged);
+        result.used.insert(result.used.end(), found.begin() + static_cast<std::ptrdiff_t>(result.variant.parameters.size()),
+                           found.end());
+    }
 }
 
 VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, const ValidationOptions& options,
@@ -361,13 +395,15 @@ VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, co
     VariantResult result;
     result.variant = variant;
     result.used = variant.parameters;
-    const bool fitted = !variant.fitted.empty();
-    if (fitted) {
-        VariantRun fitting(set, half(set, true, 0), options, execution);
-        result.used = fit(fitting, variant);
+    for (const SetVaried& varied : variant.varied) {
+        result.used.push_back({varied.setting.key, variationText(varied.setting), varied.source});
     }
-    VariantRun run(set, half(set, fitted, 1), options, execution);
-    run.simulate(result.used);
+    VariantRun run(set, every(1, 0, set.bodies.size()), options, execution);
+    if (variant.fitted.empty()) {
+        run.simulate(variant.parameters, variant.varied);
+    } else {
+        simulateFitted(run, result, set, options, execution);
+    }
     result.bodies = static_cast<std::int64_t>(run.bodies().size());
     for (const auto& repeats : run.ends()) {
         result.simulated += static_cast<std::int64_t>(repeats.size());

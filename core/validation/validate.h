@@ -44,7 +44,7 @@ struct Deposit {
 struct VariantResult {
     SetVariant variant;
     std::vector<SetParameter> used;  ///< what was set, fitted values among it
-    std::int64_t bodies = 0;         ///< that are judged: half of them where something was fitted
+    std::int64_t bodies = 0;         ///< that are judged
     std::int64_t simulated = 0;      ///< bodies and repeats
     std::int64_t moving = 0;         ///< of these, still on their way at the end
     std::int64_t left = 0;           ///< that left the terrain

@@ -8,6 +8,7 @@
 
 #include "core/fe/loose_bodies.h"
 #include "core/fe/terrain_grid.h"
+#include "core/scenario/ensemble.h"
 
 namespace rubble {
 
@@ -18,7 +19,13 @@ struct SetParameter {
     std::string source;
 };
 
-/// A setting that is fitted on one half of the bodies, every second one from the first on.
+/// A setting that is drawn anew in every repeat, and where its distribution comes from.
+struct SetVaried {
+    VariedSetting setting;
+    std::string source;
+};
+
+/// A setting that is fitted on each half of the bodies, every second one, and judged on the other.
 struct FittedParameter {
     std::string key;
     double low = 0.0;
@@ -30,7 +37,8 @@ struct SetVariant {
     std::string name;   ///< "blind"
     std::string words;  ///< what it is, in a sentence
     std::vector<SetParameter> parameters;
-    std::vector<FittedParameter> fitted;  ///< empty: nothing is fitted
+    std::vector<FittedParameter> fitted = {};  ///< empty: nothing is fitted
+    std::vector<SetVaried> varied = {};        ///< empty: nothing is drawn but orientations
 };
 
 /// What somebody asks of a figure of a variant.

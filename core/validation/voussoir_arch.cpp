@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/world/rigid_world.h"
+#include "core/scenario/scenario.h"
 
 namespace rubble {
 
@@ -63,6 +64,8 @@ bool archStands(const VoussoirArch& arch, double thickness, const Execution& exe
     WorldSettings settings;
     settings.pairs = PairTable::uniform(arch.friction, 0.0);
     settings.ground = false;
+    settings.substeps = substepsOf(Scenario());
+    settings.partsJammed = true;
     settings.threads = execution.threads();
     settings.cancelled = [execution] { return execution.cancelled(); };
     const std::unique_ptr<RigidWorld> world = makeWorld(SolverKind::SoftStep, settings);

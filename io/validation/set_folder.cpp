@@ -118,13 +118,20 @@ std::string licenceOf(const std::string& folder) {
 std::vector<SetVariant> variantsOf(const JsonCursor& list) {
     std::vector<SetVariant> variants;
     for (const JsonCursor& item : list.elements()) {
-        item.allowOnly({"name", "words", "parameters", "fitted"});
-        SetVariant variant{item["name"].text(), item["words"].text(), {}, {}};
+        item.allowOnly({"name", "words", "parameters", "varied", "fitted"});
+        SetVariant variant{item["name"].text(), item["words"].text(), {}};
         for (const JsonCursor& parameter : item["parameters"].elements()) {
             parameter.allowOnly({"key", "value", "source"});
             variant.parameters.push_back({parameter["key"].text(), parameter["value"].text(), parameter["source"].text()});
             Scenario unused;
             setParameterText(unused, variant.parameters.back().key, variant.parameters.back().value);
+        }
+        if (item.has("varied")) {
+            for (const JsonCursor& varied : item["varied"].elements()) {
+                varied.allowOnly({"key", "distribution", "source"});
+                variant.varied.push_back(
+                    {variationFrom(varied["key"].text(), varied["distribution"].text()), varied["source"].text()});
+            }
         }
         if (item.has("fitted")) {
             for (const JsonCursor& fitted : item["fitted"].elements()) {

@@ -14,7 +14,7 @@ namespace rubble {
 /// fragments alone where clusters break up. Where the engine moves loose structure at least 40: what spans fall on with 25 m/s
 /// would be half a body deep in them after one longer step. 60 for Bullet's solver, whose piles squeeze together at larger steps.
 /// Bodies of a table, each let go by itself, are judged one by one, not by their pile: a cube of side d that falls over its edge
-/// turns at 0.79 sqrt(g / d), and by no more than 3 degrees in a step (15 sqrt(g / d)), from 40 to 240.
+/// turns at 0.79 sqrt(g / d), and by no more than 1.5 degrees in a step (30 sqrt(g / d)), from 40 to 480.
 /// From the end of the FE result on nothing is born and few spans are left, so the least for these no longer holds.
 struct StepRate {
     double perSecond = 0.0;

@@ -45,8 +45,10 @@ TEST_F(ValidateRun, HoldsAFewTossesAgainstTheirMeasurements) {
     ASSERT_EQ(set["variants"].size(), 3u);
     const nlohmann::json fitted = set["variants"][2];
     EXPECT_TRUE(fitted["fitted"].get<bool>());
-    EXPECT_EQ(fitted["bodies"], 8);
-    EXPECT_EQ(fitted["parameters"][0]["source"], "fitted on one half, judged on the other");
+    EXPECT_EQ(fitted["bodies"], 16);
+    ASSERT_EQ(fitted["parameters"].size(), 3u);
+    EXPECT_EQ(fitted["parameters"][1]["source"], "fitted on one half, judged on the other");
+    EXPECT_EQ(fitted["parameters"][2]["source"], "fitted on the other half, judged on the one");
     EXPECT_EQ(fitted["criteria"].size(), 3u);
     for (const nlohmann::json& variant : set["variants"]) {
         EXPECT_EQ(variant["lost"], 0) << variant["name"];

@@ -96,12 +96,12 @@ StepRate tableRate(double side, Scenario scenario = {}) {
     return chosenStepRate(describeRun(inputs, scenario, results), {});
 }
 
-TEST(StepRate, OfATableTurnsACubeByThreeDegreesInAStep) {
-    // 0.788 sqrt(9.80665 / 0.1048) rad/s over 3 degrees.
-    EXPECT_NEAR(tableRate(0.1048).perSecond, 145.6, 0.1);
-    EXPECT_NEAR(tableRate(0.4192).perSecond, 72.8, 0.1);
-    EXPECT_EQ(tableRate(0.02).perSecond, 240.0);
-    EXPECT_EQ(tableRate(3.0).perSecond, 40.0);
+TEST(StepRate, OfATableTurnsACubeByOneAndAHalfDegreesInAStep) {
+    // 0.788 sqrt(9.80665 / 0.1048) rad/s over 1.5 degrees.
+    EXPECT_NEAR(tableRate(0.1048).perSecond, 291.2, 0.1);
+    EXPECT_NEAR(tableRate(0.4192).perSecond, 145.6, 0.1);
+    EXPECT_EQ(tableRate(0.02).perSecond, 480.0);
+    EXPECT_EQ(tableRate(6.0).perSecond, 40.0);
     EXPECT_EQ(tableRate(0.1048).reason.id, "simulation.step_rate.tumbling");
     Scenario scenario;
     scenario.simulation.stepRate = 90.0;

@@ -49,12 +49,11 @@ TEST(Packing, RoundDiceAreNotPressedIntoEachOther) {
 TEST(VoussoirArch, StandsFromTheThicknessOfLimitAnalysisOn) {
     VoussoirArch arch;
     arch.voussoirs = 15;
-    arch.stepRate = 240.0;
     EXPECT_NEAR(leastArchThickness(arch, Execution{}) / limitArchThickness, 1.0, 0.05);
 }
 
-TEST(TiltingTable, WallGivesWayWhereLimitAnalysisSaysWithEnoughSteps) {
-    const TiltedWall wall{{0.4, 0.6, 0.3}, 5, 3, 0.65, 120.0};
+TEST(TiltingTable, WallGivesWayWhereLimitAnalysisSays) {
+    const TiltedWall wall{{0.4, 0.6, 0.3}, 5, 3, 0.65};
     EXPECT_NEAR(tiltingAngle(wall, Execution{}) / limitAngle(wall), 1.0, 0.03);
 }
 

@@ -60,16 +60,51 @@ TEST(Validate, WrongFrictionIsSeen) {
     EXPECT_GT(found.area, found.areaByChance);
 }
 
-TEST(Validate, FrictionIsFoundOnOneHalfAndJudgedOnTheOther) {
+TEST(Validate, FrictionIsFoundOnEachHalfAndJudgedOnTheOther) {
     ValidationSet set = slidingBlocks(0.5);
     set.variants = {{"fitted", "", {}, {{"friction", 0.2, 0.7}}}};
     const VariantResult variant = validate(set, {}, Execution{}).variants.front();
-    EXPECT_EQ(variant.bodies, 6);
-    ASSERT_EQ(variant.used.size(), 1u);
-    // The last round tries steps of 0.5 x 0.4 x 0.4 / 6.
-    EXPECT_NEAR(std::stod(variant.used.front().value), 0.5, 0.015);
-    EXPECT_EQ(variant.used.front().source, "fitted on one half, judged on the other");
+    EXPECT_EQ(variant.bodies, 12);
+    ASSERT_EQ(variant.used.size(), 2u);
+    // The last round tries steps of 0.5 x 0.4^3 / 6.
+    EXPECT_NEAR(std::stod(variant.used[0].value), 0.5, 0.015);
+    EXPECT_NEAR(std::stod(variant.used[1].value), 0.5, 0.015);
+    EXPECT_EQ(variant.used[0].source, "fitted on one half, judged on the other");
+    EXPECT_EQ(variant.used[1].source, "fitted on the other half, judged on the one");
     EXPECT_NEAR(variant.figure("run_out_m.error"), 0.0, 0.03);
+}
+
+TEST(Validate, AFitIsJudgedByBodiesThatItHasNotSeen) {
+    ValidationSet set = slidingBlocks(0.5);
+    const ValidationSet other = slidingBlocks(0.25);
+    // Every second block slid on ground of another friction: what is found on the ones is wrong for the others.
+    for (std::size_t i = 1; i < set.bodies.size(); i += 2) {
+        set.bodies[i] = other.bodies[i];
+        set.measured[i] = other.measured[i];
+    }
+    set.variants = {{"fitted", "", {}, {{"friction", 0.2, 0.7}}}};
+    const VariantResult variant = validate(set, {}, Execution{}).variants.front();
+    ASSERT_EQ(variant.used.size(), 2u);
+    EXPECT_NEAR(std::stod(variant.used[0].value), 0.5, 0.015);
+    EXPECT_NEAR(std::stod(variant.used[1].value), 0.25, 0.015);
+    // Those of less friction stop at half of their way, the others go twice as far.
+    EXPECT_GT(variant.figure("run_out_m.area"), 0.1);
+    EXPECT_GT(variant.figure("run_out_m[even].error"), 0.3);
+    EXPECT_LT(variant.figure("run_out_m[odd].error"), -0.3);
+}
+
+TEST(Validate, WhatIsDrawnWidensTheScatter) {
+    ValidationSet set = slidingBlocks(0.5);
+    set.repeats = 8;
+    const double scatter = validate(set, {}, Execution{}).variants.front().figure("run_out_m.scatter_ratio");
+    set.variants.front().parameters.clear();
+    set.variants.front().varied = {{variationFrom("friction", "uniform:0.3:0.7"), "given"}};
+    const VariantResult variant = validate(set, {}, Execution{}).variants.front();
+    ASSERT_EQ(variant.used.size(), 1u);
+    EXPECT_EQ(variant.used.front().key, "friction");
+    EXPECT_EQ(variant.used.front().value, "uniform:0.3:0.7");
+    EXPECT_EQ(variant.used.front().source, "given");
+    EXPECT_GT(variant.figure("run_out_m.scatter_ratio"), 1.1 * scatter);
 }
 
 }  // namespace

@@ -60,6 +60,24 @@ TEST_F(SetFolder, TablesAreJoinedAndNamed) {
     EXPECT_EQ(set.findings.count("validation.no_readme"), 0);
 }
 
+TEST_F(SetFolder, WhatIsDrawnHasADistributionAndASource) {
+    std::string drawn = definition;
+    const std::string none = R"("parameters": []})";
+    const auto vary = [&](const std::string& distribution) {
+        lay("set.json", std::string(drawn).replace(drawn.find(none), none.size(),
+                                                   R"("parameters": [], "varied": [{"key": "friction", "distribution": ")" +
+                                                       distribution + R"(", "source": "measured"}]})"));
+    };
+    vary("uniform:0.3:0.7");
+    const ValidationSet set = read();
+    ASSERT_EQ(set.variants[0].varied.size(), 1u);
+    EXPECT_EQ(set.variants[0].varied[0].setting.key, "friction");
+    EXPECT_DOUBLE_EQ(set.variants[0].varied[0].setting.second, 0.7);
+    EXPECT_EQ(set.variants[0].varied[0].source, "measured");
+    vary("uniform:0.7:0.3");
+    EXPECT_FALSE(refusal().empty());
+}
+
 TEST_F(SetFolder, WithoutLicenceItIsRefused) {
     fs::remove(m_folder / "LICENSE");
     EXPECT_THAT(refusal(), HasSubstr("no licence"));

@@ -180,8 +180,7 @@ struct StandingArch {
 };
 constexpr std::array standingArches{
     StandingArch{"arch", "a semicircle of 15 voussoirs, radius 5 m, friction 0.8: least thickness", {5.0, 15, 0.8, 40.0}},
-    StandingArch{
-        "arch, 240 steps", "the same at 240 steps a second, six times the least of a collapse", {5.0, 15, 0.8, 240.0}},
+    StandingArch{"arch, 240 steps", "the same at 240 steps a second, six times the least of a collapse", {5.0, 15, 0.8, 240.0}},
 };
 
 std::vector<SetFigure> standingFigures(std::size_t variant, const ValidationOptions&, const Execution& execution) {

@@ -279,15 +279,18 @@ Pieces::Parts Pieces::partsFor(std::span<const ElementIndex> members) const {
 
 /// A rigid fit of what has come apart would be wrong by half of the gap: every part but the first becomes a group of its own.
 void Pieces::divide(std::size_t group, const Parts& parts) {
+    std::vector<ElementIndex> gone;
     for (std::size_t i = 1; i < parts.size(); ++i) {
         Group part;
         part.component = m_groups[group].component;
         part.elements = part.members = parts[i];
-        const auto left = [&](ElementIndex e) { return std::ranges::find(parts[i], e) != parts[i].end(); };
-        std::erase_if(m_groups[group].elements, left);
-        std::erase_if(m_groups[group].members, left);
+        gone.insert(gone.end(), parts[i].begin(), parts[i].end());
         m_groups.push_back(std::move(part));
     }
+    std::ranges::sort(gone);
+    const auto left = [&](ElementIndex e) { return std::ranges::binary_search(gone, e); };
+    std::erase_if(m_groups[group].elements, left);
+    std::erase_if(m_groups[group].members, left);
 }
 
 void Pieces::replace(RigidWorld& world, Group& group, const std::optional<CollisionShape>& shape) {

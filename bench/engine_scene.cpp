@@ -153,9 +153,10 @@ void SceneRecorder::removeBody(BodyId body) {
     ForwardingWorld::removeBody(body);
 }
 
-PieceId SceneRecorder::addPiece(const CollisionShape& shape, const Pose& pose, Material material) {
+PieceId SceneRecorder::addPiece(const CollisionShape& shape, const Pose& pose, Material material,
+                                std::span<const std::uint32_t> nodes) {
     m_scene.calls.emplace_back(EngineScene::PieceEnters{shape, pose, material});
-    return ForwardingWorld::addPiece(shape, pose, material);
+    return ForwardingWorld::addPiece(shape, pose, material, nodes);
 }
 
 void SceneRecorder::removePiece(PieceId piece) {

@@ -61,7 +61,8 @@ public:
 
     BodyId addBody(const NewBody& body) override;
     void removeBody(BodyId body) override;
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override;
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material,
+                     std::span<const std::uint32_t> nodes) override;
     void removePiece(PieceId piece) override;
     void movePiece(PieceId piece, const Pose& atStepEnd) override;
     void setSubsteps(int substeps) override;

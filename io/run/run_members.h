@@ -200,6 +200,7 @@ struct Members<OccupiedBirths> {
         visit("births", b.births);
         visit("occupied", b.occupied);
         visit("median_depth", b.medianDepth);
+        visit.added("joined", b.joined);
         visit.added("left", b.left);
         visit("work", b.work);
         visit("piece_push_work", b.piecePushWork);

@@ -155,6 +155,7 @@ void addSimulationJson(Json& object, const SimulationResult& run) {
                         {"dissipated_j", run.energy.dissipated}};
     object["occupied_births"] = {{"births", run.births.births},
                                  {"occupied", run.births.occupied},
+                                 {"joined", run.births.joined},
                                  {"median_depth", run.births.medianDepth},
                                  {"left", run.births.left},
                                  {"work_j", run.births.work},
@@ -244,7 +245,8 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
     facts.add("wall time", stages);
     facts.add("at the end", percent(run.asleepAtEnd) + " asleep, " + englishInteger(run.stillMoving) + " bodies still move");
     facts.add("births in occupied space",
-              englishInteger(run.births.occupied) + " of " + englishInteger(run.births.births) + ", median depth " +
+              englishInteger(run.births.occupied) + " of " + englishInteger(run.births.births) + " (" +
+                  englishInteger(run.births.joined) + " of them inside nothing but what they were joined to), median depth " +
                   percent(run.births.medianDepth) + " of the smallest side, resolving them did " + withUnit(run.births.work, "J") +
                   "; at the end " + englishInteger(run.births.left) + " bodies still lie deeper than 5 % in others from birth");
     facts.add("pieces", "did " + withUnit(run.births.piecePushWork, "J") + " on bodies, gave way " +

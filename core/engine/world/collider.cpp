@@ -6,7 +6,7 @@ namespace rubble {
 
 void Collider::keep(Archive& archive) {
     archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, birthDepth,
-            penetration, overlapLeft, lifted, smallestSide, volume, mass, loosePush, inertia, parts);
+            birthDepthApart, penetration, overlapLeft, lifted, smallestSide, volume, mass, loosePush, inertia, parts, nodes);
 }
 
 OrientedBox boxAround(const CollisionShape& parts) {

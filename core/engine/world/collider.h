@@ -26,18 +26,20 @@ struct Collider {
     bool loose = false;        ///< a body that was a part of the structure: see NewBody
     bool broken = false;       ///< a body that was given a velocity that is no number; it goes on without
     Material material = Material::Concrete;
-    double radius = 0.0;          ///< m, of the farthest corner
-    double birthDepth = 0.0;      ///< m, inside older colliders
-    double penetration = 0.0;     ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
-    double overlapLeft = 0.0;     ///< m, of a body: what is left of overlap at birth with other bodies, in its latest step awake
-    double lifted = 0.0;          ///< m, of a body: by being brought out of overlap at birth
-    double smallestSide = 0.0;    ///< m, of a body
-    double volume = 0.0;          ///< m3, of its material
-    double mass = 0.0;            ///< kg, of a body
-    double loosePush = noPush;    ///< J/kg, see RigidWorld::loosePush()
-    Vec3 inertia = Vec3::Zero();  ///< kg m2, likewise
+    double radius = 0.0;           ///< m, of the farthest corner
+    double birthDepth = 0.0;       ///< m, inside older colliders
+    double birthDepthApart = 0.0;  ///< m, inside those of them that it was not joined to
+    double penetration = 0.0;      ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
+    double overlapLeft = 0.0;      ///< m, of a body: what is left of overlap at birth with other bodies, in its latest step awake
+    double lifted = 0.0;           ///< m, of a body: by being brought out of overlap at birth
+    double smallestSide = 0.0;     ///< m, of a body
+    double volume = 0.0;           ///< m3, of its material
+    double mass = 0.0;             ///< kg, of a body
+    double loosePush = noPush;     ///< J/kg, see RigidWorld::loosePush()
+    Vec3 inertia = Vec3::Zero();   ///< kg m2, likewise
     CollisionShape parts;
-    OrientedBox box;  ///< around the parts
+    std::vector<std::uint32_t> nodes;  ///< see NewBody
+    OrientedBox box;                   ///< around the parts
 
     /// All but what follows from kind, place and parts.
     void keep(Archive& archive);

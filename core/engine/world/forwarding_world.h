@@ -13,8 +13,9 @@ public:
 
     BodyId addBody(const NewBody& body) override { return m_world->addBody(body); }
     void removeBody(BodyId body) override { m_world->removeBody(body); }
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override {
-        return m_world->addPiece(shape, pose, material);
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material,
+                     std::span<const std::uint32_t> nodes) override {
+        return m_world->addPiece(shape, pose, material, nodes);
     }
     void removePiece(PieceId piece) override { m_world->removePiece(piece); }
     void movePiece(PieceId piece, const Pose& atStepEnd) override { m_world->movePiece(piece, atStepEnd); }
@@ -35,6 +36,7 @@ public:
     double lifted(BodyId body) const override { return m_world->lifted(body); }
     double penetration(BodyId body) const override { return m_world->penetration(body); }
     double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
+    double birthDepthApart(BodyId body) const override { return m_world->birthDepthApart(body); }
     double overlapLeft(BodyId body) const override { return m_world->overlapLeft(body); }
     bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
     double loosePush(BodyId body) const override { return m_world->loosePush(body); }

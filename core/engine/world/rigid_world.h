@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -38,6 +39,9 @@ struct NewBody {
     double smallestSide = 0.0;  ///< m, of the shape
     double volume = 0.0;        ///< m3, of its material
     Material material = Material::Concrete;
+    /// Of the mesh, of its elements, ascending; empty: not told. What shares one with it was joined to it: the two were one solid,
+    /// and an overlap of theirs at birth is by how much their boxes are coarser than their elements.
+    std::vector<std::uint32_t> nodes;
     /// A part of the structure that has come loose: pieces that it lies in by more than the share of occupied space when either of
     /// the two enters let it pass, as the FE result does. They were one solid, and their boxes are not as exact as their elements.
     bool loose = false;
@@ -117,7 +121,9 @@ public:
     /// Takes a body out; frozen bodies that touched it thaw.
     virtual void removeBody(BodyId body) = 0;
     /// Takes a piece in, standing still. What it overlaps in the next step is treated as overlap at birth.
-    virtual PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material = Material::Concrete) = 0;
+    /// @param nodes  of its elements, as those of a body
+    virtual PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material = Material::Concrete,
+                             std::span<const std::uint32_t> nodes = {}) = 0;
     virtual void removePiece(PieceId piece) = 0;
     /// Where the piece will be at the end of the next step; it moves there at constant speed. Without this call it stands still.
     virtual void movePiece(PieceId piece, const Pose& atStepEnd) = 0;
@@ -151,6 +157,8 @@ public:
     virtual double penetration(BodyId body) const = 0;
     /// How deep a body was inside older bodies and pieces when it entered, over its own smallest side; 0 before its first step.
     virtual double birthDepth(BodyId body) const = 0;
+    /// The same, inside what it was not joined to alone.
+    virtual double birthDepthApart(BodyId body) const = 0;
     /// m, of overlap at birth with other bodies: the deepest that has not come apart yet.
     virtual double overlapLeft(BodyId body) const = 0;
     /// m, by which bringing it out of overlap at birth has lifted a body so far, by position only.

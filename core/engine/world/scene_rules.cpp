@@ -19,11 +19,25 @@ void raise(double& number, double least) {
 
 }  // namespace
 
+namespace {
+
+/// Whether two share a node of the mesh.
+bool joined(const Collider& a, const Collider& b) {
+    const Collider& few = a.nodes.size() <= b.nodes.size() ? a : b;
+    const Collider& many = &few == &a ? b : a;
+    return std::ranges::any_of(few.nodes, [&](std::uint32_t node) { return std::ranges::binary_search(many.nodes, node); });
+}
+
+}  // namespace
+
 void noteBirthDepth(Collider& a, Collider& b, double depth) {
     for (auto [born, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
         const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
         if (born->newborn && older) {
             raise(born->birthDepth, depth);
+            if (!joined(*born, *other)) {
+                raise(born->birthDepthApart, depth);
+            }
         }
     }
 }

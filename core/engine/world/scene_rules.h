@@ -9,7 +9,7 @@ namespace rubble {
 /// Rules of the scene that hold whichever engine steps it: what a contact tells of its two bodies, how far a piece may go, and what
 /// lies below ground. Any number of threads may note what contacts tell.
 
-/// How deep a newborn lies in what is older than it, m.
+/// How deep a newborn lies in what is older than it, m, and in what of that it was not joined to.
 void noteBirthDepth(Collider& a, Collider& b, double depth);
 /// Overlap at birth that two bodies still have, m.
 void noteOverlapLeft(Collider& a, Collider& b, double offset, const Sleep& sleep);

@@ -39,13 +39,16 @@ BodyId SceneWorld::addBody(const NewBody& body) {
     collider.smallestSide = body.smallestSide;
     collider.volume = body.volume;
     collider.loose = body.loose;
+    collider.nodes = body.nodes;
     m_sleep.addBody();
     bodyEntered(collider, body);
     return idAt<BodyId>(collider.index);
 }
 
-PieceId SceneWorld::addPiece(const CollisionShape& shape, const Pose& pose, Material material) {
+PieceId SceneWorld::addPiece(const CollisionShape& shape, const Pose& pose, Material material,
+                             std::span<const std::uint32_t> nodes) {
     Collider& collider = enter(m_pieces, ColliderKind::Piece, shape, material);
+    collider.nodes.assign(nodes.begin(), nodes.end());
     pieceEntered(collider, pose);
     m_presentPieces.push_back(collider.index);
     return static_cast<PieceId>(collider.index);
@@ -125,6 +128,11 @@ BodyMotion SceneWorld::motion(BodyId body) const {
 double SceneWorld::birthDepth(BodyId body) const {
     const Collider& collider = bodyAt(body);
     return collider.smallestSide > 0.0 ? collider.birthDepth / collider.smallestSide : 0.0;
+}
+
+double SceneWorld::birthDepthApart(BodyId body) const {
+    const Collider& collider = bodyAt(body);
+    return collider.smallestSide > 0.0 ? collider.birthDepthApart / collider.smallestSide : 0.0;
 }
 
 void SceneWorld::keepScene(Archive& archive) {

@@ -15,7 +15,8 @@ class SceneWorld : public RigidWorld {
 public:
     BodyId addBody(const NewBody& body) override;
     void removeBody(BodyId body) override;
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override;
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material,
+                     std::span<const std::uint32_t> nodes) override;
     void removePiece(PieceId piece) override;
     void onSubstep(SubstepHook hook) override { m_hook = std::move(hook); }
     void wake(BodyId body) override;
@@ -28,6 +29,7 @@ public:
     double lifted(BodyId body) const override { return m_bodies[at(body)]->lifted; }
     double penetration(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->penetration; }
     double birthDepth(BodyId body) const override;
+    double birthDepthApart(BodyId body) const override;
     double overlapLeft(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->overlapLeft; }
     bool pushedByPiece(BodyId body) const override { return m_bodies[at(body)]->pushed; }
     double loosePush(BodyId body) const override { return m_bodies[at(body)]->loosePush; }

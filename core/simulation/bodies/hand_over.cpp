@@ -6,6 +6,7 @@
 #include "core/clusters/rigid_motion.h"
 #include "core/engine/world/body_shapes.h"
 #include "core/simulation/bodies/cluster_shape.h"
+#include "core/simulation/bodies/element_nodes.h"
 
 namespace rubble {
 
@@ -35,6 +36,14 @@ double volumeOf(const RunDescription& description, std::span<const FragmentId> m
         volume += description.components->volume[at(description.fragments->list[at(f)].element)];
     }
     return volume;
+}
+
+std::vector<std::uint32_t> nodesOf(const RunDescription& description, std::span<const FragmentId> members) {
+    std::vector<ElementIndex> elements;
+    for (const FragmentId f : members) {
+        elements.push_back(description.fragments->list[at(f)].element);
+    }
+    return nodesOf(description.fe->mesh(), elements);
 }
 
 /// A wire or a point is as hard to turn as the least box that its shape was thickened to: a contact off its centre would find next
@@ -72,6 +81,7 @@ std::optional<NewBody> soundBody(const RunDescription& description, const Cluste
     fillOut(body);
     body.volume = volumeOf(description, members);
     body.material = description.components->list[at(cluster.component)].material;
+    body.nodes = nodesOf(description, members);
     return sound(body.shape) ? std::optional(body) : std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 #include "core/engine/world/tight_box.h"
 #include "core/fragments/element_place.h"
 #include "core/fragments/element_solid.h"
+#include "core/simulation/bodies/element_nodes.h"
 
 namespace rubble {
 
@@ -222,7 +223,7 @@ std::optional<IslandBody> IslandMaker::make(const LiveIsland& island, Findings& 
     return body;
 }
 
-NewBody newBody(const IslandBody& island, const Components& components) {
+NewBody newBody(const IslandBody& island, const RunDescription& description) {
     NewBody body;
     body.mass = island.motion.mass;
     body.inertia = island.inertia;
@@ -232,7 +233,8 @@ NewBody newBody(const IslandBody& island, const Components& components) {
     body.shape = island.shape;
     body.smallestSide = smallestSide(island.shape);
     body.volume = island.volume;
-    body.material = components.list[at(island.component)].material;
+    body.material = description.components->list[at(island.component)].material;
+    body.nodes = nodesOf(description.fe->mesh(), island.elements);
     return body;
 }
 

@@ -68,6 +68,6 @@ private:
 /// A body of the elements in `parts`: mass properties, frame and shape; false if it has no mass, or none to turn.
 bool giveBody(IslandBody& body, const RunDescription& description);
 
-NewBody newBody(const IslandBody& island, const Components& components);
+NewBody newBody(const IslandBody& island, const RunDescription& description);
 
 }  // namespace rubble

@@ -14,6 +14,7 @@
 #include "core/engine/world/tight_box.h"
 #include "core/fe/live_islands.h"
 #include "core/fragments/solids.h"
+#include "core/simulation/bodies/element_nodes.h"
 
 namespace rubble {
 
@@ -244,12 +245,7 @@ std::optional<CollisionShape> Pieces::reshape(Group& group, const FeState& from)
         return std::nullopt;
     }
     const Mesh& mesh = m_fe.mesh();
-    group.nodes.clear();
-    for (const ElementIndex e : group.members) {
-        group.nodes.insert(group.nodes.end(), mesh.cornersOf(e).begin(), mesh.cornersOf(e).end());
-    }
-    std::sort(group.nodes.begin(), group.nodes.end());
-    group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+    group.nodes = nodesOf(mesh, group.members);
     // Bricks lie where the elements are now, as fragments and loose structure do; other shapes are those at rest.
     const std::vector<Vec3>& nodes = m_bricks ? from.positions : mesh.nodes;
     group.centre = Vec3::Zero();
@@ -300,7 +296,7 @@ void Pieces::replace(RigidWorld& world, Group& group, const std::optional<Collis
         --m_present;
     }
     if (shape) {
-        group.piece = world.addPiece(*shape, group.pose, m_components.list[at(group.component)].material);
+        group.piece = world.addPiece(*shape, group.pose, m_components.list[at(group.component)].material, group.nodes);
         ++m_present;
     }
 }

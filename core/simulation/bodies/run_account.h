@@ -29,6 +29,7 @@ struct LedgerErrors {
 struct OccupiedBirths {
     std::int64_t births = 0;     ///< bodies that entered
     std::int64_t occupied = 0;   ///< of these, deeper than 5 % of their own smallest side inside another body or piece
+    std::int64_t joined = 0;     ///< of the occupied ones: inside nothing but what they share nodes of the mesh with
     double medianDepth = 0.0;    ///< of the occupied ones: depth over the own smallest side
     std::int64_t left = 0;       ///< bodies that at the end still lie deeper than 5 % of their smallest side in others from birth
     double work = 0.0;           ///< J, done by resolving all overlap at birth

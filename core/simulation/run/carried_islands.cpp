@@ -226,7 +226,7 @@ void CarriedIslands::goOn(std::size_t before, const std::vector<ElementIndex>& l
     }
     const BodyMotion motion = world.motion(m_bodies[before].id);
     const Pose carried = motion.pose * m_bodies[before].island.pose.inverse();
-    NewBody body = newBody(after.island, *m_description.components);
+    NewBody body = newBody(after.island, m_description);
     body.pose = carried * after.island.pose;
     body.velocity = velocityAt(motion, body.pose.position);
     body.angularVelocity = motion.angularVelocity;
@@ -363,7 +363,7 @@ void CarriedIslands::take(std::size_t k, RigidWorld& world, Pieces& pieces, Chan
         Body body;
         body.state = static_cast<std::uint32_t>(k);
         body.island = std::move(*made);
-        const NewBody entering = newBody(body.island, *m_description.components);
+        const NewBody entering = newBody(body.island, m_description);
         for (const ElementIndex e : body.island.elements) {
             m_blows.begin(e, meanVelocity(m_description.fe->mesh(), e, nodes));
         }

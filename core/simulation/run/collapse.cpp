@@ -392,6 +392,7 @@ void Collapse::measureBirths(OccupiedBirths& births) const {
         const double depth = m_world->birthDepth(record.body);
         if (depth > occupiedShare) {
             depths.push_back(depth);
+            births.joined += m_world->birthDepthApart(record.body) <= occupiedShare;
         }
     }
     const ContactReport& contacts = m_world->contacts();

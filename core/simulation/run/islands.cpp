@@ -76,7 +76,7 @@ Islands::Release Islands::release(RigidWorld& world, Pieces& pieces, Findings& f
 }
 
 void Islands::take(const IslandBody& island, RigidWorld& world, Release& release) {
-    const BodyId id = world.addBody(newBody(island, *m_description.components));
+    const BodyId id = world.addBody(newBody(island, m_description));
     BodyRecord record;
     record.body = id;
     record.cluster = noCluster;

@@ -26,7 +26,7 @@ public:
     };
     std::vector<Piece> pieces;
 
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material) override {
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material, std::span<const std::uint32_t>) override {
         pieces.push_back({shape, pose});
         return idAt<PieceId>(pieces.size() - 1);
     }

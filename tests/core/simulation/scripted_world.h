@@ -23,7 +23,7 @@ public:
 
     BodyId addBody(const NewBody&) override { return {}; }
     void removeBody(BodyId body) override { scripted[at(body)].state = BodyState::Removed; }
-    PieceId addPiece(const CollisionShape&, const Pose&, Material) override { return {}; }
+    PieceId addPiece(const CollisionShape&, const Pose&, Material, std::span<const std::uint32_t>) override { return {}; }
     void removePiece(PieceId) override {}
     void movePiece(PieceId, const Pose&) override {}
     void onSubstep(SubstepHook) override {}
@@ -39,6 +39,7 @@ public:
     double lifted(BodyId body) const override { return scripted[at(body)].lifted; }
     double penetration(BodyId body) const override { return scripted[at(body)].penetration; }
     double birthDepth(BodyId) const override { return 0.0; }
+    double birthDepthApart(BodyId) const override { return 0.0; }
     double overlapLeft(BodyId) const override { return 0.0; }
     bool pushedByPiece(BodyId body) const override { return scripted[at(body)].pushed; }
     double loosePush(BodyId body) const override { return scripted[at(body)].loosePush; }

@@ -13,9 +13,25 @@ TEST(SceneRules, ABirthLiesInWhatIsOlderOnly) {
     noteBirthDepth(old, born, 0.2);
     noteBirthDepth(born, twin, 0.5);
     EXPECT_EQ(born.birthDepth, 0.2) << "two that enter together are not older than each other";
+    EXPECT_EQ(born.birthDepthApart, 0.2) << "what shares no node was not joined";
     EXPECT_EQ(old.birthDepth, 0.0);
     noteBirthDepth(born, old, 0.1);
     EXPECT_EQ(born.birthDepth, 0.2) << "the deepest counts";
+}
+
+TEST(SceneRules, WhatABirthWasJoinedToIsToldApart) {
+    Collider wall, debris, born;
+    wall.kind = ColliderKind::Piece;
+    wall.nodes = {2, 5, 9};
+    debris.newborn = false;
+    debris.nodes = {1, 4};
+    born.nodes = {3, 5, 7, 8};
+    noteBirthDepth(wall, born, 0.3);
+    EXPECT_EQ(born.birthDepth, 0.3);
+    EXPECT_EQ(born.birthDepthApart, 0.0) << "they share node 5";
+    noteBirthDepth(debris, born, 0.1);
+    EXPECT_EQ(born.birthDepth, 0.3);
+    EXPECT_EQ(born.birthDepthApart, 0.1);
 }
 
 TEST(SceneRules, DepthIsNotedForWhoIsAwake) {

@@ -101,9 +101,10 @@ public:
     };
     CountingWorld(std::unique_ptr<RigidWorld> world, Counts& counts) : ForwardingWorld(std::move(world)), m_counts(counts) {}
 
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override {
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material,
+                     std::span<const std::uint32_t> nodes) override {
         ++m_counts.pieces;
-        return ForwardingWorld::addPiece(shape, pose, material);
+        return ForwardingWorld::addPiece(shape, pose, material, nodes);
     }
     void onSubstep(SubstepHook hook) override {
         ++m_counts.hooks;

@@ -39,9 +39,9 @@ void SymbolModel::start(std::uint32_t symbols) {
     const std::uint32_t tableBits = symbols > 64 ? 8 : symbols > 16 ? 7 : 5;
     m_tableShift = symbolShares - tableBits;
     m_symbols = symbols;
-    m_numbers.assign(2 * std::size_t{symbols} + 1 + (std::size_t{1} << tableBits) + 2, 0);
-    std::fill_n(counts(), symbols, std::uint16_t{1});
-    shares()[symbols] = std::numeric_limits<std::uint16_t>::max();
+    m_entries.assign(std::size_t{symbols} + 1, {0, 1});
+    m_entries.back().from = std::numeric_limits<std::uint16_t>::max();
+    m_table.assign((std::size_t{1} << tableBits) + 2, 0);
     m_total = 0;
     m_cycle = symbols;
     learn();
@@ -49,35 +49,48 @@ void SymbolModel::start(std::uint32_t symbols) {
 }
 
 void SymbolModel::learn() {
-    std::uint16_t* from = shares();
-    std::uint16_t* count = counts();
     m_total += m_cycle;
-    if (m_total > std::uint32_t{1} << symbolShares) {
+    if (m_total > wholeShare) {
         m_total = 0;
         for (std::uint32_t s = 0; s < m_symbols; ++s) {
-            count[s] = static_cast<std::uint16_t>((count[s] + 1) / 2);
-            m_total += count[s];
+            m_entries[s].count = static_cast<std::uint16_t>((m_entries[s].count + 1) / 2);
+            m_total += m_entries[s].count;
         }
     }
     const std::uint32_t scale = (std::uint32_t{1} << wholeShift) / m_total;
     std::uint32_t sum = 0;
-    std::uint16_t* parts = table();
-    std::uint16_t* const end = m_numbers.data() + m_numbers.size();
-    std::fill(parts, end, std::uint16_t{0});
+    std::fill(m_table.begin(), m_table.end(), std::uint16_t{0});
     const std::uint32_t beforeNext = (std::uint32_t{1} << m_tableShift) - 1;
     for (std::uint32_t s = 0; s < m_symbols; ++s) {
-        from[s] = static_cast<std::uint16_t>((scale * sum) >> (wholeShift - symbolShares));
-        sum += count[s];
+        Entry& entry = m_entries[s];
+        entry.from = static_cast<std::uint16_t>((scale * sum) >> (wholeShift - symbolShares));
+        sum += entry.count;
         // The last symbol that begins in a part or at its beginning counts for the parts that follow.
-        parts[(from[s] + beforeNext) >> m_tableShift] = static_cast<std::uint16_t>(s);
+        m_table[(entry.from + beforeNext) >> m_tableShift] = static_cast<std::uint16_t>(s);
     }
     std::uint16_t latest = 0;
-    for (; parts < end; ++parts) {
-        latest = std::max(latest, *parts);
-        *parts = latest;
+    for (std::uint16_t& part : m_table) {
+        latest = std::max(latest, part);
+        part = latest;
     }
     m_cycle = std::min(5 * m_cycle / 4, (m_symbols + 6) * 8);
     m_left = m_cycle;
+}
+
+void ArithmeticDecoder::widenSlowly() {
+    const int bytes = std::countl_zero(m_length | 1U) / 8;
+    for (int b = 0; b < bytes; ++b) {
+        m_value = m_value << 8 | m_bytes->next();
+        m_length <<= 8;
+    }
+}
+
+std::uint32_t ArithmeticDecoder::finishSlowly(SymbolModel& model, std::uint32_t found) {
+    if (model.m_left == 0) {
+        model.learn();
+    }
+    widen();
+    return found;
 }
 
 void ArithmeticDecoder::start() {

@@ -37,18 +37,18 @@ private:
     friend class ArithmeticDecoder;
     void learn();
 
-    std::uint16_t* shares() { return m_numbers.data(); }
-    std::uint16_t* counts() { return m_numbers.data() + m_symbols + 1; }
-    std::uint16_t* table() { return m_numbers.data() + 2 * std::size_t{m_symbols} + 1; }
-
+    static constexpr std::uint32_t wholeShare = std::uint32_t{1} << 15;
+    struct Entry {
+        std::uint16_t from = 0;  ///< sum of the shares before this symbol, of 32,768; beyond all behind the last one
+        std::uint16_t count = 0;
+    };
     std::uint32_t m_symbols = 0;
     std::uint32_t m_total = 0;
     std::uint32_t m_cycle = 0;
     std::uint32_t m_left = 0;  ///< symbols until the shares are renewed
     std::uint32_t m_tableShift = 0;
-    /// Sums of the shares before each symbol, of 32,768, and one beyond all [symbols + 1]; how often each came [symbols]; the
-    /// last symbol that begins at or before each part of the shares.
-    std::vector<std::uint16_t> m_numbers;
+    std::vector<Entry> m_entries;        ///< [symbols + 1]
+    std::vector<std::uint16_t> m_table;  ///< the last symbol that begins at or before each part of the shares
 };
 
 /// The arithmetic decoder of LASzip: an adaptive range coder of 32 bits that takes whole bytes, as Said described it (2004).
@@ -71,32 +71,34 @@ public:
             ++model.m_zeros;
         }
         widen();
-        if (--model.m_left == 0) {
+        if (--model.m_left == 0) [[unlikely]] {
             model.learn();
         }
         return one ? 1 : 0;
     }
 
     std::uint32_t symbol(SymbolModel& model) {
-        const std::uint16_t* from = model.shares();
         const std::uint32_t unit = m_length >> 15;
         const std::uint32_t share = m_value / unit;
-        std::uint32_t found = model.table()[share >> model.m_tableShift];
-        while (from[found + 1] <= share) {
-            ++found;
+        SymbolModel::Entry* const entries = model.m_entries.data();
+        SymbolModel::Entry* at = entries + model.m_table[share >> model.m_tableShift];
+        while (at[1].from <= share) {
+            ++at;
         }
-        const std::uint32_t low = from[found] * unit;
+        const std::uint32_t low = at[0].from * unit;
         // What is above the last symbol is its as well. By a mask: no processor foretells which symbol it is.
-        const std::uint32_t last = 0U - static_cast<std::uint32_t>(found + 1 == model.m_symbols);
-        const std::uint32_t high = from[found + 1] * unit;
+        const std::uint32_t high = at[1].from * unit;
+        const std::uint32_t last = 0U - static_cast<std::uint32_t>(at[1].from > SymbolModel::wholeShare);
         m_value -= low;
         m_length = (high ^ ((high ^ m_length) & last)) - low;
-        widen();
-        ++model.counts()[found];
-        if (--model.m_left == 0) {
-            model.learn();
+        ++at->count;
+        const auto found = static_cast<std::uint32_t>(at - entries);
+        --model.m_left;
+        if (model.m_left != 0 && m_bytes->holdsFour()) [[likely]] {
+            widenQuickly();
+            return found;
         }
-        return found;
+        return finishSlowly(model, found);
     }
 
     /// A number of so many bits that no model knows, at most 32.
@@ -121,20 +123,17 @@ private:
         return number;
     }
     /// Takes bytes until the range is wider than 24 bits.
-    void widen() {
-        const auto bytes = static_cast<std::uint32_t>(std::countl_zero(m_length | 1U)) / 8;
-        if (m_bytes->holdsFour()) [[likely]] {
-            const std::uint64_t next = std::uint64_t{m_bytes->ahead()} << 8 * bytes;
-            m_value = m_value << 8 * bytes | static_cast<std::uint32_t>(next >> 32);
-            m_length <<= 8 * bytes;
-            m_bytes->skip(bytes);
-            return;
-        }
-        for (std::uint32_t b = 0; b < bytes; ++b) {
-            m_value = m_value << 8 | m_bytes->next();
-            m_length <<= 8;
-        }
+    void widen() { m_bytes->holdsFour() ? widenQuickly() : widenSlowly(); }
+    void widenQuickly() {
+        const std::uint32_t bits = static_cast<std::uint32_t>(std::countl_zero(m_length | 1U)) & 24U;
+        const std::uint64_t ahead = (std::uint64_t{m_value} << 32 | m_bytes->ahead()) << bits;
+        m_value = static_cast<std::uint32_t>(ahead >> 32);
+        m_length <<= bits;
+        m_bytes->skip(bits / 8);
     }
+    void widenSlowly();
+    /// What a symbol seldom needs, kept out of the way of the others. @return found
+    std::uint32_t finishSlowly(SymbolModel& model, std::uint32_t found);
 
     PackedBytes* m_bytes;
     std::uint32_t m_value = 0;

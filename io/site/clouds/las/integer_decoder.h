@@ -20,7 +20,14 @@ public:
     /// Forgets what was learned.
     void start();
     /// Numbers of fewer than 32 bits come as 0 to 2^bits - 1.
-    std::int32_t decode(ArithmeticDecoder& decoder, std::int32_t expected, std::uint32_t context);
+    std::int32_t decode(ArithmeticDecoder& decoder, std::int32_t expected, std::uint32_t context) {
+        decodeLength(decoder, context);
+        return decodeRest(decoder, expected);
+    }
+    /// The first half of decode(): how many bits the difference takes.
+    void decodeLength(ArithmeticDecoder& decoder, std::uint32_t context);
+    /// The second half: the number.
+    std::int32_t decodeRest(ArithmeticDecoder& decoder, std::int32_t expected);
     /// Bits that the last difference took.
     std::uint32_t length() const { return m_length; }
 
@@ -37,12 +44,15 @@ private:
     BitModel m_unit;                            ///< of differences of 0 and 1
 };
 
-inline std::int32_t IntegerDecoder::decode(ArithmeticDecoder& decoder, std::int32_t expected, std::uint32_t context) {
+inline void IntegerDecoder::decodeLength(ArithmeticDecoder& decoder, std::uint32_t context) {
     SymbolModel& lengths = m_lengths[context];
     if (!lengths.started()) {
         lengths.start(m_bits + 1);
     }
     m_length = decoder.symbol(lengths);
+}
+
+inline std::int32_t IntegerDecoder::decodeRest(ArithmeticDecoder& decoder, std::int32_t expected) {
     const std::uint32_t number = static_cast<std::uint32_t>(expected) + difference(decoder);
     return static_cast<std::int32_t>(number & m_mask);
 }

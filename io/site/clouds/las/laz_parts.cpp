@@ -56,11 +56,11 @@ void LazTimes::start(std::uint64_t time) {
     m_whole.start();
 }
 
-std::uint64_t LazTimes::decode(ArithmeticDecoder& decoder) {
+void LazTimes::decodeCode(ArithmeticDecoder& decoder) {
+    m_pending = Pending::Nothing;
     // A sound file changes the sequence once at most before it tells the time.
     for (std::uint32_t changes = 0; changes < sequencesMost && !step(decoder); ++changes) {
     }
-    return m_sequences[m_now].time;
 }
 
 /// @return false: another sequence goes on, and its step follows
@@ -75,26 +75,42 @@ bool LazTimes::step(ArithmeticDecoder& decoder) {
         return false;
     }
     if (code == whole) {
-        takeWhole(decoder);
+        m_pending = Pending::Whole;
+        m_context = 8;
+        m_expected = static_cast<std::int32_t>(now.time >> 32);
     } else if (!still) {
-        addDifference(decoder, code);
+        expectDifference(code);
     } else if (code == 1) {
-        now.difference = m_whole.decode(decoder, 0, 0);
-        now.time += static_cast<std::uint64_t>(std::int64_t{now.difference});
-        now.extremes = 0;
+        m_pending = Pending::First;
+        m_context = 0;
+        m_expected = 0;
     }
     return true;
 }
 
-void LazTimes::takeWhole(ArithmeticDecoder& decoder) {
-    const auto upper = static_cast<std::int32_t>(m_sequences[m_now].time >> 32);
-    m_newest = (m_newest + 1) % sequencesMost;
-    const auto high = static_cast<std::uint32_t>(m_whole.decode(decoder, upper, 8));
-    m_sequences[m_newest] = {std::uint64_t{high} << 32 | decoder.bits(32), 0, 0};
-    m_now = m_newest;
+std::uint64_t LazTimes::decodeRest(ArithmeticDecoder& decoder) {
+    if (m_pending == Pending::Nothing) {
+        return m_sequences[m_now].time;
+    }
+    const std::int32_t number = m_whole.decodeRest(decoder, m_expected);
+    if (m_pending == Pending::Whole) {
+        m_newest = (m_newest + 1) % sequencesMost;
+        m_sequences[m_newest] = {std::uint64_t{static_cast<std::uint32_t>(number)} << 32 | decoder.bits(32), 0, 0};
+        m_now = m_newest;
+        return m_sequences[m_now].time;
+    }
+    Sequence& now = m_sequences[m_now];
+    now.time += static_cast<std::uint64_t>(std::int64_t{number});
+    if (m_pending == Pending::First) {
+        now.difference = number;
+        now.extremes = 0;
+    } else if (m_pending == Pending::Extreme) {
+        countExtreme(number);
+    }
+    return now.time;
 }
 
-void LazTimes::addDifference(ArithmeticDecoder& decoder, std::uint32_t code) {
+void LazTimes::expectDifference(std::uint32_t code) {
     if (code == timeStays) {
         return;
     }
@@ -116,11 +132,9 @@ void LazTimes::addDifference(ArithmeticDecoder& decoder, std::uint32_t code) {
         extreme = code == multipleMost + multipleLeast;
         context = extreme ? 6 : 5;
     }
-    const std::int32_t difference = m_whole.decode(decoder, multiple(now.difference, factor), context);
-    now.time += static_cast<std::uint64_t>(std::int64_t{difference});
-    if (extreme) {
-        countExtreme(difference);
-    }
+    m_context = context;
+    m_expected = multiple(now.difference, factor);
+    m_pending = extreme ? Pending::Extreme : Pending::Multiple;
 }
 
 /// Four differences that are no small multiples make a new one to count by.
@@ -139,34 +153,35 @@ void LazColours::start() {
     }
 }
 
-LazColours::Colour LazColours::decode(ArithmeticDecoder& decoder, const Colour& last) {
-    const std::uint32_t changed = decoder.symbol(m_changed);
-    Colour colour{};
-    std::array<std::array<std::uint32_t, 2>, 3> bytes{};
-    const auto lastByte = [&](std::size_t channel, std::size_t half) {
-        return half == 0 ? last[channel] & 0xffU : static_cast<std::uint32_t>(last[channel] >> 8);
+void LazColours::decodeChanged(ArithmeticDecoder& decoder, const Colour& last) {
+    m_bits = decoder.symbol(m_changed);
+    // Of grey only red is told.
+    m_bits &= (m_bits & 64) != 0 ? 127U : 3U;
+    for (std::size_t channel = 0; channel < last.size(); ++channel) {
+        m_before[2 * channel] = last[channel] & 0xffU;
+        m_before[2 * channel + 1] = static_cast<std::uint32_t>(last[channel] >> 8);
+    }
+    m_now = m_before;
+}
+
+void LazColours::takePart(ArithmeticDecoder& decoder, std::size_t part) {
+    const std::size_t half = part % 2;
+    const auto moved = [&](std::size_t of) {
+        return static_cast<std::int32_t>(m_now[of]) - static_cast<std::int32_t>(m_before[of]);
     };
-    const auto decoded = [&](std::size_t model, std::uint32_t expected) {
-        return (decoder.symbol(m_differences[model]) + expected) & 0xffU;
-    };
-    for (std::size_t half = 0; half < 2; ++half) {
-        bytes[0][half] = (changed >> half & 1) != 0 ? decoded(half, lastByte(0, half)) : lastByte(0, half);
+    std::uint32_t expected = m_before[part];
+    if (part > 3) {
+        expected = foretold(expected, (moved(half) + moved(2 + half)) / 2);
+    } else if (part > 1) {
+        expected = foretold(expected, moved(half));
     }
-    // Grey where the seventh bit says so.
-    bytes[1] = bytes[2] = bytes[0];
-    for (std::size_t half = 0; half < 2 && (changed & 64) != 0; ++half) {
-        auto change = static_cast<std::int32_t>(bytes[0][half]) - static_cast<std::int32_t>(lastByte(0, half));
-        for (std::size_t channel = 1; channel < 3; ++channel) {
-            const std::uint32_t before = lastByte(channel, half);
-            const std::size_t model = 2 * channel + half;
-            bytes[channel][half] = (changed >> model & 1) != 0 ? decoded(model, foretold(before, change)) : before;
-            change = (change + static_cast<std::int32_t>(bytes[1][half]) - static_cast<std::int32_t>(lastByte(1, half))) / 2;
-        }
-    }
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        colour[channel] = static_cast<std::uint16_t>(bytes[channel][0] | bytes[channel][1] << 8);
-    }
-    return colour;
+    m_now[part] = (decoder.symbol(m_differences[part]) + expected) & 0xffU;
+}
+
+LazColours::Colour LazColours::colour() const {
+    const auto channel = [this](std::size_t of) { return static_cast<std::uint16_t>(m_now[of] | m_now[of + 1] << 8); };
+    const bool grey = (m_bits & 64) == 0;
+    return {channel(0), channel(grey ? 0 : 2), channel(grey ? 0 : 4)};
 }
 
 }  // namespace rubble::io

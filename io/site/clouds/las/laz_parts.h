@@ -29,12 +29,25 @@ public:
     /// @param time  bits of the first one
     void start(std::uint64_t time);
     /// Bits of the next time.
-    std::uint64_t decode(ArithmeticDecoder& decoder);
+    std::uint64_t decode(ArithmeticDecoder& decoder) {
+        decodeCode(decoder);
+        decodeLength(decoder);
+        return decodeRest(decoder);
+    }
+    // The three parts of decode(), one after another.
+    void decodeCode(ArithmeticDecoder& decoder);
+    void decodeLength(ArithmeticDecoder& decoder) {
+        if (m_pending != Pending::Nothing) {
+            m_whole.decodeLength(decoder, m_context);
+        }
+    }
+    std::uint64_t decodeRest(ArithmeticDecoder& decoder);
 
 private:
+    /// What follows the code of a time.
+    enum class Pending : std::uint8_t { Nothing, First, Multiple, Extreme, Whole };
     bool step(ArithmeticDecoder& decoder);
-    void addDifference(ArithmeticDecoder& decoder, std::uint32_t code);
-    void takeWhole(ArithmeticDecoder& decoder);
+    void expectDifference(std::uint32_t code);
     void countExtreme(std::int32_t difference);
 
     struct Sequence {
@@ -46,6 +59,9 @@ private:
     std::array<Sequence, 4> m_sequences;
     std::size_t m_now = 0;
     std::size_t m_newest = 0;
+    Pending m_pending = Pending::Nothing;
+    std::uint32_t m_context = 0;
+    std::int32_t m_expected = 0;
     SymbolModel m_codes;
     SymbolModel m_codesOfStill;  ///< where the last difference was 0
     IntegerDecoder m_whole;
@@ -56,9 +72,33 @@ class LazColours {
 public:
     using Colour = std::array<std::uint16_t, 3>;
     void start();
-    Colour decode(ArithmeticDecoder& decoder, const Colour& last);
+    Colour decode(ArithmeticDecoder& decoder, const Colour& last) {
+        decodeChanged(decoder, last);
+        decodePart<0>(decoder);
+        decodePart<1>(decoder);
+        decodePart<2>(decoder);
+        decodePart<4>(decoder);
+        decodePart<3>(decoder);
+        decodePart<5>(decoder);
+        return colour();
+    }
+    // The steps of decode(), one after another.
+    // Parts are the bytes of red, green and blue, the lower one first. Both of red come first, then the lower ones, then the upper.
+    static constexpr std::size_t parts = 6;
+    void decodeChanged(ArithmeticDecoder& decoder, const Colour& last);
+    template <std::size_t Part>
+    void decodePart(ArithmeticDecoder& decoder) {
+        if ((m_bits >> Part & 1) != 0) {
+            takePart(decoder, Part);
+        }
+    }
+    Colour colour() const;
 
 private:
+    void takePart(ArithmeticDecoder& decoder, std::size_t part);
+
+    std::uint32_t m_bits = 0;                              ///< by part: it changed; the seventh: it is no grey
+    std::array<std::uint32_t, parts> m_before{}, m_now{};  ///< bytes of red, green and blue, the lower one first
     SymbolModel m_changed;
     std::array<SymbolModel, 6> m_differences;
 };

@@ -59,7 +59,7 @@ LazPoints::LazPoints(const LasHead& head)
 void LazPoints::start(const unsigned char* first) {
     std::copy_n(first, m_last.size(), m_last.begin());
     putAt<std::uint16_t>(&m_last[intensityAt], 0);
-    m_changed.start(64);
+    m_changeModel.start(64);
     for (std::vector<SymbolModel>* models : {&m_echoes, &m_classes, &m_users}) {
         for (SymbolModel& model : *models) {
             model.stop();
@@ -102,65 +102,90 @@ std::uint32_t LazPoints::byContext(ArithmeticDecoder& decoder, std::vector<Symbo
     return decoder.symbol(model);
 }
 
+template <class Each>
+void LazPoints::decodeSteps(const LasLayout& layout, bool rest, Each each) {
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeChanged(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeIntensityLength(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeMarks(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.m_x.decodeLength(d, p.m_echo.single); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeX(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeYLength(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeY(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeHeightLength(d); });
+    each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeHeight(d); });
+    if (layout.time >= 0) {
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_times.decodeCode(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_times.decodeLength(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.keepTime(p.m_times.decodeRest(d)); });
+    }
+    if (layout.colour >= 0) {
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodeChanged(d, littleAt<LazColours::Colour>(p.colourAt())); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<0>(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<1>(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<2>(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<4>(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<3>(d); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<5>(d); });
+        each([](LazPoints& p, ArithmeticDecoder&) { putAt(p.colourAt(), p.m_colours.colour()); });
+    }
+    if (rest) {
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeRest(d); });
+    }
+}
+
 void LazPoints::decode(ArithmeticDecoder& decoder, unsigned char* record) {
-    decodeMarks(decoder);
-    decodeX(decoder);
-    decodeY(decoder);
-    decodeHeight(decoder);
-    decodeTime(decoder);
-    decodeColour(decoder);
-    decodeRest(decoder);
+    decodeSteps(m_layout, hasRest(), [&](auto step) { step(*this, decoder); });
     std::copy(m_last.begin(), m_last.end(), record);
 }
 
-void LazPoints::decodeBoth(std::array<LazPoints*, 2> points, std::array<ArithmeticDecoder*, 2> decoders,
-                           std::array<unsigned char*, 2> records) {
-    const auto each = [&](auto step) {
-        (points[0]->*step)(*decoders[0]);
-        (points[1]->*step)(*decoders[1]);
-    };
-    each(&LazPoints::decodeMarks);
-    each(&LazPoints::decodeX);
-    each(&LazPoints::decodeY);
-    each(&LazPoints::decodeHeight);
-    each(&LazPoints::decodeTime);
-    each(&LazPoints::decodeColour);
-    each(&LazPoints::decodeRest);
-    for (std::size_t k = 0; k < points.size(); ++k) {
+void LazPoints::decodeTogether(const std::array<LazPoints*, lanes>& points, const std::array<ArithmeticDecoder*, lanes>& decoders,
+                               const std::array<unsigned char*, lanes>& records) {
+    decodeSteps(points[0]->m_layout, points[0]->hasRest(), [&](auto step) {
+        for (std::size_t k = 0; k < lanes; ++k) {
+            step(*points[k], *decoders[k]);
+        }
+    });
+    for (std::size_t k = 0; k < lanes; ++k) {
         std::copy(points[k]->m_last.begin(), points[k]->m_last.end(), records[k]);
     }
 }
 
-void LazPoints::decodeMarks(ArithmeticDecoder& decoder) {
-    const std::uint32_t changed = decoder.symbol(m_changed);
-    if ((changed & 32) != 0) {
+void LazPoints::decodeChanged(ArithmeticDecoder& decoder) {
+    m_changes = decoder.symbol(m_changeModel);
+    if ((m_changes & 32) != 0) {
         m_last[echoesAt] = static_cast<unsigned char>(byContext(decoder, m_echoes, m_last[echoesAt]));
     }
     const std::uint32_t echo = m_last[echoesAt] & 7;
     const std::uint32_t echoes = m_last[echoesAt] >> 3 & 7;
     m_echo = {echoKinds[echoes][echo], echo > echoes ? echo - echoes : echoes - echo, echoes == 1 ? 1U : 0U};
-    if (changed != 0) {
-        std::uint16_t& intensity = m_intensities[m_echo.kind];
-        if ((changed & 16) != 0) {
-            intensity = static_cast<std::uint16_t>(m_intensity.decode(decoder, intensity, std::min(m_echo.kind, 3U)));
-        }
-        putAt(&m_last[intensityAt], intensity);
-        decodeChanged(decoder, changed);
+}
+
+void LazPoints::decodeIntensityLength(ArithmeticDecoder& decoder) {
+    if ((m_changes & 16) != 0) {
+        m_intensity.decodeLength(decoder, std::min(m_echo.kind, 3U));
     }
 }
 
-void LazPoints::decodeChanged(ArithmeticDecoder& decoder, std::uint32_t changed) {
-    if ((changed & 8) != 0) {
+void LazPoints::decodeMarks(ArithmeticDecoder& decoder) {
+    if (m_changes == 0) {
+        return;
+    }
+    std::uint16_t& intensity = m_intensities[m_echo.kind];
+    if ((m_changes & 16) != 0) {
+        intensity = static_cast<std::uint16_t>(m_intensity.decodeRest(decoder, intensity));
+    }
+    putAt(&m_last[intensityAt], intensity);
+    if ((m_changes & 8) != 0) {
         m_last[classAt] = static_cast<unsigned char>(byContext(decoder, m_classes, m_last[classAt]));
     }
-    if ((changed & 4) != 0) {
+    if ((m_changes & 4) != 0) {
         const std::size_t direction = m_last[echoesAt] >> 6 & 1;
         m_last[angleAt] = static_cast<unsigned char>(m_last[angleAt] + decoder.symbol(m_angles[direction]));
     }
-    if ((changed & 2) != 0) {
+    if ((m_changes & 2) != 0) {
         m_last[userAt] = static_cast<unsigned char>(byContext(decoder, m_users, m_last[userAt]));
     }
-    if ((changed & 1) != 0) {
+    if ((m_changes & 1) != 0) {
         const auto last = littleAt<std::uint16_t>(&m_last[pointSourceAt]);
         putAt(&m_last[pointSourceAt], static_cast<std::uint16_t>(m_pointSource.decode(decoder, last, 0)));
     }
@@ -172,35 +197,34 @@ void LazPoints::move(std::size_t at, std::int32_t step) {
 
 void LazPoints::decodeX(ArithmeticDecoder& decoder) {
     RunningMedian& steps = m_stepsX[m_echo.kind];
-    const std::int32_t step = m_x.decode(decoder, steps.median(), m_echo.single);
+    const std::int32_t step = m_x.decodeRest(decoder, steps.median());
     steps.add(step);
     move(0, step);
 }
 
+void LazPoints::decodeYLength(ArithmeticDecoder& decoder) {
+    m_y.decodeLength(decoder, lengthContext(m_x.length(), 20, m_echo.single));
+}
+
 void LazPoints::decodeY(ArithmeticDecoder& decoder) {
     RunningMedian& steps = m_stepsY[m_echo.kind];
-    const std::int32_t step = m_y.decode(decoder, steps.median(), lengthContext(m_x.length(), 20, m_echo.single));
+    const std::int32_t step = m_y.decodeRest(decoder, steps.median());
     steps.add(step);
     move(4, step);
 }
 
+void LazPoints::decodeHeightLength(ArithmeticDecoder& decoder) {
+    m_z.decodeLength(decoder, lengthContext((m_x.length() + m_y.length()) / 2, 18, m_echo.single));
+}
+
 void LazPoints::decodeHeight(ArithmeticDecoder& decoder) {
     std::int32_t& height = m_heights[m_echo.level];
-    height = m_z.decode(decoder, height, lengthContext((m_x.length() + m_y.length()) / 2, 18, m_echo.single));
+    height = m_z.decodeRest(decoder, height);
     putAt(&m_last[8], height);
 }
 
-void LazPoints::decodeTime(ArithmeticDecoder& decoder) {
-    if (m_layout.time >= 0) {
-        putAt(&m_last[static_cast<std::size_t>(m_layout.time)], m_times.decode(decoder));
-    }
-}
-
-void LazPoints::decodeColour(ArithmeticDecoder& decoder) {
-    if (m_layout.colour >= 0) {
-        unsigned char* colour = &m_last[static_cast<std::size_t>(m_layout.colour)];
-        putAt(colour, m_colours.decode(decoder, littleAt<LazColours::Colour>(colour)));
-    }
+void LazPoints::keepTime(std::uint64_t time) {
+    putAt(&m_last[static_cast<std::size_t>(m_layout.time)], time);
 }
 
 void LazPoints::decodeRest(ArithmeticDecoder& decoder) {

@@ -19,23 +19,31 @@ public:
     void start(const unsigned char* first);
     /// Writes the record of the next point.
     void decode(ArithmeticDecoder& decoder, unsigned char* record);
-    /// The same of two chunks at once. Each number waits for the one before it in its chunk only, so that a processor works on
-    /// both.
-    static void decodeBoth(std::array<LazPoints*, 2> points, std::array<ArithmeticDecoder*, 2> decoders,
-                           std::array<unsigned char*, 2> records);
+    /// Chunks that are unpacked at once in the least time.
+    static constexpr std::size_t lanes = 3;
+    /// The same of some chunks at once. Each symbol waits for the one before it in its chunk only, so that a processor works on
+    /// all of them.
+    static void decodeTogether(const std::array<LazPoints*, lanes>& points, const std::array<ArithmeticDecoder*, lanes>& decoders,
+                               const std::array<unsigned char*, lanes>& records);
 
 private:
-    // The steps of a point in their order.
+    // The steps of a point in their order, of one symbol each as a rule.
+    void decodeChanged(ArithmeticDecoder& decoder);
+    void decodeIntensityLength(ArithmeticDecoder& decoder);
     void decodeMarks(ArithmeticDecoder& decoder);
     void decodeX(ArithmeticDecoder& decoder);
+    void decodeYLength(ArithmeticDecoder& decoder);
     void decodeY(ArithmeticDecoder& decoder);
+    void decodeHeightLength(ArithmeticDecoder& decoder);
     void decodeHeight(ArithmeticDecoder& decoder);
-    void decodeTime(ArithmeticDecoder& decoder);
-    void decodeColour(ArithmeticDecoder& decoder);
+    void keepTime(std::uint64_t time);
+    unsigned char* colourAt() { return &m_last[static_cast<std::size_t>(m_layout.colour)]; }
     void decodeRest(ArithmeticDecoder& decoder);
+    template <class Each>
+    static void decodeSteps(const LasLayout& layout, bool rest, Each each);
+    bool hasRest() const { return m_layout.waves >= 0 || !m_extra.empty(); }
 
     void move(std::size_t at, std::int32_t step);
-    void decodeChanged(ArithmeticDecoder& decoder, std::uint32_t changed);
     void decodeWave(ArithmeticDecoder& decoder);
     std::uint32_t byContext(ArithmeticDecoder& decoder, std::vector<SymbolModel>& models, unsigned char context);
 
@@ -47,9 +55,10 @@ private:
     };
     LasLayout m_layout;
     Echo m_echo;
+    std::uint32_t m_changes = 0;        ///< bits of what the point has of its own
     std::vector<unsigned char> m_last;  ///< record of the last point; its intensity is 0 before the second one
 
-    SymbolModel m_changed;
+    SymbolModel m_changeModel;
     std::vector<SymbolModel> m_echoes, m_classes, m_users;  ///< [256] by the last value
     std::array<SymbolModel, 2> m_angles;
     IntegerDecoder m_x, m_y, m_z, m_intensity, m_pointSource;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "core/base/message.h"
@@ -44,7 +45,7 @@ public:
     }
 
 private:
-    /// Chunks that a table names are unpacked two at a time by each thread; larger ones than usual would take too much memory.
+    /// Chunks that a table names are unpacked some at a time by each thread; larger ones than usual would take too much memory.
     bool fitsMemory() const {
         constexpr std::uint64_t bytesMost = std::uint64_t{8} << 20;
         return !m_chunks.empty() && m_largest * m_las.recordBytes <= bytesMost;
@@ -72,7 +73,8 @@ private:
 
     void unpackTogether(std::size_t threads) {
         std::vector<LazChunk> chunks;
-        for (; chunks.size() < 2 * threads && m_nextChunk < m_chunks.size(); ++m_nextChunk) {
+        constexpr std::size_t lanes = LazUnpacker::lanes;
+        for (; chunks.size() < lanes * threads && m_nextChunk < m_chunks.size(); ++m_nextChunk) {
             if (m_chunks[m_nextChunk].points > 0) {
                 chunks.push_back(m_chunks[m_nextChunk]);
             }
@@ -84,21 +86,17 @@ private:
         std::vector<std::exception_ptr> failures(chunks.size());
         const auto work = [&](std::size_t c) {
             try {
-                if (c + 1 == chunks.size()) {
-                    made[c] = m_unpackers[c]->unpack(chunks[c]);
-                } else {
-                    std::array<LazRecords, 2> both =
-                        LazUnpacker::unpackBoth({m_unpackers[c].get(), m_unpackers[c + 1].get()}, {chunks[c], chunks[c + 1]});
-                    made[c] = std::move(both[0]);
-                    made[c + 1] = std::move(both[1]);
-                }
+                const std::size_t count = std::min(lanes, chunks.size() - c);
+                std::vector<LazRecords> some =
+                    LazUnpacker::unpackTogether(std::span(m_unpackers).subspan(c, count), std::span(chunks).subspan(c, count));
+                std::move(some.begin(), some.end(), made.begin() + static_cast<std::ptrdiff_t>(c));
             } catch (...) {
                 failures[c] = std::current_exception();
             }
         };
         {
             std::vector<std::jthread> workers;
-            for (std::size_t c = 2; c < chunks.size(); c += 2) {
+            for (std::size_t c = lanes; c < chunks.size(); c += lanes) {
                 workers.emplace_back([&work, c] { work(c); });
             }
             if (!chunks.empty()) {

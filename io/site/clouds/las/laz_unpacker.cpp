@@ -1,6 +1,7 @@
 #include "io/site/clouds/las/laz_unpacker.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rubble::io {
 
@@ -34,29 +35,38 @@ LazRecords LazUnpacker::unpack(LazChunk chunk) {
     return overrun() ? std::nullopt : LazRecords(std::move(records));
 }
 
-std::array<LazRecords, 2> LazUnpacker::unpackBoth(std::array<LazUnpacker*, 2> unpackers, std::array<LazChunk, 2> chunks) {
-    LazUnpacker& one = *unpackers[0];
-    LazUnpacker& other = *unpackers[1];
+std::vector<LazRecords> LazUnpacker::unpackTogether(std::span<const std::unique_ptr<LazUnpacker>> unpackers,
+                                                    std::span<const LazChunk> chunks) {
+    std::vector<LazRecords> records(chunks.size());
     // Layers are decoded beside each other as they are.
-    if (one.m_layered) {
-        return {one.unpack(chunks[0]), other.unpack(chunks[1])};
-    }
-    const std::size_t bytes = one.m_head.recordBytes;
-    std::array<LazRecords, 2> records;
-    for (std::size_t k = 0; k < 2; ++k) {
-        records[k].emplace(static_cast<std::size_t>(chunks[k].points) * bytes);
-        if (!unpackers[k]->start(chunks[k], true, records[k]->data())) {
-            records[k].reset();
+    if (chunks.size() < lanes || unpackers[0]->m_layered) {
+        for (std::size_t k = 0; k < chunks.size(); ++k) {
+            records[k] = unpackers[k]->unpack(chunks[k]);
         }
+        return records;
     }
-    const std::size_t common = records[0] && records[1] ? std::min(records[0]->size(), records[1]->size()) : 0;
-    std::size_t at = bytes;
-    for (; at < common; at += bytes) {
-        LazPoints::decodeBoth({&one.m_points, &other.m_points}, {&*one.m_decoder, &*other.m_decoder},
-                              {records[0]->data() + at, records[1]->data() + at});
+    const std::size_t bytes = unpackers[0]->m_head.recordBytes;
+    std::array<LazPoints*, lanes> points{};
+    std::array<ArithmeticDecoder*, lanes> decoders{};
+    std::array<unsigned char*, lanes> at{};
+    std::size_t common = std::numeric_limits<std::size_t>::max();
+    for (std::size_t k = 0; k < lanes; ++k) {
+        records[k].emplace(static_cast<std::size_t>(chunks[k].points) * bytes);
+        at[k] = records[k]->data();
+        LazChunk chunk = chunks[k];
+        unpackers[k]->start(chunk, true, at[k]);
+        points[k] = &unpackers[k]->m_points;
+        decoders[k] = &*unpackers[k]->m_decoder;
+        common = std::min(common, records[k]->size());
     }
-    for (std::size_t k = 0; k < 2; ++k) {
-        for (std::size_t rest = at; records[k] && rest < records[k]->size(); rest += bytes) {
+    for (std::size_t done = bytes; done < common; done += bytes) {
+        for (unsigned char*& record : at) {
+            record += bytes;
+        }
+        LazPoints::decodeTogether(points, decoders, at);
+    }
+    for (std::size_t k = 0; k < lanes; ++k) {
+        for (std::size_t rest = common; rest < records[k]->size(); rest += bytes) {
             unpackers[k]->decode(records[k]->data() + rest);
         }
         if (unpackers[k]->overrun()) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "io/site/clouds/las/laz_chunks.h"
@@ -33,8 +35,11 @@ public:
 
     /// All records of a chunk that a table names.
     LazRecords unpack(LazChunk chunk);
-    /// The same of two chunks, by an unpacker each, in less time than one after the other.
-    static std::array<LazRecords, 2> unpackBoth(std::array<LazUnpacker*, 2> unpackers, std::array<LazChunk, 2> chunks);
+    /// Chunks that are unpacked at once in the least time.
+    static constexpr std::size_t lanes = LazPoints::lanes;
+    /// The same of so many chunks or fewer, by an unpacker each, in less time than one after another.
+    static std::vector<LazRecords> unpackTogether(std::span<const std::unique_ptr<LazUnpacker>> unpackers,
+                                                  std::span<const LazChunk> chunks);
 
 private:
     const CloudFile& m_file;

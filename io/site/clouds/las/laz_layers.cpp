@@ -73,7 +73,7 @@ struct LazLayers::Channel {
 /// What is learned of colours in one scanner channel.
 struct LazLayers::Palette {
     LazColours colours;
-    LazColours::Colour last{};
+    std::uint64_t last = 0;
 };
 
 LazLayers::LazLayers(const LasHead& head, Turns turns) : m_layout(head.layout), m_recordBytes(head.recordBytes), m_turns(turns) {}
@@ -138,7 +138,7 @@ bool LazLayers::start(const CloudFile& file, std::uint64_t at, unsigned char* re
         palette.reset();
     }
     if (m_layout.colour >= 0) {
-        m_colour = littleAt<LazColours::Colour>(record + m_layout.colour);
+        m_colour = colourAt(record + m_layout.colour);
         startPalette(m_now);
     }
     return true;
@@ -270,7 +270,7 @@ void LazLayers::decodeColour(bool switched) {
         known = channel;
     }
     m_colourNow = channel;
-    LazColours::Colour& last = m_palettes[known]->last;
+    std::uint64_t& last = m_palettes[known]->last;
     if (m_layers[Colour].there()) {
         last = m_palettes[channel]->colours.decode(*m_layers[Colour].decoder, last);
     }
@@ -290,7 +290,7 @@ void LazLayers::write(const Channel& channel, unsigned char* record) const {
     record[wideClassAt] = static_cast<unsigned char>(channel.number);
     put(static_cast<std::size_t>(m_layout.time), channel.time);
     if (m_layout.colour >= 0) {
-        put(static_cast<std::size_t>(m_layout.colour), m_colour);
+        putColour(record + m_layout.colour, m_colour);
     }
 }
 

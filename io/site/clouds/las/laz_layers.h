@@ -72,7 +72,7 @@ private:
     std::array<std::unique_ptr<Palette>, 4> m_palettes;
     std::size_t m_now = 0;
     std::size_t m_colourNow = 0;  ///< channel that colours are decoded by
-    LazColours::Colour m_colour{};
+    std::uint64_t m_colour = 0;
 };
 
 }  // namespace rubble::io

@@ -31,18 +31,15 @@ std::uint32_t foretold(std::uint32_t last, std::int32_t change) {
 
 void RunningMedian::add(std::int32_t number) {
     // By masks: a compiler makes branches of conditions here, and no processor foretells them.
+    const std::array<std::int32_t, 5> old = m_sorted;
     const std::int32_t greatest = m_dropGreatest;
-    const std::int32_t middle = m_sorted[2];
-    m_dropGreatest = -static_cast<std::int32_t>((number < middle) | ((number == middle) & (greatest == 0)));
-    // The four that stay, and the new one carried up to its place.
-    std::int32_t carried = number;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const std::int32_t stays = chosen(greatest, m_sorted[i], m_sorted[i + 1]);
-        const std::int32_t below = -static_cast<std::int32_t>(stays < carried);
-        m_sorted[i] = chosen(below, stays, carried);
-        carried = chosen(below, carried, stays);
-    }
-    m_sorted[4] = carried;
+    m_dropGreatest = -static_cast<std::int32_t>((number < old[2]) | ((number == old[2]) & (greatest == 0)));
+    // The four that stay, with the new one put between them.
+    const std::array<std::int32_t, 4> stays{chosen(greatest, old[0], old[1]), chosen(greatest, old[1], old[2]),
+                                            chosen(greatest, old[2], old[3]), chosen(greatest, old[3], old[4])};
+    m_sorted = {std::min(stays[0], number), std::max(stays[0], std::min(stays[1], number)),
+                std::max(stays[1], std::min(stays[2], number)), std::max(stays[2], std::min(stays[3], number)),
+                std::max(stays[3], number)};
 }
 
 void LazTimes::start(std::uint64_t time) {
@@ -153,35 +150,21 @@ void LazColours::start() {
     }
 }
 
-void LazColours::decodeChanged(ArithmeticDecoder& decoder, const Colour& last) {
-    m_bits = decoder.symbol(m_changed);
-    // Of grey only red is told.
-    m_bits &= (m_bits & 64) != 0 ? 127U : 3U;
-    for (std::size_t channel = 0; channel < last.size(); ++channel) {
-        m_before[2 * channel] = last[channel] & 0xffU;
-        m_before[2 * channel + 1] = static_cast<std::uint32_t>(last[channel] >> 8);
-    }
-    m_now = m_before;
-}
-
 void LazColours::takePart(ArithmeticDecoder& decoder, std::size_t part) {
     const std::size_t half = part % 2;
+    const auto byteOf = [](std::uint64_t colour, std::size_t of) { return static_cast<std::uint32_t>(colour >> 8 * of & 0xffU); };
     const auto moved = [&](std::size_t of) {
-        return static_cast<std::int32_t>(m_now[of]) - static_cast<std::int32_t>(m_before[of]);
+        return static_cast<std::int32_t>(byteOf(m_now, of)) - static_cast<std::int32_t>(byteOf(m_before, of));
     };
-    std::uint32_t expected = m_before[part];
+    const std::uint32_t before = byteOf(m_before, part);
+    std::uint32_t expected = before;
     if (part > 3) {
         expected = foretold(expected, (moved(half) + moved(2 + half)) / 2);
     } else if (part > 1) {
         expected = foretold(expected, moved(half));
     }
-    m_now[part] = (decoder.symbol(m_differences[part]) + expected) & 0xffU;
-}
-
-LazColours::Colour LazColours::colour() const {
-    const auto channel = [this](std::size_t of) { return static_cast<std::uint16_t>(m_now[of] | m_now[of + 1] << 8); };
-    const bool grey = (m_bits & 64) == 0;
-    return {channel(0), channel(grey ? 0 : 2), channel(grey ? 0 : 4)};
+    const std::uint32_t byte = (decoder.symbol(m_differences[part]) + expected) & 0xffU;
+    m_now ^= std::uint64_t{before ^ byte} << 8 * part;
 }
 
 }  // namespace rubble::io

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "io/site/clouds/las/integer_decoder.h"
@@ -67,12 +68,23 @@ private:
     IntegerDecoder m_whole;
 };
 
-/// Decodes colours as differences from the last one, byte by byte: green and blue from what red did.
+/// Red, green and blue of a record as one number, as LazColours has them.
+inline std::uint64_t colourAt(const unsigned char* bytes) {
+    return littleAt<std::uint32_t>(bytes) | std::uint64_t{littleAt<std::uint16_t>(bytes + 4)} << 32;
+}
+inline void putColour(unsigned char* bytes, std::uint64_t colour) {
+    const auto lower = static_cast<std::uint32_t>(colour);
+    const auto upper = static_cast<std::uint16_t>(colour >> 32);
+    std::memcpy(bytes, &lower, sizeof lower);
+    std::memcpy(bytes + sizeof lower, &upper, sizeof upper);
+}
+
+/// Decodes colours as differences from the last one, byte by byte: green and blue from what red did. A colour is six bytes in one
+/// number, the lower byte of red in its lowest, then the upper one, green and blue.
 class LazColours {
 public:
-    using Colour = std::array<std::uint16_t, 3>;
     void start();
-    Colour decode(ArithmeticDecoder& decoder, const Colour& last) {
+    std::uint64_t decode(ArithmeticDecoder& decoder, std::uint64_t last) {
         decodeChanged(decoder, last);
         decodePart<0>(decoder);
         decodePart<1>(decoder);
@@ -82,23 +94,27 @@ public:
         decodePart<5>(decoder);
         return colour();
     }
-    // The steps of decode(), one after another.
-    // Parts are the bytes of red, green and blue, the lower one first. Both of red come first, then the lower ones, then the upper.
-    static constexpr std::size_t parts = 6;
-    void decodeChanged(ArithmeticDecoder& decoder, const Colour& last);
+    // The steps of decode(), one after another. Both bytes of red come first, then the lower ones, then the upper ones.
+    void decodeChanged(ArithmeticDecoder& decoder, std::uint64_t last) {
+        m_bits = decoder.symbol(m_changed);
+        // Of grey only red is told.
+        m_bits &= (m_bits & 64) != 0 ? 127U : 3U;
+        m_before = m_now = last;
+    }
     template <std::size_t Part>
     void decodePart(ArithmeticDecoder& decoder) {
         if ((m_bits >> Part & 1) != 0) {
             takePart(decoder, Part);
         }
     }
-    Colour colour() const;
+    std::uint64_t colour() const { return (m_bits & 64) != 0 ? m_now : (m_now & 0xffffU) * 0x1'0001'0001U; }
 
 private:
     void takePart(ArithmeticDecoder& decoder, std::size_t part);
 
-    std::uint32_t m_bits = 0;                              ///< by part: it changed; the seventh: it is no grey
-    std::array<std::uint32_t, parts> m_before{}, m_now{};  ///< bytes of red, green and blue, the lower one first
+    std::uint32_t m_bits = 0;  ///< by byte: it changed; the seventh: it is no grey
+    std::uint64_t m_before = 0;
+    std::uint64_t m_now = 0;
     SymbolModel m_changed;
     std::array<SymbolModel, 6> m_differences;
 };

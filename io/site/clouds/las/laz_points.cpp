@@ -80,6 +80,7 @@ void LazPoints::start(const unsigned char* first) {
     }
     if (m_layout.colour >= 0) {
         m_colours.start();
+        m_colour = colourAt(&m_last[static_cast<std::size_t>(m_layout.colour)]);
     }
     if (m_layout.waves >= 0) {
         m_waveIndex.start(256);
@@ -119,14 +120,14 @@ void LazPoints::decodeSteps(const LasLayout& layout, bool rest, Each each) {
         each([](LazPoints& p, ArithmeticDecoder& d) { p.keepTime(p.m_times.decodeRest(d)); });
     }
     if (layout.colour >= 0) {
-        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodeChanged(d, littleAt<LazColours::Colour>(p.colourAt())); });
+        each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodeChanged(d, p.m_colour); });
         each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<0>(d); });
         each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<1>(d); });
         each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<2>(d); });
         each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<4>(d); });
         each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<3>(d); });
         each([](LazPoints& p, ArithmeticDecoder& d) { p.m_colours.decodePart<5>(d); });
-        each([](LazPoints& p, ArithmeticDecoder&) { putAt(p.colourAt(), p.m_colours.colour()); });
+        each([](LazPoints& p, ArithmeticDecoder&) { p.keepColour(); });
     }
     if (rest) {
         each([](LazPoints& p, ArithmeticDecoder& d) { p.decodeRest(d); });
@@ -225,6 +226,11 @@ void LazPoints::decodeHeight(ArithmeticDecoder& decoder) {
 
 void LazPoints::keepTime(std::uint64_t time) {
     putAt(&m_last[static_cast<std::size_t>(m_layout.time)], time);
+}
+
+void LazPoints::keepColour() {
+    m_colour = m_colours.colour();
+    putColour(&m_last[static_cast<std::size_t>(m_layout.colour)], m_colour);
 }
 
 void LazPoints::decodeRest(ArithmeticDecoder& decoder) {

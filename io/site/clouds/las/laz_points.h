@@ -37,7 +37,7 @@ private:
     void decodeHeightLength(ArithmeticDecoder& decoder);
     void decodeHeight(ArithmeticDecoder& decoder);
     void keepTime(std::uint64_t time);
-    unsigned char* colourAt() { return &m_last[static_cast<std::size_t>(m_layout.colour)]; }
+    void keepColour();
     void decodeRest(ArithmeticDecoder& decoder);
     template <class Each>
     static void decodeSteps(const LasLayout& layout, bool rest, Each each);
@@ -68,6 +68,7 @@ private:
 
     LazTimes m_times;
     LazColours m_colours;
+    std::uint64_t m_colour = 0;
 
     SymbolModel m_waveIndex;
     std::array<SymbolModel, 4> m_waveOffsets;

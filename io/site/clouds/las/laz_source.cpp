@@ -65,6 +65,7 @@ private:
         decodeLasRecords(m_las, records.data() + m_taken * m_las.recordBytes, count, block);
         m_taken += count;
         if (m_taken * m_las.recordBytes == records.size()) {
+            m_unpackers[m_together.size() - 1]->reuse(std::move(m_together.front()));
             m_together.erase(m_together.begin());
             m_taken = 0;
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rubble::io {
 
@@ -24,8 +25,13 @@ bool LazUnpacker::start(LazChunk& chunk, bool counted, unsigned char* record) {
     return chunk.points > 0;
 }
 
+std::vector<unsigned char> LazUnpacker::roomFor(const LazChunk& chunk) {
+    m_room.resize(static_cast<std::size_t>(chunk.points) * m_head.recordBytes);
+    return std::exchange(m_room, {});
+}
+
 LazRecords LazUnpacker::unpack(LazChunk chunk) {
-    std::vector<unsigned char> records(static_cast<std::size_t>(chunk.points) * m_head.recordBytes);
+    std::vector<unsigned char> records = roomFor(chunk);
     if (!start(chunk, true, records.data())) {
         return std::nullopt;
     }
@@ -51,7 +57,7 @@ std::vector<LazRecords> LazUnpacker::unpackTogether(std::span<const std::unique_
     std::array<unsigned char*, lanes> at{};
     std::size_t common = std::numeric_limits<std::size_t>::max();
     for (std::size_t k = 0; k < lanes; ++k) {
-        records[k].emplace(static_cast<std::size_t>(chunks[k].points) * bytes);
+        records[k] = unpackers[k]->roomFor(chunks[k]);
         at[k] = records[k]->data();
         LazChunk chunk = chunks[k];
         unpackers[k]->start(chunk, true, at[k]);

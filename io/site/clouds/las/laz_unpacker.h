@@ -33,6 +33,8 @@ public:
     /// Behind the chunk, once all its points are unpacked.
     std::uint64_t end() const { return m_layered ? m_layers.end() : m_bytes->position(); }
 
+    /// Gives room for the records of a later chunk, which saves asking for new memory.
+    void reuse(std::vector<unsigned char> room) { m_room = std::move(room); }
     /// All records of a chunk that a table names.
     LazRecords unpack(LazChunk chunk);
     /// Chunks that are unpacked at once in the least time.
@@ -47,6 +49,9 @@ private:
     bool m_layered;
     LazPoints m_points;
     LazLayers m_layers;
+    std::vector<unsigned char> roomFor(const LazChunk& chunk);
+
+    std::vector<unsigned char> m_room;
     std::optional<PackedBytes> m_bytes;
     std::optional<ArithmeticDecoder> m_decoder;
 };

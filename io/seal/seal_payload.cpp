@@ -123,6 +123,22 @@ std::vector<PayloadFile> payloadOfInput(const std::string& folder, const std::st
     return payload;
 }
 
+Manifest othersOfInput(const std::string& path, InputRole role, const Execution& execution) {
+    Manifest others;
+    std::error_code ignored;
+    // The digest of an FE result is that of all its files.
+    if (role == InputRole::Fe || !fs::exists(path, ignored)) {
+        return others;
+    }
+    const std::vector<std::string> files = filesOfInput(path, role);
+    const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        const std::string name = fs::absolute(files[i]).lexically_normal().lexically_relative(folder).generic_string();
+        others[name] = sha256OfFile(files[i], [&](std::size_t) { execution.check(); });
+    }
+    return others;
+}
+
 void takeDigests(std::vector<PayloadFile>& files, const Execution& execution) {
     double all = 1.0, done = 0.0;
     for (const PayloadFile& file : files) {
@@ -284,6 +300,7 @@ void SealPayload::addInputs() {
                 m_statement.inputs.back().files.push_back(addFile(file.place, file.source));
             }
         } else {
+            m_statement.inputs.back().others = othersOfInput(path, input.role, m_execution);
             m_findings.add({"io.seal.input_home", "inputs do not travel: the bundle holds only their digests", {}},
                            {"io.seal.input_home.remedy", "whoever opens the bundle needs these files to simulate again", {}},
                            input.id);

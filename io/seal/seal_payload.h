@@ -25,6 +25,9 @@ struct PayloadFile {
 /// The files of an input with their places below a folder of the bag; the first is the one to open.
 /// Throws UsageError for a name that does not travel.
 std::vector<PayloadFile> payloadOfInput(const std::string& folder, const std::string& path, InputRole role);
+/// Digests of what is read with the file of an input, by path from its folder; nothing for an FE result, whose digest is that of
+/// all its files, and where the file is not there. Throws WorldError, Cancelled.
+Manifest othersOfInput(const std::string& path, InputRole role, const Execution& execution);
 /// Takes digest and size of files that have a source.
 void takeDigests(std::vector<PayloadFile>& files, const Execution& execution);
 /// Packs a file. @param advance  called with the bytes of each block. Throws WorldError if it is not what its digest was taken of.

@@ -26,14 +26,23 @@ std::string placeIn(const JsonCursor& cursor) {
 }  // namespace
 
 json sealedInputJson(const SealedInput& input) {
-    return {{"id", input.id}, {"path", input.path}, {"sha256", input.sha256}, {"files", input.files}};
+    json row = {{"id", input.id}, {"path", input.path}, {"sha256", input.sha256}, {"files", input.files}};
+    if (!input.others.empty()) {
+        row["others"] = input.others;
+    }
+    return row;
 }
 
 SealedInput sealedInputFrom(const JsonCursor& row) {
-    row.allowOnly({"id", "path", "sha256", "files"});
+    row.allowOnly({"id", "path", "sha256", "files", "others"});
     SealedInput input{row["id"].text(), row["path"].text(), row["sha256"].text(), {}};
     for (const JsonCursor& file : row["files"].elements()) {
         input.files.push_back(placeIn(file));
+    }
+    if (row.has("others")) {
+        for (const auto& [name, digest] : row["others"].members()) {
+            input.others[name] = digest.text();
+        }
     }
     return input;
 }

@@ -13,7 +13,8 @@ struct SealedInput {
     std::string id;
     std::string path;  ///< as the case names it
     std::string sha256;
-    std::vector<std::string> files;  ///< in the bag, the first is the one to open; empty: it does not travel, only its digest
+    std::vector<std::string> files;  ///< in the bag, the first is the one to open; empty: it does not travel, only its digests
+    Manifest others = {};            ///< of one that does not travel: digests of what is read with it, by path from its folder
 };
 
 /// A run as it was sealed.

@@ -78,6 +78,24 @@ void UnpackedBundle::unpack(const std::string& bundle, const Execution& executio
     }
 }
 
+namespace {
+
+/// Throws UsageError if a file that is read with an input is not the one that was sealed with it.
+void checkOthers(const SealedInput& input, const std::string& path, const Execution& execution) {
+    for (const auto& [name, sha256] : input.others) {
+        const std::string file = (fs::absolute(path).parent_path() / name).lexically_normal().string();
+        std::error_code ignored;
+        if (!fs::is_regular_file(file, ignored) || sha256OfFile(file, [&](std::size_t) { execution.check(); }) != sha256) {
+            throw UsageError(Message{"io.seal.located_other",
+                                     "{0}, which is read with the input {1}, is not there or not the file that was sealed",
+                                     {file, input.id}},
+                             Message{"io.seal.located_other.remedy", "Put the file with the SHA-256 {0} there.", {sha256}});
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<SealedInput> UnpackedBundle::inputs() const {
     std::vector<SealedInput> all = m_check.statement.inputs;
     for (const CheckedRecord& checked : m_check.records) {
@@ -97,6 +115,7 @@ void UnpackedBundle::locate(const std::string& id, const std::string& path, cons
     // The digest alone tells an FE result, which may be many files, from another file.
     for (const InputRole role : {InputRole::Terrain, InputRole::Fe}) {
         if (sha256OfInput(path, role, execution) == found->sha256) {
+            checkOthers(*found, path, execution);
             m_located[found->sha256] = fs::absolute(path).lexically_normal().string();
             return;
         }

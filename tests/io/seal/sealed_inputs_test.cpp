@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/seal/seal_case.h"
@@ -119,6 +120,44 @@ TEST(SealedInputs, ATableOfBodiesTravelsWithItsMeshesItsTerrainAndItsSurrounding
     for (const RepeatedFigure& figure : repeat.figures) {
         EXPECT_TRUE(figure.same()) << figure.name << ": " << figure.recorded << " and " << figure.found;
     }
+}
+
+TEST(SealedInputs, OneThatStaysHomeIsKnownByTheDigestsOfAllItsFiles) {
+    const TemporaryFolder folder;
+    writeTetrahedron(folder / "stone.stl");
+    std::ofstream(folder / "bodies.csv") << "id,mass_kg,mesh,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s\na,400,stone.stl,0,0,1,0.5,0,0\n";
+    writeGround(folder.path());
+    const std::string casePath = folder / "stones.rubble";
+    Case theCase = caseForFe(folder / "bodies.csv", casePath);
+    theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "ground.bil", {}});
+    saveCase(casePath, theCase);
+
+    SealRequest request;
+    request.casePath = casePath;
+    request.leftHome = {"terrain-1"};
+    request.signer.key = makeKey(folder / "key.pem");
+    const std::string bundle = folder / "stones.rubblecase";
+    const SealReport report = sealCase(bundle, request, Execution());
+    const Manifest header{{"ground.hdr", sha256OfFile(folder / "ground.hdr")}};
+    EXPECT_EQ(report.statement.inputs.at(1).others, header);
+
+    const SealCheck check = checkBundle(bundle, {}, Execution());
+    EXPECT_EQ(check.statement.inputs.at(1).others, header);
+    UnpackedBundle unpacked(bundle, check, folder / "opened", Execution());
+    EXPECT_NO_THROW(unpacked.locate("terrain-1", folder / "ground.bil", Execution()));
+    const auto refused = [&] {
+        try {
+            unpacked.locate("terrain-1", folder / "ground.bil", Execution());
+        } catch (const UsageError& error) {
+            return error.message().id;
+        }
+        return std::string("nothing");
+    };
+    // Heights that are read by another header are others.
+    std::ofstream(folder / "ground.hdr", std::ios::app) << "SKIPBYTES 4\n";
+    EXPECT_EQ(refused(), "io.seal.located_other");
+    fs::remove(folder / "ground.hdr");
+    EXPECT_EQ(refused(), "io.seal.located_other");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "widgets/basics/fixed_number.h"
+#include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -48,6 +49,7 @@ PlacePairsDialog::PlacePairsDialog(SurveyHeights heights, const QString& name, c
       m_marks(new ModelMarks(*m_model)),
       m_table(new QTableWidget(0, PairColumnCount)),
       m_sum(new QLabel),
+      m_deviation(new NumberField(tr("Accuracy of the places in the case"))),
       m_notice(new Notice),
       m_undo(new QPushButton(tr("Undo"))),
       m_remove(new QPushButton(tr("Remove pair"))),
@@ -69,6 +71,7 @@ PlacePairsDialog::PlacePairsDialog(SurveyHeights heights, const QString& name, c
     m_place->setAutoDefault(false);
     m_place->setDefault(false);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
     connect(buttons->button(QDialogButtonBox::Cancel), &QPushButton::clicked, this, &QDialog::reject);
     column->addWidget(buttons);
     showPairs();
@@ -121,6 +124,7 @@ QWidget* PlacePairsDialog::buildTable() {
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + tableRows * rowHeight + 4);
     row->addWidget(m_table, 3);
     auto* side = new QVBoxLayout;
+    side->addLayout(buildDeviation());
     m_sum->setWordWrap(true);
     m_sum->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     side->addWidget(m_sum, 1);
@@ -140,6 +144,29 @@ QWidget* PlacePairsDialog::buildTable() {
     connect(m_keep, &QPushButton::clicked, this, &PlacePairsDialog::keep);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &PlacePairsDialog::showMarks);
     return box;
+}
+
+QLayout* PlacePairsDialog::buildDeviation() {
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(tr("Places in the case known to, m"));
+    label->setBuddy(m_deviation);
+    m_deviation->setRange(0.0, 1000.0);
+    m_deviation->setEmptyMeans(tr("not known"));
+    m_deviation->setToolTip(
+        tr("Standard deviation along each axis of the places clicked in the model, as who measured or modelled "
+           "them states it; it is part of the error of the registration"));
+    connect(m_deviation, &NumberField::edited, this, &PlacePairsDialog::showPairs);
+    row->addWidget(label);
+    row->addWidget(m_deviation, 1);
+    return row;
+}
+
+std::vector<PlacePair> PlacePairsDialog::pairs() const {
+    std::vector<PlacePair> all = m_now.pairs;
+    for (PlacePair& pair : all) {
+        pair.deviation = m_deviation->number();
+    }
+    return all;
 }
 
 void PlacePairsDialog::setModel(const render::SceneData& scene, render::View view) {
@@ -232,7 +259,7 @@ void PlacePairsDialog::setKeeper(std::function<QString(const std::vector<PlacePa
 
 void PlacePairsDialog::keep() {
     try {
-        m_said = m_keeper(m_now.pairs);
+        m_said = m_keeper(pairs());
     } catch (const Error& error) {
         m_said = worded(error.message()) + u' ' + worded(error.remedy());
     }
@@ -257,7 +284,7 @@ void PlacePairsDialog::showPairs() {
     m_fit.reset();
     m_problem.clear();
     try {
-        m_fit = fitPairs(m_now.pairs, m_around);
+        m_fit = fitPairs(pairs(), m_around);
     } catch (const UsageError& error) {
         // Until there are enough of them the hint says what to do.
         m_problem = m_now.pairs.size() < 3 ? QString() : worded(error.message()) + u' ' + worded(error.remedy());
@@ -304,6 +331,8 @@ void PlacePairsDialog::showTable() {
                    .arg(shownNumber(placed.pairsLeft), shownNumber(placed.error.value_or(0.0)));
         if (!placed.control) {
             sum << tr("How accurate the places of the case are is not known, and not in it.");
+        } else {
+            sum << tr("The accuracy of the places of the case is in it.");
         }
     }
     sum << tr("The survey has a height every %1 m: a click is no better.").arg(shownNumber(m_plan.spacing()));

@@ -11,6 +11,7 @@
 #include "widgets/render/scene.h"
 
 class QLabel;
+class QLayout;
 class QPushButton;
 class QTableWidget;
 
@@ -18,6 +19,7 @@ namespace rubble::widgets {
 
 class ModelMarks;
 class Notice;
+class NumberField;
 class PhotoView;
 class ViewWidget;
 
@@ -40,7 +42,10 @@ public:
     void clear();
     /// Drops what waits for its counterpart. @return  something did
     bool dropPending();
-    const std::vector<PlacePair>& pairs() const { return m_now.pairs; }
+    /// As they are fitted: each with the accuracy that is stated of its place in the case.
+    std::vector<PlacePair> pairs() const;
+    /// How accurate the places of the case are, m, standard deviation along each axis; unset: not known.
+    NumberField& deviation() { return *m_deviation; }
     /// What the pairs give; unset: nothing yet.
     const std::optional<PairFit>& fit() const { return m_fit; }
     /// What is done with pairs that are to be kept as a table; it may throw, which the dialog tells. Without it nothing offers to.
@@ -61,6 +66,7 @@ private:
     };
     QWidget* buildViews();
     QWidget* buildTable();
+    QLayout* buildDeviation();
     void take(Picked now);
     void removeChosen();
     void leave();
@@ -86,6 +92,7 @@ private:
     ModelMarks* m_marks;
     QTableWidget* m_table;
     QLabel* m_sum;
+    NumberField* m_deviation;
     Notice* m_notice;
     QPushButton* m_undo;
     QPushButton* m_remove;

@@ -18,6 +18,7 @@
 #include "io/site/point_pairs.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/temporary_folder.h"
+#include "widgets/basics/number_field.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/photo_view.h"
 #include "widgets/evidence/survey_box.h"
@@ -132,6 +133,20 @@ TEST_F(SurveyPlaces, PairsAreClickedInSurveyAndModelAndTheirResidualsStandAtOnce
         const auto* table = dialog.findChild<QTableWidget*>();
         ASSERT_EQ(table->rowCount(), 4);
         EXPECT_EQ(table->item(0, 4)->text(), QStringLiteral("0.000"));
+        // What is stated of the places of the case is in the error, and kept with the pairs.
+        const double without = dialog.fit()->registration.error.value();
+        EXPECT_FALSE(dialog.fit()->registration.control);
+        const auto state = [&](const QString& text) {
+            dialog.deviation().setFocus();
+            dialog.deviation().selectAll();
+            QTest::keyClick(&dialog.deviation(), Qt::Key_Delete);
+            QTest::keyClicks(&dialog.deviation(), text);
+            QTest::keyClick(&dialog.deviation(), Qt::Key_Return);
+        };
+        state(QStringLiteral("0.04"));
+        EXPECT_TRUE(dialog.isVisible()) << "Enter in the field leaves the dialog open";
+        EXPECT_NEAR(dialog.fit()->registration.control.value_or(0.0), 0.04, 1e-12);
+        EXPECT_NEAR(dialog.fit()->registration.error.value(), std::hypot(without, 0.04), 1e-9);
         // They can be kept, to be read again by the command line.
         dialog.setKeeper([&](const std::vector<PlacePair>& pairs) {
             io::writePlacePairs(m_folder / "pairs.csv", pairs, {}, {});
@@ -143,7 +158,11 @@ TEST_F(SurveyPlaces, PairsAreClickedInSurveyAndModelAndTheirResidualsStandAtOnce
         }
         EXPECT_TRUE(keep->isEnabled());
         keep->click();
-        EXPECT_EQ(io::readPlacePairs(m_folder / "pairs.csv").pairs.size(), 4u);
+        const std::vector<PlacePair> kept = io::readPlacePairs(m_folder / "pairs.csv").pairs;
+        ASSERT_EQ(kept.size(), 4u);
+        EXPECT_EQ(kept.back().deviation, 0.04);
+        state({});
+        EXPECT_FALSE(dialog.fit()->registration.control) << "nothing typed is not 0";
         // One that fits badly is told at once, and can be taken back.
         dialog.placeSurveyed({20.5, 40.5});
         dialog.placeModel(Vec3(20.0, 20.0, 0.0));

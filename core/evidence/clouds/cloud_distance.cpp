@@ -81,21 +81,20 @@ private:
     }
 
     CoreSide sideOf(const PointIndex& cloud, const Vec3& core, const Vec3& normal) {
-        cloud.withinCylinder(core, normal, m_settings.projectionRadius, m_settings.depth, m_found);
+        cloud.withinCylinder(core, normal, m_settings.projectionRadius, m_settings.depth, m_offsets);
         CoreSide side;
-        side.points = static_cast<std::uint32_t>(m_found.size());
-        const auto count = static_cast<double>(m_found.size());
+        side.points = static_cast<std::uint32_t>(m_offsets.size());
+        const auto count = static_cast<double>(m_offsets.size());
         double sum = 0.0;
-        for (const std::uint32_t i : m_found) {
-            sum += normal.dot(cloud.places()[i] - core);
+        for (const double offset : m_offsets) {
+            sum += offset;
         }
-        side.mean = m_found.empty() ? unknown : sum / count;
+        side.mean = m_offsets.empty() ? unknown : sum / count;
         double squares = 0.0;
-        for (const std::uint32_t i : m_found) {
-            const double off = normal.dot(cloud.places()[i] - core) - side.mean;
-            squares += off * off;
+        for (const double offset : m_offsets) {
+            squares += (offset - side.mean) * (offset - side.mean);
         }
-        side.roughness = m_found.empty() ? unknown : std::sqrt(squares / count);
+        side.roughness = m_offsets.empty() ? unknown : std::sqrt(squares / count);
         return side;
     }
 
@@ -103,6 +102,7 @@ private:
     const PointIndex& m_second;
     const CloudDistanceSettings& m_settings;
     std::vector<std::uint32_t> m_found;
+    std::vector<double> m_offsets;  ///< m, along the normal
 };
 
 }  // namespace

@@ -59,17 +59,6 @@ void sortByBytes(std::vector<Item>& items, std::vector<Item>& spare, const Key& 
     }
 }
 
-/// Numbers of points in rising order: many of them byte by byte, which takes a third of the time.
-void sortFound(std::vector<std::uint32_t>& found) {
-    constexpr std::size_t many = 400;
-    if (found.size() < many) {
-        std::sort(found.begin(), found.end());
-        return;
-    }
-    thread_local std::vector<std::uint32_t> spare;
-    sortByBytes(found, spare, [](std::uint32_t number) { return number; });
-}
-
 /// Hands each point of a ball to a caller, who decides whether it counts.
 template <class Visit>
 class BallVisit {
@@ -170,13 +159,11 @@ void PointIndex::within(const Vec3& centre, double radius, std::vector<std::uint
             found.push_back(i);
         }
     });
-    // The tree has an order of its own; sums of reals then do not depend on it.
-    sortFound(found);
 }
 
 void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
-                                std::vector<std::uint32_t>& found) const {
-    found.clear();
+                                std::vector<double>& offsets) const {
+    offsets.clear();
     const std::vector<Vec3>& places = m_tree->list.places;
     // A long cylinder is searched by balls about its parts, each of which takes the points of its own part.
     const auto parts = std::max<std::int64_t>(1, std::llround(std::min(halfLength / radius, 1e4)));
@@ -192,11 +179,10 @@ void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double rad
             }
             const auto own = static_cast<std::int64_t>(std::floor((along + halfLength) / length));
             if (std::clamp<std::int64_t>(own, 0, parts - 1) == part) {
-                found.push_back(i);
+                offsets.push_back(along);
             }
         });
     }
-    sortFound(found);
 }
 
 }  // namespace rubble

@@ -40,12 +40,11 @@ public:
     PointIndex(PointIndex&&) noexcept;
 
     const std::vector<Vec3>& places() const;
-    /// The points within a radius of a place, its rim included, in the order of the cloud.
+    /// The points within a radius of a place, its rim included, in an order that is the same each time.
     void within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const;
-    /// The points within a cylinder about a line through a place, its ends and mantle included, in the order of the cloud.
+    /// How far along a line from a place the points within a cylinder about it lie, its ends and mantle included, likewise.
     /// @param axis  of length 1; @param halfLength  to each side
-    void withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
-                        std::vector<std::uint32_t>& found) const;
+    void withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength, std::vector<double>& offsets) const;
 
 private:
     struct Tree;

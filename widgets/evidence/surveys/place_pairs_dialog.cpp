@@ -271,6 +271,11 @@ void PlacePairsDialog::keyPressEvent(QKeyEvent* event) {
         leave();
     } else if (event->matches(QKeySequence::Undo)) {
         undo();
+    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        // It ends what is typed in a field; only a button that has the focus is pressed by it.
+        if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
+            button->click();
+        }
     } else {
         QDialog::keyPressEvent(event);
     }

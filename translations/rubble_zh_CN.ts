@@ -6267,10 +6267,6 @@
             <translation>正在查找该图的案例</translation>
         </message>
         <message>
-            <source>Give a mesh in one of these formats.</source>
-            <translation>请提供其中一种格式的网格。</translation>
-        </message>
-        <message>
             <source>Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.</source>
             <translation>请提供带位置的地面影像：GeoTIFF、JPEG 2000，或带坐标文件的 JPEG 或 PNG。</translation>
         </message>
@@ -9523,10 +9519,6 @@
             <translation>墙沿厚度方向</translation>
         </message>
         <message>
-            <source>{0} does not end in .obj, .ply, .stl, .gltf or .glb</source>
-            <translation>{0} 不以 .obj、.ply、.stl、.gltf 或 .glb 结尾</translation>
-        </message>
-        <message>
             <source>{0} is no surface that bodies could fall on: it has no area from above</source>
             <translation>{0} 不是物体可落于其上的面：从上方看没有面积</translation>
         </message>
@@ -11626,6 +11618,30 @@
             <source>{0}, which is read with the input {1}, is not there or not the file that was sealed</source>
             <translation>与输入 {1} 一同读取的 {0} 不存在，或不是封存时的文件</translation>
         </message>
+        <message>
+            <source>Give a mesh in one of these formats, or a point cloud.</source>
+            <translation>请给出其中一种格式的网格，或点云。</translation>
+        </message>
+        <message>
+            <source>a point cloud of the surroundings is taken as a surface with a height every {0}, without vegetation and wires</source>
+            <translation>周围环境的点云按每 {0} 一个高程的表面采用，不含植被和电线</translation>
+        </message>
+        <message>
+            <source>give the cloud in the system of the case, or a mesh of it</source>
+            <translation>请给出案例坐标系中的点云，或其网格</translation>
+        </message>
+        <message>
+            <source>none is needed; what hangs over the ground is not told from it</source>
+            <translation>无需处理；悬于地面之上的部分无法区分</translation>
+        </message>
+        <message>
+            <source>the offset was not added, for this is a point cloud: it lies as its coordinates say</source>
+            <translation>未加偏移，因为这是点云：它按其坐标放置</translation>
+        </message>
+        <message>
+            <source>{0} does not end in .obj, .ply, .stl, .gltf or .glb, and is no point cloud</source>
+            <translation>{0} 不以 .obj、.ply、.stl、.gltf 或 .glb 结尾，也不是点云</translation>
+        </message>
     </context>
     <context>
         <name>options</name>
@@ -13203,10 +13219,6 @@
             <translation>周围环境</translation>
         </message>
         <message>
-            <source>Meshes (*.obj *.ply *.gltf *.glb);;All files (*)</source>
-            <translation>网格 (*.obj *.ply *.gltf *.glb);;所有文件 (*)</translation>
-        </message>
-        <message>
             <source>surroundings %1</source>
             <translation>周围环境 %1</translation>
         </message>
@@ -13237,6 +13249,10 @@
         <message>
             <source>History curves</source>
             <translation>时程曲线</translation>
+        </message>
+        <message>
+            <source>Meshes and point clouds (*.obj *.ply *.stl *.gltf *.glb *.las *.laz *.e57 *.pcd *.ptx *.pts);;All files (*)</source>
+            <translation>网格和点云 (*.obj *.ply *.stl *.gltf *.glb *.las *.laz *.e57 *.pcd *.ptx *.pts);;所有文件 (*)</translation>
         </message>
     </context>
     <context>

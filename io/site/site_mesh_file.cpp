@@ -1,6 +1,7 @@
 #include "io/site/site_mesh_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -8,6 +9,7 @@
 #include "io/base/file_words.h"
 #include "io/base/files.h"
 #include "io/fe/meshes/raw_mesh_file.h"
+#include "io/site/clouds/height_source.h"
 #include "io/site/height_reading.h"
 #include "io/site/meshes/gltf_mesh.h"
 #include "io/site/meshes/mesh_offset.h"
@@ -29,25 +31,116 @@ void checkMeshFile(const std::string& path) {
         throw WorldError({"surroundings.missing", "There is no mesh of surroundings {0} that may be read", {path}},
                          {"surroundings.missing.remedy", "Check the path, or leave the mesh out.", {}});
     }
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (size == 0) {
+    if (fs::file_size(path, error) == 0) {
         refuseContent({"surroundings.empty", "{0} is empty", {path}}, "Copy it again from where it came.");
-    }
-    if (size > meshBytesMax) {
-        refuseContent({"surroundings.too_large", "{0} is too large for a mesh of surroundings", {path}},
-                      "Make it simpler, to 5,000,000 triangles or fewer.");
     }
 }
 
 RawMesh readRawMesh(const std::string& path, const Execution& execution) {
+    std::error_code error;
+    if (fs::file_size(path, error) > meshBytesMax) {
+        refuseContent({"surroundings.too_large", "{0} is too large for a mesh of surroundings", {path}},
+                      "Make it simpler, to 5,000,000 triangles or fewer.");
+    }
     if (isMeshPath(path)) {
         return readTriangleMesh(path, execution);
     }
     if (hasEnding(path, ".gltf") || hasEnding(path, ".glb")) {
         return readGltfMesh(path, execution);
     }
-    refuseContent({"surroundings.ending", "{0} does not end in .obj, .ply, .stl, .gltf or .glb", {path}},
-                  "Give a mesh in one of these formats.");
+    refuseContent({"surroundings.ending", "{0} does not end in .obj, .ply, .stl, .gltf or .glb, and is no point cloud", {path}},
+                  "Give a mesh in one of these formats, or a point cloud.");
+}
+
+/// A PLY whose head names no faces holds points.
+bool plyOfPoints(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    for (int lines = 0; lines < 1000 && std::getline(file, line) && !line.starts_with("end_header"); ++lines) {
+        if (line.starts_with("element face ") || line.starts_with("element tristrips ")) {
+            return line.find_first_of("123456789") == std::string::npos;
+        }
+    }
+    return line.starts_with("end_header");
+}
+
+bool isCloudOfSurroundings(const std::string& path) {
+    if (hasEnding(path, ".ply")) {
+        return plyOfPoints(path);
+    }
+    return !isMeshPath(path) && !hasEnding(path, ".gltf") && !hasEnding(path, ".glb") && holdsCloud(path);
+}
+
+/// The surface of a point cloud as a mesh: two triangles to each cell of its grid, none where points are missing.
+class CloudSurface {
+public:
+    explicit CloudSurface(HeightGrid grid) : m_grid(std::move(grid)) {
+        const double nodes = static_cast<double>(m_grid.nx) * static_cast<double>(m_grid.ny);
+        m_step = static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(nodes / surfaceNodesMax))));
+    }
+
+    /// Nodes from one that is taken to the next.
+    std::size_t step() const { return m_step; }
+    double cell() const { return static_cast<double>(m_step) * std::max(m_grid.dx, m_grid.dy); }
+
+    void addTo(SiteMesh& mesh) const {
+        const std::size_t columns = (m_grid.nx + m_step - 1) / m_step;
+        std::vector<std::uint32_t> before(columns, missing);
+        std::vector<std::uint32_t> now(columns, missing);
+        for (std::size_t row = 0; row < m_grid.ny; row += m_step) {
+            for (std::size_t c = 0; c < columns; ++c) {
+                const std::size_t column = c * m_step;
+                const Vec3 place(m_grid.x0 + static_cast<double>(column) * m_grid.dx,
+                                 m_grid.y0 + static_cast<double>(row) * m_grid.dy, m_grid.heights[row * m_grid.nx + column]);
+                now[c] = std::isfinite(place.z()) ? static_cast<std::uint32_t>(mesh.points.size()) : missing;
+                if (now[c] != missing) {
+                    mesh.points.push_back(place);
+                }
+            }
+            for (std::size_t c = 0; c + 1 < columns; ++c) {
+                addTriangle(mesh, {before[c], before[c + 1], now[c]});
+                addTriangle(mesh, {before[c + 1], now[c + 1], now[c]});
+            }
+            std::swap(before, now);
+        }
+    }
+
+private:
+    static constexpr std::uint32_t missing = std::numeric_limits<std::uint32_t>::max();
+    static constexpr double surfaceNodesMax = 1e6;
+
+    static void addTriangle(SiteMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+        if (std::find(triangle.begin(), triangle.end(), missing) == triangle.end()) {
+            mesh.triangles.push_back(triangle);
+        }
+    }
+
+    HeightGrid m_grid;
+    std::size_t m_step = 1;
+};
+
+SiteMeshReading readCloudSurface(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
+                                 const SiteMeshRequest& request) {
+    HeightReading read =
+        readHeights(path, frame, site, request.around, execution, {.alongAxes = true, .surface = true}, HeightReach::Window);
+    SiteMeshReading made;
+    made.findings = std::move(read.findings);
+    made.mesh.name = fs::path(path).filename().string();
+    if (request.offset && !request.offset->isZero()) {
+        addFinding(made.findings, path,
+                   {"surroundings.cloud_offset",
+                    "the offset was not added, for this is a point cloud: it lies as its coordinates say",
+                    {}},
+                   "give the cloud in the system of the case, or a mesh of it");
+    }
+    const CloudSurface surface(std::move(read.raster));
+    surface.addTo(made.mesh);
+    addFinding(made.findings, path,
+               {"surroundings.cloud_surface",
+                "a point cloud of the surroundings is taken as a surface with a height every {0}, without vegetation and wires",
+                {{surface.cell(), "m"}}},
+               "none is needed; what hangs over the ground is not told from it");
+    return made;
 }
 
 /// Brings a mesh to the local frame, with the offset that puts it at the site.
@@ -193,6 +286,9 @@ SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const 
                              const SiteMeshRequest& request) {
     checkMeshFile(path);
     execution.check();
+    if (isCloudOfSurroundings(path)) {
+        return readCloudSurface(path, frame, site, execution, request);
+    }
     MeshPlacing placing(path, frame, site, request.around, readRawMesh(path, execution));
     return placing.place(request.offset);
 }

@@ -28,7 +28,9 @@ struct SiteMeshReading {
 /// Reads a mesh of the surroundings: OBJ, PLY, STL, glTF (.gltf, .glb), in double precision. Its coordinates are easting, northing
 /// and height in metres, after its offset is added, brought to the local frame as a terrain is; glTF has y up by its definition.
 /// Materials are left out. What is left out of its shape, an offset from a file and coarse coordinates are findings.
-/// Throws WorldError, ParseError (no mesh, too many triangles, nothing of it near the structure), UsageError, Cancelled.
+/// A point cloud is taken as the surface of its grid (readHeights()), where its coordinates say, without an offset; also a finding.
+/// Throws WorldError, ParseError (no mesh, too many triangles, nothing of it near the structure), UsageError, Cancelled; of a cloud
+/// as readHeights().
 SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
                              const SiteMeshRequest& request = {});
 

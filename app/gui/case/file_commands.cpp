@@ -156,9 +156,10 @@ void FileCommands::chooseOrthophoto() {
 }
 
 void FileCommands::chooseSurroundings() {
-    const QStringList paths =
-        QFileDialog::getOpenFileNames(&m_window, tr("Surroundings"), QFileInfo(m_document.base()).absolutePath(),
-                                      tr("Meshes (*.obj *.ply *.gltf *.glb);;All files (*)"));
+    const QStringList paths = QFileDialog::getOpenFileNames(
+        &m_window, tr("Surroundings"), QFileInfo(m_document.base()).absolutePath(),
+        tr("Meshes and point clouds (*.obj *.ply *.stl *.gltf *.glb *.las *.laz *.e57 *.pcd *.ptx *.pts);;All "
+           "files (*)"));
     if (!paths.isEmpty()) {
         setFiles(InputRole::Surroundings, paths, true,
                  [name = QFileInfo(paths.front()).fileName()] { return tr("surroundings %1").arg(name); });

@@ -373,5 +373,40 @@ TEST_F(MeshOfASite, OffsetFilesOfManyProgramsAreFound) {
     EXPECT_EQ(read("utm.obj", utm).findings.count("surroundings.offset_unread"), 1);
 }
 
+TEST_F(SiteMeshFile, APointCloudIsTheSurfaceOfItsPointsWithItsHoles) {
+    // Ground at 1 m with a roof at 5 m in its middle and a pond that gave no echo.
+    std::string points;
+    int count = 0;
+    for (double y = -9.875; y < 10.0; y += 0.25) {
+        for (double x = -9.875; x < 10.0; x += 0.25) {
+            if (x < 4.0 || x > 8.0 || y < 4.0 || y > 8.0) {
+                points +=
+                    std::to_string(x) + ' ' + std::to_string(y) + (std::max(std::abs(x), std::abs(y)) < 3.0 ? " 5\n" : " 1\n");
+                ++count;
+            }
+        }
+    }
+    const std::string head = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
+                             "\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+    const SiteMeshReading cloud = read("scan.ply", head + points);
+    EXPECT_EQ(cloud.findings.count("surroundings.cloud_surface"), 1);
+    EXPECT_EQ(cloud.findings.count("surroundings.cloud_offset"), 0);
+    double plan = 0.0;
+    double roof = 0.0;
+    for (const auto& t : cloud.mesh.triangles) {
+        const Vec3& a = cloud.mesh.points[t[0]];
+        const double area = 0.5 * (cloud.mesh.points[t[1]] - a).cross(cloud.mesh.points[t[2]] - a).z();
+        EXPECT_GT(area, 0.0) << "seen from above";
+        plan += area;
+        const Vec3 middle = (a + cloud.mesh.points[t[1]] + cloud.mesh.points[t[2]]) / 3.0;
+        roof += std::abs(middle.z() - 5.0) < 1e-6 ? area : 0.0;
+        EXPECT_FALSE(std::abs(middle.x() - 6.0) < 1.0 && std::abs(middle.y() - 6.0) < 1.0) << "nothing is made of the pond";
+    }
+    EXPECT_NEAR(plan, 20.0 * 20.0 - 4.0 * 4.0, 40.0);
+    EXPECT_NEAR(roof, 6.0 * 6.0, 14.0);
+    request.offset = Vec3(100.0, 0.0, 0.0);
+    EXPECT_EQ(read("scan.ply", head + points).findings.count("surroundings.cloud_offset"), 1) << "never left out silently";
+}
+
 }  // namespace
 }  // namespace rubble::io

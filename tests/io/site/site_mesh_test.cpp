@@ -194,8 +194,8 @@ TEST_F(SiteMeshFile, EveryWayToWriteAPlyIsRead) {
     }
     EXPECT_EQ(refusal("g.ply", plyHead("ascii", "float", face) + "nan 0 0\n10 0 0\n10 10 0\n0 10 0\n4 0 1 2 3\n"),
               "surroundings.no_number");
-    EXPECT_EQ(refusal("h.ply", plyHead("ascii", "float", "") + places), "surroundings.no_faces");
-    EXPECT_EQ(refusal("i.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nend_header\n1\n"),
+    EXPECT_EQ(refusal("h.obj", "v 0 0 0\nv 10 0 0\nv 10 10 0\n"), "surroundings.no_faces");
+    EXPECT_EQ(refusal("i.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\n" + face + "end_header\n1\n"),
               "surroundings.cut");
     EXPECT_EQ(refusal("j.ply", "solid\n"), "surroundings.no_ply");
 }
@@ -403,7 +403,9 @@ TEST_F(SiteMeshFile, APointCloudIsTheSurfaceOfItsPointsWithItsHoles) {
         EXPECT_FALSE(std::abs(middle.x() - 6.0) < 1.0 && std::abs(middle.y() - 6.0) < 1.0) << "nothing is made of the pond";
     }
     EXPECT_NEAR(plan, 20.0 * 20.0 - 4.0 * 4.0, 40.0);
-    EXPECT_NEAR(roof, 6.0 * 6.0, 14.0);
+    // A height is that of a plane through its cell and those about it, so edges are slopes.
+    EXPECT_GT(roof, 4.0 * 4.0);
+    EXPECT_LT(roof, 6.0 * 6.0);
     request.offset = Vec3(100.0, 0.0, 0.0);
     EXPECT_EQ(read("scan.ply", head + points).findings.count("surroundings.cloud_offset"), 1) << "never left out silently";
 }

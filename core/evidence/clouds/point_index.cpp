@@ -59,6 +59,17 @@ void sortByBytes(std::vector<Item>& items, std::vector<Item>& spare, const Key& 
     }
 }
 
+/// Numbers of points in rising order: many of them byte by byte, which takes a third of the time.
+void sortFound(std::vector<std::uint32_t>& found) {
+    constexpr std::size_t many = 400;
+    if (found.size() < many) {
+        std::sort(found.begin(), found.end());
+        return;
+    }
+    thread_local std::vector<std::uint32_t> spare;
+    sortByBytes(found, spare, [](std::uint32_t number) { return number; });
+}
+
 /// Hands each point of a ball to a caller, who decides whether it counts.
 template <class Visit>
 class BallVisit {
@@ -159,6 +170,8 @@ void PointIndex::within(const Vec3& centre, double radius, std::vector<std::uint
             found.push_back(i);
         }
     });
+    // The tree has an order of its own; sums of reals then do not depend on it.
+    sortFound(found);
 }
 
 void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,

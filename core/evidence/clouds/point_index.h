@@ -40,9 +40,10 @@ public:
     PointIndex(PointIndex&&) noexcept;
 
     const std::vector<Vec3>& places() const;
-    /// The points within a radius of a place, its rim included, in an order that is the same each time.
+    /// The points within a radius of a place, its rim included, in the order of the cloud.
     void within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const;
-    /// How far along a line from a place the points within a cylinder about it lie, its ends and mantle included, likewise.
+    /// How far along a line from a place the points within a cylinder about it lie, its ends and mantle included. Their order
+    /// depends on which other points there are.
     /// @param axis  of length 1; @param halfLength  to each side
     void withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength, std::vector<double>& offsets) const;
 

@@ -126,6 +126,7 @@ PaneRenderer::PaneRenderer()
       m_selection(vtkSmartPointer<vtkPolyData>::New()),
       m_clipPlane(vtkSmartPointer<vtkPlane>::New()),
       m_grain(vtkSmartPointer<vtkFloatArray>::New()),
+      m_pointShade(vtkSmartPointer<vtkFloatArray>::New()),
       m_edges(vtkSmartPointer<EdgeShading>::New()) {
     makeActors();
     m_renderer->AddActor(m_modelActor);
@@ -158,6 +159,8 @@ void PaneRenderer::makeActors() {
     m_rgba->SetNumberOfComponents(4);
     m_grain->SetNumberOfComponents(4);
     m_grain->SetName("grain");
+    m_pointShade->SetNumberOfComponents(1);
+    m_pointShade->SetName("shade");
     m_points->SetData(m_coordinates);
     m_model->SetPoints(m_points);
     m_model->GetPointData()->SetScalars(m_rgba);
@@ -250,6 +253,7 @@ void PaneRenderer::setShading(bool shaded) {
 void PaneRenderer::setShade(const GroundShade* shade, const SceneColours& colours) {
     m_ground.setShade(shade, colours);
     m_site.setShade(shade, colours);
+    setPointShade(shade);
     m_sun->SetSwitch(shade != nullptr);
     m_lamp->SetIntensity(shade ? lampBesideSun : lampAlone);
 }
@@ -275,16 +279,39 @@ void PaneRenderer::setGrain(const std::vector<float>& grain) {
     m_grained = !grain.empty();
     if (!m_grained) {
         mapper->RemoveVertexAttributeMapping("grainMC");
+        mapper->RemoveVertexAttributeMapping("shadeMC");
         shader->ClearAllShaderReplacements();
         leaveOutIdleShading(*m_modelActor);
         m_model->GetPointData()->RemoveArray(m_grain->GetName());
+        m_model->GetPointData()->RemoveArray(m_pointShade->GetName());
         return;
     }
     mapper->MapDataArrayToVertexAttribute("grainMC", m_grain->GetName(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    mapper->MapDataArrayToVertexAttribute("shadeMC", m_pointShade->GetName(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    m_model->GetPointData()->AddArray(m_pointShade);
     shader->AddVertexShaderReplacement("//VTK::Color::Dec", true, grain_shader::vertexDeclaration, false);
     shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, grain_shader::vertex, false);
     shader->AddFragmentShaderReplacement("//VTK::Color::Dec", true, grain_shader::fragmentDeclaration, false);
     shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, grain_shader::fragment, false);
+}
+
+/// Of the points that are shown; they are in full light where it is that of others, as before the first shade.
+void PaneRenderer::setPointShade(const GroundShade* shade) {
+    const vtkIdType points = m_coordinates->GetNumberOfTuples();
+    const std::uint64_t version = shade != nullptr ? shade->version() : 0;
+    if (points == m_pointShade->GetNumberOfTuples() && shade == m_pointShadeOf && version == m_pointShadeVersion) {
+        return;
+    }
+    m_pointShadeOf = shade;
+    m_pointShadeVersion = version;
+    m_pointShade->SetNumberOfTuples(points);
+    if (shade != nullptr && static_cast<vtkIdType>(shade->pointShade().size()) == points) {
+        std::copy(shade->pointShade().begin(), shade->pointShade().end(), m_pointShade->GetPointer(0));
+    } else {
+        m_pointShade->Fill(0.0);
+    }
+    m_pointShade->Modified();
+    m_model->Modified();
 }
 
 void PaneRenderer::setGrid(const std::vector<Eigen::Vector3f>& ends) {

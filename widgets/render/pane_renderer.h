@@ -59,6 +59,7 @@ private:
     void makeActors();
     void setTriangles(const PaneGeometry& geometry);
     void setGrain(const std::vector<float>& grain);
+    void setPointShade(const GroundShade* shade);
 
     vtkSmartPointer<vtkRenderer> m_renderer;
     vtkSmartPointer<vtkLight> m_lamp;
@@ -80,6 +81,9 @@ private:
     bool m_shaded = false;
     vtkSmartPointer<vtkFloatArray> m_grain;
     bool m_grained = false;
+    vtkSmartPointer<vtkFloatArray> m_pointShade;  // of each point of the model, beside the grain
+    std::uint64_t m_pointShadeVersion = 0;
+    const GroundShade* m_pointShadeOf = nullptr;
     vtkSmartPointer<EdgeShading> m_edges;
     const PaneGeometry* m_shown = nullptr;
     std::uint64_t m_pointsVersion = 0;

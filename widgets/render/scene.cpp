@@ -231,11 +231,11 @@ struct Scene::Impl {
         }
     }
 
-    /// Brings the shade on the ground to what a geometry shows.
+    /// Brings the shade on the ground and on itself to what a geometry shows.
     void shade(std::size_t geometry) {
         const PaneGeometry& shown = *geometries[geometry];
         const std::pair versions(shown.pointsVersion(), shown.trianglesVersion());
-        if (view.shadows && view.ground && versions != shadeOf[geometry]) {
+        if (view.shadows && versions != shadeOf[geometry]) {
             shades[geometry].bake(shown.points(), shown.triangles());
             shadeOf[geometry] = versions;
         }

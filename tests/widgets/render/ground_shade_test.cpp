@@ -44,6 +44,33 @@ TEST(GroundShade, NothingIsInTheShadeBeforeAndAfter) {
     EXPECT_EQ(shade.shadeAt(0.0, 0.0), 0.0);
 }
 
+TEST(GroundShade, DebrisIsInTheShadowOfWhatStandsTowardsTheSun) {
+    GroundShade shade;
+    shade.set(model, SiteSurface{});
+    // A wall, and two blocks that lie behind it and before it, seen from the sun.
+    const Vec3 away = -Vec3(sun.x(), sun.y(), 0.0).normalized();
+    Triangles all = box({-1, -1, 0}, {1, 1, 10});
+    const auto add = [&](const Vec3& middle) {
+        const auto first = static_cast<std::int32_t>(all.points.size() / 3);
+        const Triangles block = box(middle - Vec3(0.4, 0.4, 0.0), middle + Vec3(0.4, 0.4, 0.5));
+        all.points.insert(all.points.end(), block.points.begin(), block.points.end());
+        for (const std::int32_t corner : block.corners) {
+            all.corners.push_back(first + corner);
+        }
+    };
+    add(3.0 * away);
+    add(-6.0 * away);
+    EXPECT_TRUE(shade.pointShade().empty());
+    shade.bake(all.points, all.corners);
+    ASSERT_EQ(shade.pointShade().size(), all.points.size() / 3);
+    const auto top = [&](std::size_t box) { return shade.pointShade()[8 * box + 7]; };
+    EXPECT_LT(top(0), 0.05F) << "the top of the wall is in the light";
+    EXPECT_GT(top(1), 0.3F);
+    EXPECT_LT(top(2), 0.15F);
+    shade.clear();
+    EXPECT_TRUE(shade.pointShade().empty());
+}
+
 TEST(GroundShade, AFragmentThatLiesDarkensTheGroundBeneathAndBeside) {
     GroundShade shade;
     shade.set(model, SiteSurface{});

@@ -19,6 +19,13 @@ constexpr float contactShare = 0.5F;
 /// Things so many cells above the ground darken it at most by their nearness.
 constexpr float leastCells = 2.0F;
 constexpr float astray = 1e6F;  // cells
+/// Shares of the light that the model takes from itself: by the sun's shadow, and by what stands about a hollow.
+constexpr float selfCastShare = 0.45F;
+constexpr float hollowShare = 0.3F;
+/// Rays as near as so many cells are one: what is nearer to its neighbour throws no shadow on it.
+constexpr float sameRay = 1.5F;
+constexpr std::size_t crowdRadius = 2;  // cells
+constexpr float nothing = -1e9F;        // m
 
 struct Corner {
     float x;
@@ -89,6 +96,7 @@ private:
 void GroundShade::set(const Aabb& bounds, const SiteSurface& ground) {
     m_columns = m_rows = 0;
     m_ground.clear();
+    m_pointShade.clear();
     ++m_version;
     m_clear = true;
     if (bounds.isEmpty() || !ground.present()) {
@@ -126,6 +134,7 @@ void GroundShade::clear() {
     if (!m_clear) {
         m_clear = true;
         std::fill(m_shade.begin(), m_shade.end(), 0.0F);
+        m_pointShade.clear();
         ++m_version;
     }
 }
@@ -145,6 +154,7 @@ GroundShade::Cast GroundShade::castOf(const float* point) const {
     Cast cast;
     cast.x = cells((point[0] - static_cast<float>(m_left)) * m_cellsInMetre);
     cast.y = cells((point[1] - static_cast<float>(m_bottom)) * m_cellsInMetre);
+    cast.height = std::isfinite(point[2]) ? point[2] : 0.0F;
     cast.above = std::max(0.0F, point[2] - groundUnder(cast.x, cast.y));
     // On a slope the shadow falls until it meets the ground there; two steps come close enough for a shadow.
     const float most = astray / m_cellsInMetre;
@@ -200,9 +210,9 @@ void GroundShade::bake(const std::vector<float>& points, const std::vector<std::
     for (std::size_t p = 0; p < m_casts.size(); ++p) {
         m_casts[p] = castOf(points.data() + 3 * p);
     }
-    m_cast.assign(m_shade.size(), 0.0F);
+    m_top.assign(m_shade.size(), nothing);
     m_contact.assign(m_shade.size(), 0.0F);
-    Filling cast(m_cast, m_columns, m_rows);
+    Filling cast(m_top, m_columns, m_rows);
     Filling contact(m_contact, m_columns, m_rows);
     const auto close = static_cast<float>(m_near);
     const auto nearness = [close](const Cast& c) { return std::max(0.0F, 1.0F - c.above / close); };
@@ -213,7 +223,8 @@ void GroundShade::bake(const std::vector<float>& points, const std::vector<std::
         // Of a body that is closed the side towards the sun throws the whole shadow: there corners go round anticlockwise.
         const float turn = (c[1]->u - c[0]->u) * (c[2]->v - c[0]->v) - (c[2]->u - c[0]->u) * (c[1]->v - c[0]->v);
         if (turn > 0.0F) {
-            cast({Corner{c[0]->u, c[0]->v, 1.0F}, Corner{c[1]->u, c[1]->v, 1.0F}, Corner{c[2]->u, c[2]->v, 1.0F}});
+            cast({Corner{c[0]->u, c[0]->v, c[0]->height}, Corner{c[1]->u, c[1]->v, c[1]->height},
+                  Corner{c[2]->u, c[2]->v, c[2]->height}});
             continue;
         }
         // Below it ends with sides that lie away from the sun.
@@ -222,6 +233,9 @@ void GroundShade::bake(const std::vector<float>& points, const std::vector<std::
                      Corner{c[2]->x, c[2]->y, nearness(*c[2])}});
         }
     }
+    shadePoints();
+    m_cast.resize(m_top.size());
+    std::transform(m_top.begin(), m_top.end(), m_cast.begin(), [](float top) { return top > nothing ? 1.0F : 0.0F; });
     blurred(m_cast, 1);
     const auto radius = static_cast<std::size_t>(std::clamp(std::lround(0.5 * m_near / m_cell), 2L, 6L));
     blurred(m_contact, radius);
@@ -230,6 +244,39 @@ void GroundShade::bake(const std::vector<float>& points, const std::vector<std::
     }
     m_clear = false;
     ++m_version;
+}
+
+/// By the heights at which rays of the sun meet the model: who lies below is in the shade, and who lies below the mean about them
+/// is in a hollow. Sides that lie away from the sun are dark by themselves.
+void GroundShade::shadePoints() {
+    m_crowd.resize(m_top.size());
+    for (std::size_t j = 0; j < m_rows; ++j) {
+        for (std::size_t i = 0; i < m_columns; ++i) {
+            const float top = m_top[j * m_columns + i];
+            m_crowd[j * m_columns + i] = top > nothing ? top : groundUnder(static_cast<float>(i), static_cast<float>(j));
+        }
+    }
+    // Heights are told from the lowest ground, since means of squares are not below zero.
+    const float low = m_ground.empty() ? m_level : *std::min_element(m_ground.begin(), m_ground.end());
+    for (float& height : m_crowd) {
+        height = std::max(0.0F, height - low);
+    }
+    blurred(m_crowd, crowdRadius);
+    const float apart = sameRay / std::max(std::hypot(m_east, m_north), 1e-6F);  // m of height between rays a cell apart
+    m_pointShade.resize(m_casts.size());
+    for (std::size_t p = 0; p < m_casts.size(); ++p) {
+        const Cast& cast = m_casts[p];
+        const bool within =
+            cast.u >= 0.0F && cast.v >= 0.0F && cast.u < static_cast<float>(m_columns) && cast.v < static_cast<float>(m_rows);
+        if (!within) {
+            m_pointShade[p] = 0.0F;
+            continue;
+        }
+        const std::size_t cell = static_cast<std::size_t>(cast.v) * m_columns + static_cast<std::size_t>(cast.u);
+        const float shadow = std::clamp((m_top[cell] - cast.height - apart) / apart, 0.0F, 1.0F);
+        const float hollow = std::clamp((m_crowd[cell] - (cast.height - low)) / (2.0F * apart), 0.0F, 1.0F);
+        m_pointShade[p] = 1.0F - (1.0F - selfCastShare * shadow) * (1.0F - hollowShare * hollow);
+    }
 }
 
 double GroundShade::shadeAt(double x, double y) const {

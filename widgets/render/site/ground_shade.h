@@ -9,9 +9,9 @@
 
 namespace rubble::render {
 
-/// Light on the ground about a model: what stands in the sun throws its shadow, and what lies close above the ground darkens what
-/// is beneath it. Reckoned from the triangles that are drawn, on a raster over the ground, so that it costs little without a
-/// graphics card; free of any graphics library.
+/// Light on the ground about a model and on the model itself: what stands in the sun throws its shadow on both, what lies close
+/// above the ground darkens what is beneath it, and what lies deeper than its neighbours is darker. Reckoned from the triangles
+/// that are drawn, on a raster over the ground, so that it costs little without a graphics card; free of any graphics library.
 class GroundShade {
 public:
     /// Cells along the longer side.
@@ -40,6 +40,9 @@ public:
     const std::vector<float>& shade() const { return m_shade; }
     /// At a place, m; 0 beyond the raster.
     double shadeAt(double x, double y) const;
+    /// [points of the last bake()] what the model leaves of the light on itself: 0 is in full light, 1 in none. Empty: nothing is
+    /// in the shade.
+    const std::vector<float>& pointShade() const { return m_pointShade; }
     /// Rises with each change of the shade.
     std::uint64_t version() const { return m_version; }
 
@@ -50,11 +53,13 @@ private:
         float v = 0.0F;
         float x = 0.0F;  ///< straight below
         float y = 0.0F;
-        float above = 0.0F;  ///< m
+        float above = 0.0F;   ///< m
+        float height = 0.0F;  ///< m, on the scale of the model
     };
     Cast castOf(const float* point) const;
     float groundUnder(float x, float y) const;
     void blurred(std::vector<float>& field, std::size_t radius);
+    void shadePoints();
 
     double m_left = 0.0;
     double m_bottom = 0.0;
@@ -73,6 +78,9 @@ private:
     std::vector<float> m_contact;
     std::vector<float> m_passing;  ///< of a field between its two passes
     std::vector<float> m_shade;
+    std::vector<float> m_top;    ///< m, by the cell that a ray of the sun ends in: the height at which it meets the model first
+    std::vector<float> m_crowd;  ///< m, mean of these about a cell
+    std::vector<float> m_pointShade;
     std::uint64_t m_version = 0;
 };
 

@@ -82,14 +82,25 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
                 speed = {measureMachineSpeed(execution), threads};
             }
             prediction = crudeWallSeconds(*question.fragments, question.bodies, question.inputs.fe->times().back(), settled,
-                                          *speed.measured);
+                                          *speed.measured, answer.beside.has_value());
+            for (double* seconds : {&prediction.value, &prediction.low, &prediction.high}) {
+                *seconds *= question.learnt;
+            }
         }
         answer.figures.push_back({what, std::move(prediction), std::nullopt});
     }
     return answer;
 }
 
-void Forecast::ask(const Question& question) {
+void Forecast::learn(double predicted, double measured) {
+    constexpr double most = 10.0;  // beyond, something else was in the way
+    if (predicted > 0.0 && measured > 0.0) {
+        m_learnt = std::clamp(m_learnt * measured / predicted, 1.0 / most, most);
+    }
+}
+
+void Forecast::ask(Question question) {
+    question.learnt = m_learnt;
     const int number = ++m_asked;
     auto made = std::make_shared<std::optional<Answer>>();
     m_worker.startNext({Worker::Kind::Study,

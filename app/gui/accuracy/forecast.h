@@ -27,6 +27,7 @@ public:
         std::int64_t bodies = 0;
         std::shared_ptr<const Components> components;  ///< null: not known yet
         std::shared_ptr<const Clustering> clustering;  ///< likewise
+        double learnt = 1.0;                           ///< what runs took over what was foretold crudely; set by ask()
     };
     /// The answer with what it was asked for.
     struct Answer {
@@ -44,7 +45,9 @@ public:
     /// Earlier points are read anew: there may be more now.
     void forgetPoints();
     /// Answers with said().
-    void ask(const Question& question);
+    void ask(Question question);
+    /// A run took so long that was predicted crudely: those that follow are foretold by it.
+    void learn(double predicted, double measured);
 
 signals:
     void said(const rubble::Forecast::Answer& answer);
@@ -77,6 +80,7 @@ private:
 
     std::string m_machine;
     int m_asked = 0;
+    double m_learnt = 1.0;
     std::shared_ptr<const Calibration> m_calibration;
     std::shared_ptr<Earlier> m_earlier = std::make_shared<Earlier>();
     std::shared_ptr<Loose> m_loose = std::make_shared<Loose>();

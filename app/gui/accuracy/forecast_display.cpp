@@ -80,6 +80,9 @@ void ForecastDisplay::runEnded(const Measured& measured) {
                              : figure.what == Predicted::Fps       ? measured.liveFps
                                                                    : std::nan("");
         figure.measured = std::isfinite(value) ? std::optional(value) : std::nullopt;
+        if (figure.what == Predicted::WallSeconds && figure.prediction.fromSpeed && figure.measured) {
+            m_forecast.learn(figure.prediction.value, value);
+        }
     }
     m_kept.afterRun = std::move(content);
     show();

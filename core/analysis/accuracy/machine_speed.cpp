@@ -17,6 +17,7 @@ constexpr double probeSettles = 2.0;  // s
 // Collapses of the samples lie within these of what the pile says: shapes, heaps and water cost more, what rests early less.
 constexpr double atLeast = 1.0 / 3.0;
 constexpr double atMost = 3.0;
+constexpr double besideStructure = 2.5;  // of a step in which loose structure moves, over one of fragments alone
 
 }  // namespace
 
@@ -39,7 +40,7 @@ MachineSpeed measureMachineSpeed(const Execution& execution) {
 }
 
 Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, double feEnd, const Scenario& scenario,
-                            const MachineSpeed& speed) {
+                            const MachineSpeed& speed, bool structure) {
     Prediction prediction;
     if (fragments.list.empty() || bodies <= 0) {
         prediction.reason = {"prediction.no_fragments", "there are no fragments", {}};
@@ -60,6 +61,9 @@ Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, d
     double steps = scenario.simulation.stepRate ? *scenario.simulation.stepRate / speed.stepRate : 1.0;
     if (scenario.simulation.solver == SolverKind::SoftStep) {
         steps *= static_cast<double>(substepsOf(scenario)) / speed.substeps;
+    }
+    if (structure) {
+        steps *= besideStructure;
     }
     prediction.known = true;
     prediction.fromSpeed = true;

@@ -22,8 +22,9 @@ MachineSpeed measureMachineSpeed(const Execution& execution);
 /// Wall time of a run that nothing like it was simulated before: from its bodies, their births and the speed of the machine, with
 /// an interval as wide as that is crude.
 /// @param bodies  that carry the fragments
-/// @param scenario  settled, as a run takes it (settledScenario())
+/// @param scenario   settled, as a run takes it (settledScenario())
+/// @param structure  the engine moves loose structure beside them, whose steps cost 2 to 3 times as much (docs/solver.md)
 Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, double feEnd, const Scenario& scenario,
-                            const MachineSpeed& speed);
+                            const MachineSpeed& speed, bool structure = false);
 
 }  // namespace rubble

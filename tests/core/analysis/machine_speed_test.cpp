@@ -49,6 +49,8 @@ TEST(CrudePrediction, GrowsWithBodiesAndWithTheTimeThatTheyMove) {
     scenario.simulation.stepRate.reset();
     scenario.effects.loose = LooseStructurePolicy::AtOnce;
     EXPECT_NEAR(crudeWallSeconds(early, 100, 2.0, scenario, speed).value, 3.0 * few.value, 1e-9) << "12 substeps for 4";
+    EXPECT_NEAR(crudeWallSeconds(early, 100, 2.0, scenario, speed, true).value, 7.5 * few.value, 1e-9)
+        << "what the engine carries beside the fragments is not left out";
 }
 
 TEST(CrudePrediction, OfNothingIsNotKnown) {

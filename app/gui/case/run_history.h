@@ -36,6 +36,8 @@ public:
     QString runsFolder() const;
     /// Where runs of cases lie for which there is no room beside them; empty: nowhere.
     const QString& stateFolder() const { return m_folder; }
+    /// The history of a case that nothing can be written beside; empty: there is no such folder.
+    QString stateFile() const;
     /// Run files have come or gone.
     void filesChanged() { emit changed(); }
     /// Shows a kept run again; answers through Computation::runReopened() or failed().
@@ -53,7 +55,6 @@ private:
     QString makeFolder();
     std::vector<RunEntry> read(const QString& file);
     QString sidecar() const;
-    QString stateFile() const;
 
     Session& m_session;
     Document& m_document;

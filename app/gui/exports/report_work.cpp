@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "app/gui/case/autosave.h"
+#include "app/gui/case/project_files.h"
 #include "app/gui/evidence/causes_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -16,6 +18,7 @@
 #include "io/base/machine.h"
 #include "io/exports/provenance.h"
 #include "io/exports/report_facts.h"
+#include "io/exports/report_notes.h"
 #include "io/site/site_place.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/report_panel.h"
@@ -87,6 +90,10 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
     connect(&panel, &widgets::ReportPanel::writeRequested, this, &ReportWork::write);
     connect(&panel, &widgets::ReportPanel::checkRequested, this, &ReportWork::check);
     connect(&panel, &widgets::ReportPanel::wishesChanged, this, &ReportWork::showGaps);
+    m_keeping.setSingleShot(true);
+    m_keeping.setInterval(500);
+    connect(&m_keeping, &QTimer::timeout, this, &ReportWork::keepNotes);
+    connect(&panel, &widgets::ReportPanel::wishesChanged, this, [this] { m_keeping.start(); });
     connect(&panel, &widgets::ReportPanel::causesFileRequested, this, &ReportWork::chooseCauses);
     connect(&panel, &widgets::ReportPanel::cancelRequested, this, [this] { m_computation.cancel(); });
     connect(&panel, &widgets::ReportPanel::openRequested, this,
@@ -97,7 +104,14 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
     });
     connect(&m_kept, &ReportKept::changed, this, &ReportWork::showOutcome);
     connect(&m_document, &Document::replaced, this, &ReportWork::changeCase);
-    connect(&m_document, &Document::titleChanged, this, [this] { m_kept.base = m_document.base(); });
+    connect(&m_document, &Document::titleChanged, this, [this] {
+        m_kept.base = m_document.base();
+        if (const QString file = notesFile(); file != m_kept.notes) {
+            // Saved elsewhere: what was said goes along.
+            m_kept.notes = file;
+            keepNotes();
+        }
+    });
     for (const auto signal : {&Document::scenarioChanged, &Document::inputsChanged, &Document::inputsAccepted,
                               &Document::photographsChanged, &Document::surveysChanged, &Document::ensembleChanged}) {
         connect(&m_document, signal, this, &ReportWork::dropCheck);
@@ -106,6 +120,9 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
 }
 
 ReportWork::~ReportWork() {
+    if (m_keeping.isActive()) {
+        keepNotes();
+    }
     m_kept.wishes = m_deck.report().wishes();
 }
 
@@ -237,7 +254,61 @@ void ReportWork::start(std::function<void(const Execution&)> work, std::function
                         });
 }
 
+QString ReportWork::notesFile() const {
+    if (m_document.empty()) {
+        return {};
+    }
+    const QString path = m_document.path();
+    if (!path.isEmpty() && QFileInfo(QFileInfo(path).absolutePath()).isWritable()) {
+        return QString::fromStdString(io::reportNotesPath(path.toStdString()));
+    }
+    const QString runs = m_session.part<ProjectFiles>().runs.stateFile();
+    return runs.isEmpty() ? QString() : runs.chopped(QStringLiteral(".runs.json").size()) + QStringLiteral(".report.json");
+}
+
+void ReportWork::takeNotes() {
+    m_kept.notes = notesFile();
+    if (!m_kept.notes.isEmpty()) {
+        try {
+            const io::ReportNotes notes = io::readReportNotes(m_kept.notes.toStdString());
+            if (!notes.empty()) {
+                widgets::ReportPanel& panel = m_deck.report();
+                widgets::ReportWishes wishes = panel.wishes();
+                wishes.question = QString::fromStdString(notes.question);
+                wishes.author = QString::fromStdString(notes.author);
+                wishes.words = notes.words;
+                wishes.causesFile = QString::fromStdString(notes.causes);
+                wishes.causes = notes.causes.empty() ? wishes.causes : widgets::ReportedCauses::File;
+                panel.setWishes(wishes);
+            }
+        } catch (...) {
+            m_session.report(*failureOf(std::current_exception()));
+            // What cannot be read is not written over.
+            setFileAside(m_kept.notes);
+        }
+    }
+    m_keeping.stop();
+}
+
+void ReportWork::keepNotes() {
+    m_keeping.stop();
+    if (m_kept.notes.isEmpty()) {
+        return;
+    }
+    const widgets::ReportWishes wishes = m_deck.report().wishes();
+    const bool file = wishes.causes == widgets::ReportedCauses::File;
+    try {
+        io::writeReportNotes(m_kept.notes.toStdString(), {wishes.question.toStdString(), wishes.author.toStdString(), wishes.words,
+                                                          file ? wishes.causesFile.toStdString() : std::string()});
+    } catch (...) {
+        m_session.report(*failureOf(std::current_exception()));
+    }
+}
+
 void ReportWork::changeCase() {
+    if (m_keeping.isActive()) {
+        keepNotes();
+    }
     if (m_document.base() != m_kept.base && !m_kept.base.isEmpty()) {
         widgets::ReportPanel& panel = m_deck.report();
         widgets::ReportWishes wishes = panel.wishes();
@@ -252,6 +323,7 @@ void ReportWork::changeCase() {
         m_kept.written.clear();
         showOutcome();
     }
+    takeNotes();
     dropCheck();
 }
 
@@ -282,6 +354,7 @@ void ReportWork::chooseCauses() {
     m_deck.report().setCausesFile(QFileDialog::getOpenFileName(&m_window, tr("Comparison of causes"),
                                                                QFileInfo(m_document.base()).absolutePath(),
                                                                tr("Comparisons (*.json);;All files (*)")));
+    m_keeping.start();
 }
 
 const MadeComparison* ReportWork::comparison() const {

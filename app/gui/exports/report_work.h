@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <memory>
@@ -34,6 +35,7 @@ public:
     std::optional<Failure> failure;
     std::optional<widgets::ReportWishes> wishes;      ///< what the panel was set to when a window went
     QString base;                                     ///< of the case whose words the panel holds
+    QString notes;                                    ///< file that these words are kept in; empty: none
     std::map<QString, widgets::ReportWishes> others;  ///< of cases that were open before, by their base
     std::optional<ReportFacts> facts;                 ///< of the last check, while they hold
     std::shared_ptr<const io::RunReader> of;          ///< the run of that check
@@ -73,6 +75,10 @@ private:
     void dropCheck();
     void showGaps();
     void chooseCauses();
+    /// Beside the case, or in the state folder where nothing can be written there; empty: nothing is open.
+    QString notesFile() const;
+    void takeNotes();
+    void keepNotes();
     /// The comparison of the page Causes; null: there is none that is of now.
     const MadeComparison* comparison() const;
     QString whyNot() const;
@@ -85,6 +91,7 @@ private:
     QWidget& m_window;
     ReportKept& m_kept;
     CausesDisplay* m_causes = nullptr;
+    QTimer m_keeping;  // what was said is kept once its author pauses
 };
 
 }  // namespace rubble

@@ -1,6 +1,10 @@
 #include "widgets/evidence/causes_panel.h"
 
 #include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -9,6 +13,8 @@
 #include <algorithm>
 
 #include "widgets/basics/study_start.h"
+#include "widgets/basics/wording.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
 
@@ -81,8 +87,8 @@ void CausesPanel::buildEvidence() {
     m_evidence->setObjectName(QStringLiteral("causeEvidence"));
     m_evidence->setAccessibleName(tr("What was found"));
     m_evidence->setToolTip(
-        tr("Evidence that is ticked counts: footprints, surveyed heights, and photographs of this case taken at "
-           "rest with an outline of the debris"));
+        tr("Evidence that is ticked counts: footprints, surveyed heights, times at which debris reached a place, and photographs "
+           "of this case taken at rest with an outline of the debris"));
     group->addWide(m_evidence);
     auto* menu = new QMenu(m_addEvidence);
     connect(menu->addAction(tr("Footprint, polygons…")), &QAction::triggered, this, &CausesPanel::addFootprintRequested);
@@ -90,6 +96,7 @@ void CausesPanel::buildEvidence() {
             &CausesPanel::addHeightsRequested);
     connect(menu->addAction(tr("Heights of the surface with the debris, raster…")), &QAction::triggered, this,
             &CausesPanel::addSurfaceRequested);
+    connect(menu->addAction(tr("Time at which debris reached a place…")), &QAction::triggered, this, &CausesPanel::askForTime);
     m_addEvidence->setMenu(menu);
     m_addEvidence->setObjectName(QStringLiteral("addEvidence"));
     m_addEvidence->setToolTip(tr("Add a file of what was found. Photographs are added under Photographs"));
@@ -106,6 +113,44 @@ void CausesPanel::buildEvidence() {
             emit evidenceUsed(m_evidence->row(item), item->checkState() == Qt::Checked);
         }
     });
+}
+
+void CausesPanel::askForTime() {
+    QDialog dialog(window());
+    dialog.setObjectName(QStringLiteral("timeEvidence"));
+    dialog.setWindowTitle(tr("When debris reached a place"));
+    auto* form = new QFormLayout(&dialog);
+    const auto field = [&](const char* name, const QString& label, double least, double most, double value, const QString& unit,
+                           const QString& tip) {
+        auto* box = new QDoubleSpinBox;
+        box->setObjectName(QLatin1String(name));
+        box->setRange(least, most);
+        box->setDecimals(2);
+        box->setValue(value);
+        box->setSuffix(QChar(0x00A0) + unit);
+        box->setToolTip(tip);
+        form->addRow(label, box);
+        return box;
+    };
+    constexpr double far = 1e6;
+    const QString metres = figures::shownUnit("m").name;
+    const double perMetre = figures::shownUnit("m").perSi;
+    auto* time = field("seconds", tr("Time"), 0.0, far, 0.0, tr("s"),
+                       tr("Seconds after the first debris came down anywhere: by a witness, a video, a gauge"));
+    auto* x = field("x", tr("x of the place"), -far, far, 0.0, metres, tr("In the frame of the case"));
+    auto* y = field("y", tr("y of the place"), -far, far, 0.0, metres, tr("In the frame of the case"));
+    auto* radius = field("radius", tr("Within"), 0.01, far, usualTimeRadius * perMetre, metres, tr("Around the place"));
+    auto* accuracy = field("accuracy", tr("Give or take"), 0.0, far, usualTimeAccuracy, tr("s"), tr("How far the time may be off"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Add"));
+    buttons->button(QDialogButtonBox::Ok)->setDefault(true);
+    form->addRow(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    if (dialog.exec() == QDialog::Accepted) {
+        emit timeTold(timeEvidence(time->value(), {typedIn(x->value(), "m"), typedIn(y->value(), "m")},
+                                   typedIn(radius->value(), "m"), accuracy->value()));
+    }
 }
 
 void CausesPanel::setBlind(bool blind) {

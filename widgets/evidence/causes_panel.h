@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <vector>
 
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "widgets/basics/panel.h"
 
 class QCheckBox;
@@ -52,6 +53,8 @@ signals:
     void addFootprintRequested();
     void addHeightsRequested();
     void addSurfaceRequested();
+    /// A time at which debris reached a place was told.
+    void timeTold(const rubble::TimeEvidence& time);
     void evidenceUsed(int evidence, bool used);
     void evidenceRemoved(int evidence);
     void compareRequested();
@@ -60,6 +63,7 @@ signals:
 private:
     void buildCauses();
     void buildEvidence();
+    void askForTime();
     void fill(QListWidget& list, const std::vector<Entry>& entries, const QString& none);
     void showRemovable();
 

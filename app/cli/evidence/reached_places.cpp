@@ -10,9 +10,6 @@ namespace rubble::cli {
 
 namespace {
 
-constexpr double usualRadius = 5.0;    // m
-constexpr double usualAccuracy = 0.5;  // s
-
 /// Finite numbers at commas; empty if one is none.
 std::vector<double> finiteNumbers(const std::string& text) {
     std::vector<double> numbers;
@@ -42,7 +39,7 @@ TimeEvidence parseTimeEvidence(const std::string& text) {
     const std::vector<double> numbers = finiteNumbers(text);
     const auto number = [&](std::size_t i, double otherwise) { return i < numbers.size() ? numbers[i] : otherwise; };
     const TimeEvidence time{
-        "time=" + text, {number(1, 0.0), number(2, 0.0)}, number(3, usualRadius), number(0, 0.0), number(4, usualAccuracy)};
+        "time=" + text, {number(1, 0.0), number(2, 0.0)}, number(3, usualTimeRadius), number(0, 0.0), number(4, usualTimeAccuracy)};
     if (numbers.size() < 3 || numbers.size() > 5 || time.time < 0.0 || !(time.radius > 0.0) || time.accuracy < 0.0) {
         throw wrongValue("--against", "time=" + text,
                          "time=SECONDS,X,Y[,RADIUS[,ACCURACY]]: seconds after the first debris that came down, not below zero, a "
@@ -58,7 +55,7 @@ std::vector<ReachedPlace> reachedPlaces(const Arguments& arguments) {
         if (numbers.size() < 2 || numbers.size() > 3 || (numbers.size() == 3 && !(numbers[2] > 0.0))) {
             throw wrongValue("--reached", text, "X,Y[,RADIUS]: a place in m and a radius above zero in m");
         }
-        places.push_back({{numbers[0], numbers[1]}, numbers.size() == 3 ? numbers[2] : usualRadius});
+        places.push_back({{numbers[0], numbers[1]}, numbers.size() == 3 ? numbers[2] : usualTimeRadius});
     }
     return places;
 }

@@ -43,7 +43,9 @@ std::vector<CaseInput> surveysOf(const Case& theCase) {
 }
 
 bool sameCauses(const CauseOrder& a, const CauseOrder& b) {
-    return a.files == b.files && a.photographs == b.photographs && a.photographed.photographs == b.photographed.photographs &&
+    const auto sameTime = [](const TimeEvidence& x, const TimeEvidence& y) { return x.name == y.name; };
+    return a.files == b.files && std::equal(a.times.begin(), a.times.end(), b.times.begin(), b.times.end(), sameTime) &&
+           a.photographs == b.photographs && a.photographed.photographs == b.photographed.photographs &&
            surveysOf(a.photographed) == surveysOf(b.photographed) && a.photographed.removals == b.photographed.removals &&
            std::equal(
                a.causes.begin(), a.causes.end(), b.causes.begin(), b.causes.end(), [](const StudyCase& x, const StudyCase& y) {
@@ -101,6 +103,7 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
             m_kept.base = m_document.base();
             m_kept.added.clear();
             m_kept.files.clear();
+            m_kept.times.clear();
             m_kept.unticked.clear();
             m_kept.answer.drop();
             showFailure({});
@@ -142,6 +145,7 @@ void CausesDisplay::connectPanel() {
     connect(&m_panel, &widgets::CausesPanel::addFootprintRequested, this, [this] { chooseEvidence(Kind::Footprint); });
     connect(&m_panel, &widgets::CausesPanel::addHeightsRequested, this, [this] { chooseEvidence(Kind::Heights); });
     connect(&m_panel, &widgets::CausesPanel::addSurfaceRequested, this, [this] { chooseEvidence(Kind::Surface); });
+    connect(&m_panel, &widgets::CausesPanel::timeTold, this, &CausesDisplay::addTime);
     connect(&m_panel, &widgets::CausesPanel::causeUsed, this, &CausesDisplay::setCauseUsed);
     connect(&m_panel, &widgets::CausesPanel::evidenceUsed, this, &CausesDisplay::setEvidenceUsed);
     connect(&m_panel, &widgets::CausesPanel::causeRemoved, this, [this](int cause) {
@@ -153,8 +157,12 @@ void CausesDisplay::connectPanel() {
     });
     connect(&m_panel, &widgets::CausesPanel::evidenceRemoved, this, [this](int evidence) {
         const auto place = static_cast<std::size_t>(evidence) - m_document.theCase().photographs.size();
+        const std::size_t timed = place - m_kept.files.size();
         if (place < m_kept.files.size()) {
             m_kept.files.erase(m_kept.files.begin() + static_cast<std::ptrdiff_t>(place));
+            refresh();
+        } else if (timed < m_kept.times.size()) {
+            m_kept.times.erase(m_kept.times.begin() + static_cast<std::ptrdiff_t>(timed));
             refresh();
         }
     });
@@ -222,6 +230,14 @@ void CausesDisplay::addEvidence(io::EvidenceFile::Kind kind, const QStringList& 
     refresh();
 }
 
+void CausesDisplay::addTime(const TimeEvidence& time) {
+    const auto known = [&](const Timed& each) { return each.time.name == time.name; };
+    if (std::none_of(m_kept.times.begin(), m_kept.times.end(), known)) {
+        m_kept.times.push_back({time, true});
+    }
+    refresh();
+}
+
 void CausesDisplay::addEvidence(const QStringList& named) {
     using Kind = io::EvidenceFile::Kind;
     for (const QString& each : named) {
@@ -253,6 +269,8 @@ void CausesDisplay::setEvidenceUsed(int evidence, bool used) {
         used ? static_cast<void>(m_kept.unticked.erase(id)) : static_cast<void>(m_kept.unticked.insert(id));
     } else if (place - photographs.size() < m_kept.files.size()) {
         m_kept.files[place - photographs.size()].used = used;
+    } else if (const std::size_t timed = place - photographs.size() - m_kept.files.size(); timed < m_kept.times.size()) {
+        m_kept.times[timed].used = used;
     }
     refresh();
 }
@@ -300,6 +318,11 @@ CauseOrder CausesDisplay::causeOrder() const {
     for (const File& file : m_kept.files) {
         if (file.used) {
             order.files.push_back(file.file);
+        }
+    }
+    for (const Timed& time : m_kept.times) {
+        if (time.used) {
+            order.times.push_back(time.time);
         }
     }
     order.photographed = m_document.theCase();
@@ -406,6 +429,17 @@ void CausesDisplay::showPanel() {
         const QString path = QString::fromStdString(file.file.path);
         content.evidence.push_back(
             {QStringLiteral("%1: %2").arg(kindWords(file.file.kind), QFileInfo(path).fileName()), path, file.used, true, true});
+    }
+    for (const Timed& each : m_kept.times) {
+        const TimeEvidence& time = each.time;
+        const QString name = tr("%1 s at %2, %3")
+                                 .arg(widgets::shownNumber(time.time, 4), widgets::shownIn(time.place.x(), "m"),
+                                      widgets::shownWith(time.place.y(), "m"));
+        content.evidence.push_back({name,
+                                    tr("Debris came within %1 of this place so long after the first debris that came down "
+                                       "anywhere, give or take %2 s")
+                                        .arg(widgets::shownLength(time.radius), widgets::shownNumber(time.accuracy)),
+                                    each.used, true, true});
     }
     content.available = !m_document.empty();
     content.running = m_work.comparing();

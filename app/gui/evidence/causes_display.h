@@ -35,6 +35,7 @@ public:
     void addEvidence(io::EvidenceFile::Kind kind, const QStringList& paths);
     /// Each as KIND=FILE: footprint, height, surface.
     void addEvidence(const QStringList& named);
+    void addTime(const TimeEvidence& time);
     void compare();
     void setBusy(const QString& why);
     void refresh();
@@ -65,10 +66,15 @@ private:
         io::EvidenceFile file;
         bool used = true;
     };
+    struct Timed {
+        TimeEvidence time;
+        bool used = true;
+    };
     /// What outlives the window.
     struct Kept {
         std::vector<Added> added;
         std::vector<File> files;
+        std::vector<Timed> times;
         std::set<std::string> unticked;  ///< ids of own scenarios and photographs that are not used
         Answer<Compared, MadeComparison> answer;
         QString base;  ///< of the case that is open

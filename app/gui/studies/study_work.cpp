@@ -56,6 +56,7 @@ std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const Study
 CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const io::EnsembleSource& first, MadeComparison& made,
                       const Execution& execution) {
     CauseEvidence evidence;
+    evidence.times = causes.times;
     const EnsembleScene& scene = first.scenes.front();
     io::EvidenceSite site{first.frame, first.theCase.site, {true, scene.scenario.simulation.groundHeight, scene.inputs.terrain}};
     site.groundFile = io::evidenceGround(first);

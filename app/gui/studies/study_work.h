@@ -49,6 +49,7 @@ struct MadeEnsemble {
 struct CauseOrder {
     std::vector<StudyCase> causes;
     std::vector<io::EvidenceFile> files;
+    std::vector<TimeEvidence> times;
     std::vector<std::string> photographs;  ///< ids of inputs of the first case that are to be used
     Case photographed;                     ///< the case that has them, and says what of its surveys is compared
     std::string base;                      ///< file that its inputs are relative to

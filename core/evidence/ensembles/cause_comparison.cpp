@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/analysis/accuracy/interval_fit.h"
+#include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 
@@ -331,6 +333,14 @@ void checkAlike(std::span<const Hypothesis> hypotheses) {
 std::string_view evidenceKindName(EvidenceKind kind) {
     static constexpr std::array<std::string_view, 4> names{"footprint", "heights", "photograph", "time"};
     return names[static_cast<std::size_t>(kind)];
+}
+
+TimeEvidence timeEvidence(double seconds, const Eigen::Vector2d& place, double radius, double accuracy) {
+    std::string name = "time=" + exactNumber(seconds);
+    for (const double number : {place.x(), place.y(), radius, accuracy}) {
+        name += ',' + exactNumber(number);
+    }
+    return {std::move(name), place, radius, seconds, accuracy};
 }
 
 std::string CauseEvidence::name(std::size_t evidence) const {

@@ -42,6 +42,11 @@ struct TimeEvidence {
     double accuracy = 0.0;                            ///< s, plus or minus
 };
 
+inline constexpr double usualTimeRadius = 5.0;    ///< m
+inline constexpr double usualTimeAccuracy = 0.5;  ///< s
+/// Named as the command line has it: "time=3.2,12,0,5,0.5". @param seconds  after the first debris that came down anywhere
+TimeEvidence timeEvidence(double seconds, const Eigen::Vector2d& place, double radius, double accuracy);
+
 /// What hypotheses are held against.
 struct CauseEvidence {
     std::vector<SurfaceEvidence> surfaces;

@@ -11642,6 +11642,22 @@
             <source>{0} does not end in .obj, .ply, .stl, .gltf or .glb, and is no point cloud</source>
             <translation>{0} 不以 .obj、.ply、.stl、.gltf 或 .glb 结尾，也不是点云</translation>
         </message>
+        <message>
+            <source>Open that case, then choose the run again.</source>
+            <translation>请先打开该案例，再选择此次计算。</translation>
+        </message>
+        <message>
+            <source>Put that file there or beside the run, or open the case and choose the run again.</source>
+            <translation>请将该文件放回原处或放在计算文件旁，或打开案例后再选择此次计算。</translation>
+        </message>
+        <message>
+            <source>The run {0} was made from {1}, which is not there</source>
+            <translation>计算 {0} 由 {1} 得出，但该文件不在那里</translation>
+        </message>
+        <message>
+            <source>The run {0} was made in a case that says how {1} is read</source>
+            <translation>计算 {0} 是在规定了如何读取 {1} 的案例中得出的</translation>
+        </message>
     </context>
     <context>
         <name>options</name>
@@ -12658,19 +12674,19 @@
     <context>
         <name>rubble::CameraKeys</name>
         <message>
-            <source>camera key at %1 s</source>
-            <translation>%1 s 处的相机关键帧</translation>
-        </message>
-        <message>
             <source>camera key removed</source>
             <translation>相机关键帧已删除</translation>
+        </message>
+        <message>
+            <source>camera key at %1</source>
+            <translation>%1 处的相机关键帧</translation>
         </message>
     </context>
     <context>
         <name>rubble::CameraOverlay</name>
         <message>
-            <source>simulation, %1 s</source>
-            <translation>模拟，%1 s</translation>
+            <source>simulation, %1</source>
+            <translation>模拟，%1</translation>
         </message>
     </context>
     <context>
@@ -12861,6 +12877,14 @@
         <message>
             <source>GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)</source>
             <translation>GeoTIFF (*.tif);;表格 (*.csv);;图像 (*.png)</translation>
+        </message>
+        <message>
+            <source>%1 s at %2, %3</source>
+            <translation>%1 s，位于 %2、%3</translation>
+        </message>
+        <message>
+            <source>Debris came within %1 of this place so long after the first debris that came down anywhere, give or take %2 s</source>
+            <translation>自任何地方首次落下堆积物起经过这段时间后，堆积物到达距此处 %1 以内，误差 %2 s</translation>
         </message>
     </context>
     <context>
@@ -13191,10 +13215,6 @@
             <translation>视图 (*.json);;所有文件 (*)</translation>
         </message>
         <message>
-            <source>Cases, FE results and figures of them (*);;Cases (*.rubble)</source>
-            <translation>案例、有限元结果及其图片 (*);;案例 (*.rubble)</translation>
-        </message>
-        <message>
             <source>Fragments as glTF</source>
             <translation>glTF 格式的碎块</translation>
         </message>
@@ -13253,6 +13273,10 @@
         <message>
             <source>Meshes and point clouds (*.obj *.ply *.stl *.gltf *.glb *.las *.laz *.e57 *.pcd *.ptx *.pts);;All files (*)</source>
             <translation>网格和点云 (*.obj *.ply *.stl *.gltf *.glb *.las *.laz *.e57 *.pcd *.ptx *.pts);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Cases, FE results, runs and figures of them (*);;Cases (*.rubble);;Runs (*.run.h5)</source>
+            <translation>案例、有限元结果、计算及其图片 (*);;案例 (*.rubble);;计算 (*.run.h5)</translation>
         </message>
     </context>
     <context>
@@ -14021,12 +14045,12 @@
             <translation>正在模拟。</translation>
         </message>
         <message>
-            <source>Cancelled at %1 s after %2; what is computed is kept</source>
-            <translation>在 %1 s 处取消，耗时 %2；已计算的内容保留</translation>
-        </message>
-        <message>
             <source>Measured falls are being simulated.</source>
             <translation>正在模拟实测的下落。</translation>
+        </message>
+        <message>
+            <source>Cancelled at %1 after %2; what is computed is kept</source>
+            <translation>在 %1 处取消，耗时 %2；已计算的内容保留</translation>
         </message>
     </context>
     <context>
@@ -14343,14 +14367,6 @@
     <context>
         <name>rubble::TimelineDisplay</name>
         <message>
-            <source>bookmark at %1 s</source>
-            <translation>%1 s 处的书签</translation>
-        </message>
-        <message>
-            <source>Bookmark at %1 s</source>
-            <translation>位于 %1 s 的书签</translation>
-        </message>
-        <message>
             <source>bookmark “%1”</source>
             <translation>书签“%1”</translation>
         </message>
@@ -14361,6 +14377,14 @@
         <message>
             <source>bookmark “%1” removed</source>
             <translation>书签“%1”已删除</translation>
+        </message>
+        <message>
+            <source>bookmark at %1</source>
+            <translation>%1 处的书签</translation>
+        </message>
+        <message>
+            <source>Bookmark at %1</source>
+            <translation>位于 %1 的书签</translation>
         </message>
     </context>
     <context>
@@ -17276,10 +17300,6 @@
             <translation>时间</translation>
         </message>
         <message>
-            <source>s</source>
-            <translation>s</translation>
-        </message>
-        <message>
             <source>Units</source>
             <translation>单位</translation>
         </message>
@@ -17425,10 +17445,6 @@ What the file fits: %2.</source>
         <message>
             <source>Forward one state</source>
             <translation>前进一个状态</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
         </message>
     </context>
     <context>
@@ -17768,10 +17784,6 @@ What the file fits: %2.</source>
             <translation>现场所见</translation>
         </message>
         <message>
-            <source>Evidence that is ticked counts: footprints, surveyed heights, and photographs of this case taken at rest with an outline of the debris</source>
-            <translation>所勾选的证据计入：覆盖范围、测量高度，以及本案例静止后拍摄并绘有堆积物轮廓的照片</translation>
-        </message>
-        <message>
             <source>Footprint, polygons…</source>
             <translation>覆盖范围，多边形…</translation>
         </message>
@@ -17802,6 +17814,62 @@ What the file fits: %2.</source>
         <message>
             <source>none: a blind test</source>
             <translation>无：进行盲测</translation>
+        </message>
+        <message>
+            <source>Evidence that is ticked counts: footprints, surveyed heights, times at which debris reached a place, and photographs of this case taken at rest with an outline of the debris</source>
+            <translation>所勾选的证据计入：覆盖范围、测量高度、堆积物到达某处的时刻，以及本案例静止后拍摄并绘有堆积物轮廓的照片</translation>
+        </message>
+        <message>
+            <source>Time at which debris reached a place…</source>
+            <translation>堆积物到达某处的时刻…</translation>
+        </message>
+        <message>
+            <source>When debris reached a place</source>
+            <translation>堆积物何时到达某处</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>Seconds after the first debris came down anywhere: by a witness, a video, a gauge</source>
+            <translation>自任何地方首次落下堆积物起的秒数：来自目击者、录像或仪表</translation>
+        </message>
+        <message>
+            <source>x of the place</source>
+            <translation>该处的 x</translation>
+        </message>
+        <message>
+            <source>In the frame of the case</source>
+            <translation>在案例的坐标框架中</translation>
+        </message>
+        <message>
+            <source>y of the place</source>
+            <translation>该处的 y</translation>
+        </message>
+        <message>
+            <source>Within</source>
+            <translation>范围</translation>
+        </message>
+        <message>
+            <source>Around the place</source>
+            <translation>该处周围</translation>
+        </message>
+        <message>
+            <source>Give or take</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>How far the time may be off</source>
+            <translation>时间可能的偏差</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>添加</translation>
         </message>
     </context>
     <context>
@@ -18914,10 +18982,6 @@ What the file fits: %2.</source>
             <translation>此后有更改：请重新比较。</translation>
         </message>
         <message>
-            <source>Debris at %1 s, %2.</source>
-            <translation>%1 s 时的堆积物，%2。</translation>
-        </message>
-        <message>
             <source>fallen structure with it</source>
             <translation>含坠落结构</translation>
         </message>
@@ -18964,6 +19028,10 @@ What the file fits: %2.</source>
         <message>
             <source>Agreement with the photograph</source>
             <translation>与照片的吻合程度</translation>
+        </message>
+        <message>
+            <source>Debris at %1, %2.</source>
+            <translation>%1 时的堆积物，%2。</translation>
         </message>
     </context>
     <context>
@@ -19312,16 +19380,8 @@ What the file fits: %2.</source>
             <translation>质量</translation>
         </message>
         <message>
-            <source>t</source>
-            <translation>t</translation>
-        </message>
-        <message>
             <source>Mass, from to</source>
             <translation>质量范围</translation>
-        </message>
-        <message>
-            <source>kg</source>
-            <translation>kg</translation>
         </message>
         <message>
             <source>Fastest at hand-over</source>
@@ -19342,10 +19402,6 @@ What the file fits: %2.</source>
         <message>
             <source>First</source>
             <translation>首次</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
         </message>
         <message>
             <source>Last</source>
@@ -19372,8 +19428,8 @@ What the file fits: %2.</source>
             <translation>打开结果：其失效单元将作为碎块显示在此。</translation>
         </message>
         <message>
-            <source>%1 at %2 s</source>
-            <translation>%2 s 时 %1 个</translation>
+            <source>%1 at %2</source>
+            <translation>%2 时 %1 个</translation>
         </message>
     </context>
     <context>
@@ -19570,20 +19626,8 @@ What the file fits: %2.</source>
     <context>
         <name>rubble::widgets::HealthList</name>
         <message>
-            <source>at %1 s</source>
-            <translation>在 %1 s</translation>
-        </message>
-        <message>
-            <source>%1–%2 s</source>
-            <translation>%1–%2 s</translation>
-        </message>
-        <message>
             <source>%1 bodies at worst</source>
             <translation>最差时 %1 个刚体</translation>
-        </message>
-        <message>
-            <source> at %1 s</source>
-            <translation> 于 %1 s</translation>
         </message>
         <message>
             <source>worst %1%2, limit %3</source>
@@ -19638,10 +19682,6 @@ What the file fits: %2.</source>
             <translation>由 %1 确认，%2</translation>
         </message>
         <message>
-            <source>Show %1 s</source>
-            <translation>显示 %1 s</translation>
-        </message>
-        <message>
             <source>Show %1, %2</source>
             <translation>显示 %1，%2</translation>
         </message>
@@ -19684,6 +19724,22 @@ What the file fits: %2.</source>
         <message>
             <source>Go to the worst of its times</source>
             <translation>转到其中最差的一次</translation>
+        </message>
+        <message>
+            <source>at %1</source>
+            <translation>在 %1</translation>
+        </message>
+        <message>
+            <source>%1–%2</source>
+            <translation>%1–%2</translation>
+        </message>
+        <message>
+            <source> at %1</source>
+            <translation> 于 %1</translation>
+        </message>
+        <message>
+            <source>Show %1</source>
+            <translation>显示 %1</translation>
         </message>
     </context>
     <context>
@@ -19733,10 +19789,6 @@ What the file fits: %2.</source>
             <translation>其中还没有碎块开始运动。</translation>
         </message>
         <message>
-            <source>%1 s: %2 of fragments, %3 in the mean, %4 the fastest</source>
-            <translation>%1 s：碎块 %2，平均 %3，最快 %4</translation>
-        </message>
-        <message>
             <source>%1; at %2; kinetic %3, potential %4</source>
             <translation>%1；高 %2；动能 %3，势能 %4</translation>
         </message>
@@ -19747,6 +19799,10 @@ What the file fits: %2.</source>
         <message>
             <source>History of %1</source>
             <translation>%1 的时程</translation>
+        </message>
+        <message>
+            <source>%1: %2 of fragments, %3 in the mean, %4 the fastest</source>
+            <translation>%1：碎块 %2，平均 %3，最快 %4</translation>
         </message>
     </context>
     <context>
@@ -19995,10 +20051,6 @@ What the file fits: %2.</source>
             <translation>最终位置 x、y、z</translation>
         </message>
         <message>
-            <source>Centre of mass at %1 s</source>
-            <translation>%1 s 时的质心</translation>
-        </message>
-        <message>
             <source>moved in plan</source>
             <translation>平面移动</translation>
         </message>
@@ -20043,10 +20095,6 @@ What the file fits: %2.</source>
             <translation>误差</translation>
         </message>
         <message>
-            <source>Distance from where the reference has it at %1 s</source>
-            <translation>%1 s 时与基准位置的距离</translation>
-        </message>
-        <message>
             <source>Impacts</source>
             <translation>撞击</translation>
         </message>
@@ -20065,10 +20113,6 @@ What the file fits: %2.</source>
         <message>
             <source>Together</source>
             <translation>合计</translation>
-        </message>
-        <message>
-            <source>t</source>
-            <translation>t</translation>
         </message>
         <message>
             <source>dead now</source>
@@ -20115,10 +20159,6 @@ What the file fits: %2.</source>
             <translation>没有任何一次使其速度变化超过 %1。</translation>
         </message>
         <message>
-            <source>%1 s   %2   %3</source>
-            <translation>%1 s   %2   %3</translation>
-        </message>
-        <message>
             <source>Go to this hit: its time, the speed just before, the kinetic energy of the centre just before; the velocity changed by %1</source>
             <translation>转到该次撞击：时刻、撞击前的速度、撞击前质心的动能；速度变化 %1</translation>
         </message>
@@ -20129,10 +20169,6 @@ What the file fits: %2.</source>
         <message>
             <source>Height of its end above its birth</source>
             <translation>终点高出产生处的高度</translation>
-        </message>
-        <message>
-            <source>Carried by the engine since %1 s, in a loose island.</source>
-            <translation>自 %1 s 起由引擎带动，属于一个松散的孤立部分。</translation>
         </message>
         <message>
             <source>%1 (assumed)</source>
@@ -20149,6 +20185,26 @@ What the file fits: %2.</source>
         <message>
             <source>Say what the component is made of; friction, bounce and break-up follow from it. Ctrl+Z takes it back</source>
             <translation>指定构件的材料；摩擦、回弹和破碎由此确定。Ctrl+Z 可撤销</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>Carried by the engine since %1, in a loose island.</source>
+            <translation>自 %1 起由引擎带动，属于一个松散的孤立部分。</translation>
+        </message>
+        <message>
+            <source>Centre of mass at %1</source>
+            <translation>%1 时的质心</translation>
+        </message>
+        <message>
+            <source>Distance from where the reference has it at %1</source>
+            <translation>%1 时与基准位置的距离</translation>
+        </message>
+        <message>
+            <source>%1   %2   %3</source>
+            <translation>%1   %2   %3</translation>
         </message>
     </context>
     <context>
@@ -20537,14 +20593,6 @@ What the file fits: %2.</source>
             <translation>份额</translation>
         </message>
         <message>
-            <source>first, s</source>
-            <translation>最初，s</translation>
-        </message>
-        <message>
-            <source>last, s</source>
-            <translation>最后，s</translation>
-        </message>
-        <message>
             <source>Share of the component's mass in dead elements</source>
             <translation>失效单元占构件质量的份额</translation>
         </message>
@@ -20579,6 +20627,14 @@ What the file fits: %2.</source>
         <message>
             <source>Nothing odd was found.</source>
             <translation>未发现异常。</translation>
+        </message>
+        <message>
+            <source>first</source>
+            <translation>最初</translation>
+        </message>
+        <message>
+            <source>last</source>
+            <translation>最后</translation>
         </message>
     </context>
     <context>
@@ -20774,20 +20830,12 @@ What the file fits: %2.</source>
             <translation>质量</translation>
         </message>
         <message>
-            <source>t</source>
-            <translation>t</translation>
-        </message>
-        <message>
             <source>Of all elements, by the densities of their components</source>
             <translation>全部单元的质量，按其构件的密度</translation>
         </message>
         <message>
             <source>Time</source>
             <translation>时间</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
         </message>
         <message>
             <source>First and last state</source>
@@ -21985,10 +22033,6 @@ What the file fits: %2.</source>
     <context>
         <name>rubble::widgets::RunList</name>
         <message>
-            <source>cancelled at %1 s</source>
-            <translation>在 %1 s 取消</translation>
-        </message>
-        <message>
             <source>sound</source>
             <translation>正常</translation>
         </message>
@@ -22063,6 +22107,10 @@ Program: %3</source>
         <message>
             <source>%1 is not there any more, so it cannot be shown.</source>
             <translation>%1 已不存在，无法显示。</translation>
+        </message>
+        <message>
+            <source>cancelled at %1</source>
+            <translation>在 %1 取消</translation>
         </message>
     </context>
     <context>
@@ -22277,10 +22325,6 @@ Program: %3</source>
         <message>
             <source>The end</source>
             <translation>结束</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
         </message>
         <message>
             <source>When 99 % of the bodies slept, or the settle time was over</source>
@@ -23648,10 +23692,6 @@ Program: %3</source>
             <translation>已计算</translation>
         </message>
         <message>
-            <source>%1 from %2 to %3 s</source>
-            <translation>%1，从 %2 到 %3 s</translation>
-        </message>
-        <message>
             <source>Limits passed: %1</source>
             <translation>超过限值：%1</translation>
         </message>
@@ -23694,10 +23734,6 @@ Program: %3</source>
 %2；双击可更改</translation>
         </message>
         <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-        <message>
             <source>events</source>
             <translation>事件</translation>
         </message>
@@ -23714,6 +23750,10 @@ Program: %3</source>
         <message>
             <source>in islands</source>
             <translation>在孤立部分中</translation>
+        </message>
+        <message>
+            <source>%1 from %2 to %3</source>
+            <translation>%1，从 %2 到 %3</translation>
         </message>
     </context>
     <context>
@@ -23802,14 +23842,6 @@ Program: %3</source>
             <translation>回放速率</translation>
         </message>
         <message>
-            <source>of %1 s</source>
-            <translation>共 %1 s</translation>
-        </message>
-        <message>
-            <source>FE ends at %1 s</source>
-            <translation>有限元在 %1 s 结束</translation>
-        </message>
-        <message>
             <source>Pause (Space)</source>
             <translation>暂停（空格）</translation>
         </message>
@@ -23848,6 +23880,14 @@ Program: %3</source>
         <message>
             <source>Play backwards (Shift+Space)</source>
             <translation>倒放（Shift+空格）</translation>
+        </message>
+        <message>
+            <source>of %1</source>
+            <translation>共 %1</translation>
+        </message>
+        <message>
+            <source>FE ends at %1</source>
+            <translation>有限元在 %1 结束</translation>
         </message>
     </context>
     <context>

@@ -359,6 +359,16 @@ std::vector<UnitFit> fitUnits(const UnitEvidence& evidence) {
     return fits;
 }
 
+const UnitFit* betterFit(const std::vector<UnitFit>& fits, const UnitSystem* now) {
+    if (fits.empty() || fits.front().score <= 0.0) {
+        return nullptr;
+    }
+    const bool asGood = std::any_of(fits.begin(), fits.end(), [&](const UnitFit& fit) {
+        return fit.system == now && fit.score > fits.front().score - clearlyBetter;
+    });
+    return asGood ? nullptr : &fits.front();
+}
+
 Proposal proposeUnits(const UnitEvidence& evidence) {
     const std::vector<UnitFit> fits = fitUnits(evidence);
     const UnitFit& best = fits.front();

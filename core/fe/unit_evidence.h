@@ -57,6 +57,10 @@ UnitEvidence evidenceInFile(UnitEvidence evidence, const FileUnits& units, const
 /// All systems, the best fit first; of equals in the order of unitSystems().
 std::vector<UnitFit> fitUnits(const UnitEvidence& evidence);
 
+/// The fit to read a file in that nobody has said anything of: the best one, if it fits clearly better than the system that the
+/// file is read in now. Null: no known system fits, or the present one does as well.
+const UnitFit* betterFit(const std::vector<UnitFit>& fits, const UnitSystem* now);
+
 /// The system that fits clearly better than any other; else its rivals are named in the reason.
 Proposal proposeUnits(const UnitEvidence& evidence);
 

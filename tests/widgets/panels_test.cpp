@@ -7,6 +7,7 @@
 #include <QTableWidget>
 #include <QTest>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <map>
 
 #include "core/analysis/accuracy/loose_beside.h"
@@ -431,6 +432,31 @@ TEST(StatusLine, FiguresWithoutAValueAreNotShown) {
     EXPECT_EQ(line.activityText(), QStringLiteral("Simulating"));
     line.setActivity({});
     EXPECT_EQ(line.activityText(), QStringLiteral("Saved"));
+}
+
+TEST(StatusLine, NeverAsksForMoreThanItHas) {
+    using Figure = StatusLine::Figure;
+    StatusLine line;
+    line.resize(1900, 30);
+    line.show();
+    for (const auto& [figure, name] : {std::pair(Figure::Playback, "Playback"), std::pair(Figure::Bodies, "Bodies"),
+                                       std::pair(Figure::Health, "Health"), std::pair(Figure::Memory, "Memory")}) {
+        line.setFigure(figure, QLatin1String(name), QStringLiteral("1,234 of something"), QStringLiteral("5,678 of it"));
+    }
+    const auto shows = [&](const char* name) {
+        const auto labels = line.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return !label->isHidden() && label->text().startsWith(QLatin1String(name));
+        });
+    };
+    line.setActivity(QStringLiteral("Simulating, 4,458 bodies at 19.50 s · about 1 min 05 s left"), 0.5);
+    EXPECT_TRUE(shows("Playback") && shows("Memory"));
+    line.resize(900, 30);
+    EXPECT_LE(line.minimumSizeHint().width(), 900);
+    EXPECT_FALSE(shows("Playback")) << "what can be missed goes first";
+    EXPECT_FALSE(line.figureText(Figure::Playback).isEmpty());
+    line.resize(1900, 30);
+    EXPECT_TRUE(shows("Playback")) << "and comes back";
 }
 
 }  // namespace rubble::widgets

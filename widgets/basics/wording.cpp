@@ -160,6 +160,17 @@ QString shownEnergy(double joules) {
     return shownNumber(joules) + QChar(0x00A0) + QLatin1String(units[unit]);
 }
 
+QString shownMass(double kilograms, int significant) {
+    if (std::abs(kilograms) >= 1000.0) {
+        return shownWith(kilograms / 1000.0, "t", significant);
+    }
+    if (figures::unitSet() != figures::UnitSet::Si || std::abs(kilograms) >= 1.0 || kilograms == 0.0) {
+        return shownWith(kilograms, "kg", significant);
+    }
+    const bool grams = std::abs(kilograms) >= 1e-3;
+    return shownNumber(kilograms * (grams ? 1e3 : 1e6), significant) + QChar(0x00A0) + QLatin1String(grams ? "g" : "mg");
+}
+
 QString shownCount(std::int64_t value) {
     return QLocale().toString(static_cast<qlonglong>(value));
 }

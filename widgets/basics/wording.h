@@ -31,6 +31,8 @@ QString shownPlace(double metres, int decimals = 2);
 double typedIn(double shown, std::string_view unit);
 /// An energy in the unit that keeps its number readable: "7.89 GJ".
 QString shownEnergy(double joules);
+/// A mass in the unit that keeps its number readable: "65,870 t", "591 g".
+QString shownMass(double kilograms, int significant = 3);
 /// A whole number with the locale's grouping.
 QString shownCount(std::int64_t value);
 /// A share as percent: "98.4 %".

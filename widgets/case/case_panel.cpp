@@ -12,6 +12,7 @@
 #include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
@@ -82,7 +83,7 @@ void CasePanel::buildFile() {
     m_dead = file->addValue(tr("Deactivated"), {}, tr("Inactive at the last state and active before"));
     m_nodes = file->addValue(tr("Nodes"));
     m_states = file->addValue(tr("States"));
-    m_span = file->addValue(tr("Time"), tr("s"));
+    m_span = file->addValue(tr("Time"));
     m_units = file->addValue(tr("Units"), {}, tr("What the file was taken to count in; chosen below"));
     m_flag = file->addValue(tr("Active flag"), {}, tr("How the file says which elements are active"));
     m_terrain = file->addValue(tr("Terrain"), {}, tr("What debris falls on; Terrain… in the Case menu chooses it"));
@@ -206,8 +207,7 @@ void CasePanel::showFile(const FeResult* fe) {
     m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
     m_nodes->setText(shownCount(static_cast<std::int64_t>(fe->mesh().nodeCount())));
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
-    m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
-                                                  QLocale().toString(fe->times().back(), 'f', 2)));
+    m_span->setText(QStringLiteral("%1 – %2").arg(figures::timeText(fe->times().front()), figures::timeText(fe->times().back())));
     showUnits(c);
     // What is in brackets says how it was recognised: the tip has room for that.
     m_flag->setText(spokenText(c.activityFrom.substr(0, c.activityFrom.find(" ("))));

@@ -10,6 +10,7 @@
 
 #include "widgets/basics/icons.h"
 #include "widgets/basics/theme.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -159,7 +160,7 @@ void CasePreview::step(int states) {
 void CasePreview::showTime() {
     m_views->setTime(m_clock.time());
     m_timeline->setTime(m_clock.time());
-    m_time->setText(tr("%1 s").arg(QLocale().toString(m_clock.time(), 'f', 2)));
+    m_time->setText(figures::timeText(m_clock.time()));
 }
 
 }  // namespace rubble::widgets

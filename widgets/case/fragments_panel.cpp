@@ -6,6 +6,7 @@
 #include <map>
 
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -13,14 +14,14 @@ FragmentsPanel::FragmentsPanel(QWidget* parent)
     : Panel(tr("Fragments"), tr("What became debris, when, and with which mass."), parent), m_findings(new FindingList) {
     PanelGroup* debris = addGroup(tr("Debris"));
     m_count = debris->addValue(tr("Fragments"), {}, tr("Deactivated elements, each one rigid fragment"));
-    m_mass = debris->addValue(tr("Mass"), tr("t"));
-    m_smallest = debris->addValue(tr("Mass, from to"), tr("kg"));
+    m_mass = debris->addValue(tr("Mass"));
+    m_smallest = debris->addValue(tr("Mass, from to"));
     m_fastest = debris->addValue(tr("Fastest at hand-over"), tr("m/s"));
     m_note = debris->addNote({});
     PanelGroup* births = addGroup(tr("Births"));
     m_births = births->addValue(tr("Birth times"));
-    m_first = births->addValue(tr("First"), tr("s"));
-    m_last = births->addValue(tr("Last"), tr("s"));
+    m_first = births->addValue(tr("First"));
+    m_last = births->addValue(tr("Last"));
     m_largestBirth = births->addValue(tr("Most at once"), {}, tr("Most fragments with one birth time"));
     addRemaining(Stage::Fragments, tr("How elements become fragments"));
     addWide(m_findings);
@@ -55,13 +56,13 @@ void FragmentsPanel::setContent(const std::shared_ptr<const FragmentSet>& fragme
     const auto most =
         std::max_element(births.begin(), births.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     m_count->setText(shownCount(static_cast<std::int64_t>(fragments->size())));
-    m_mass->setText(shownIn(mass / 1000.0, "t", 4));
-    m_smallest->setText(QStringLiteral("%1 – %2").arg(shownIn(light->mass, "kg"), shownIn(heavy->mass, "kg")));
+    m_mass->setText(shownMass(mass, 4));
+    m_smallest->setText(QStringLiteral("%1 – %2").arg(shownMass(light->mass), shownMass(heavy->mass)));
     m_fastest->setText(shownIn(speed, "m/s"));
     m_births->setText(shownCount(static_cast<std::int64_t>(births.size())));
-    m_first->setText(QLocale().toString(births.begin()->first, 'f', 2));
-    m_last->setText(QLocale().toString(births.rbegin()->first, 'f', 2));
-    m_largestBirth->setText(tr("%1 at %2 s").arg(shownCount(most->second), QLocale().toString(most->first, 'f', 2)));
+    m_first->setText(figures::timeText(births.begin()->first));
+    m_last->setText(figures::timeText(births.rbegin()->first));
+    m_largestBirth->setText(tr("%1 at %2").arg(shownCount(most->second), figures::timeText(most->first)));
     m_note->hide();
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -26,7 +27,7 @@ QTableWidgetItem* cell(const QString& text, bool number) {
 }
 
 QString instant(const std::optional<double>& time) {
-    return time ? QLocale().toString(*time, 'f', 2) : QString(QChar(0x2013));
+    return time ? figures::timeText(*time) : QString(QChar(0x2013));
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ NewCaseDeaths::NewCaseDeaths(QWidget* parent)
 }
 
 void NewCaseDeaths::buildTable() {
-    m_table->setHorizontalHeaderLabels({tr("component"), tr("dead"), tr("of it"), tr("first, s"), tr("last, s")});
+    m_table->setHorizontalHeaderLabels({tr("component"), tr("dead"), tr("of it"), tr("first"), tr("last")});
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
     m_table->horizontalHeader()->setFont(headingFont());

@@ -10,6 +10,7 @@
 #include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -53,8 +54,8 @@ NewCaseUnits::NewCaseUnits(QWidget* parent)
     axes->addWide(m_takeAxis);
     PanelGroup* then = addGroup(tr("What follows from that"));
     m_size = then->addValue(tr("Structure"), tr("m"), tr("Length, width and height at rest, along x, y and z"));
-    m_mass = then->addValue(tr("Mass"), tr("t"), tr("Of all elements, by the densities of their components"));
-    m_span = then->addValue(tr("Time"), tr("s"), tr("First and last state"));
+    m_mass = then->addValue(tr("Mass"), {}, tr("Of all elements, by the densities of their components"));
+    m_span = then->addValue(tr("Time"), {}, tr("First and last state"));
     m_states = then->addValue(tr("States"));
     m_elements = then->addValue(tr("Elements"));
     m_format = then->addValue(tr("Format"));
@@ -118,11 +119,8 @@ void NewCaseUnits::setContent(const FeResult* fe, double mass) {
     const Vec3 size = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
     m_size->setText(
         QStringLiteral("%1 × %2 × %3").arg(shownIn(size.x(), "m", 4), shownIn(size.y(), "m", 4), shownIn(size.z(), "m", 4)));
-    m_mass->setText(shownIn(mass / 1000.0, "t", 4));
-    // A blast of microseconds is no row of zeros.
-    const bool brief = fe->times().back() - fe->times().front() < 0.1;
-    const auto instant = [brief](double time) { return brief ? shownNumber(time, 4) : QLocale().toString(time, 'f', 2); };
-    m_span->setText(QStringLiteral("%1 – %2").arg(instant(fe->times().front()), instant(fe->times().back())));
+    m_mass->setText(std::isnan(mass) ? none : shownMass(mass, 4));
+    m_span->setText(QStringLiteral("%1 – %2").arg(figures::timeText(fe->times().front()), figures::timeText(fe->times().back())));
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
     m_format->setText(spokenText(contents.format));
@@ -145,7 +143,8 @@ void NewCaseUnits::showProposals() {
     const auto show = [](Notice& notice, QPushButton& button, const Proposal& proposal, const std::string& taken,
                          const QString& offer) {
         const bool open = !proposal.choice.empty() && proposal.choice != taken;
-        notice.set(open ? Notice::Kind::Finding : Notice::Kind::Note,
+        const bool undecided = proposal.reason.id == "units.ambiguous" || proposal.reason.id == "units.none";
+        notice.set(open || undecided ? Notice::Kind::Finding : Notice::Kind::Note,
                    proposal.reason.pattern.empty() ? QString() : worded(proposal.reason));
         button.setVisible(open);
         button.setText(offer.arg(QString::fromStdString(proposal.choice)));
@@ -186,7 +185,7 @@ void NewCaseUnits::showFits() {
     for (int row = 0; row < rows; ++row) {
         height += m_fits->rowHeight(row);
     }
-    m_fits->setFixedHeight(std::min(height, 260));
+    m_fits->setFixedHeight(std::min(height, 300));
 }
 
 }  // namespace rubble::widgets

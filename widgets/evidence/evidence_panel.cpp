@@ -21,6 +21,7 @@
 #include "widgets/evidence/photo_pairs.h"
 #include "widgets/evidence/photo_view.h"
 #include "widgets/evidence/survey_box.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/run/caution_words.h"
 
@@ -454,8 +455,8 @@ void EvidencePanel::showAgreement() {
         m_agreement->set(Notice::Kind::Note, tr("Something has changed since: compare again."));
     } else if (made) {
         m_agreement->set(cautions.isEmpty() ? Notice::Kind::Note : Notice::Kind::Finding,
-                         tr("Debris at %1 s, %2.")
-                             .arg(QLocale().toString(made->time, 'f', 2),
+                         tr("Debris at %1, %2.")
+                             .arg(figures::timeText(made->time),
                                   made->withFallen ? tr("fallen structure with it") : tr("fallen structure apart")),
                          cautions);
     } else {

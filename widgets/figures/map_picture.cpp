@@ -153,6 +153,7 @@ private:
         m_field = QRectF(left, m_line, m_legend.left() - left - m_line, m_style.pixels.height() - foot - m_line - 2.2 * m_small);
         const double columns = 1.04 * m_window.columns();
         const double rows = 1.04 * m_window.rows();
+        layOutBelow(left, foot, columns, rows);
         m_cellPixels = std::min(m_field.width() / columns, m_field.height() / rows);
         const QPointF middle = m_field.center();
         const double width = m_cellPixels * m_window.columns();
@@ -160,6 +161,23 @@ private:
         m_cells = QRectF(middle.x() - 0.5 * width, middle.y() - 0.5 * height, width, height);
         const double margin = 0.02 * std::max(width, height);
         m_frame = m_cells.adjusted(-margin, -margin, margin, margin).intersected(m_field);
+    }
+
+    /// In a narrow picture a map that lies across has the whole width, and its legend stands below.
+    void layOutBelow(double left, double foot, double columns, double rows) {
+        constexpr double narrow = 50.0;       // lines
+        constexpr double legendLines = 16.0;  // of the column that the legend is
+        constexpr double worth = 1.25;        // times as large
+        const double wide = m_style.pixels.width() - left - m_line;
+        const double tall = m_field.height() - legendLines * m_line;
+        const double beside = std::min(m_field.width() / columns, m_field.height() / rows);
+        const double below = std::min(wide / columns, tall / rows);
+        if (m_style.pixels.width() > narrow * m_line || below < worth * beside) {
+            return;
+        }
+        m_field = QRectF(left, m_line, wide, below * rows);
+        const double top = m_field.bottom() + 2.2 * m_small + m_line;
+        m_legend = QRectF(left, top, wide, std::min(m_style.pixels.height() - foot - top, legendLines * m_line));
     }
 
     QColor cellColour(std::size_t c) const {

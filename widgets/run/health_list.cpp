@@ -16,6 +16,7 @@
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/run/caution_words.h"
 
@@ -23,13 +24,13 @@ namespace rubble::widgets {
 
 namespace {
 
-QString hundredths(double time) {
-    return QLocale().toString(time, 'f', 2);
-}
-
 QString interval(const HealthBreach& breach) {
-    return breach.to - breach.from < 0.005 ? HealthList::tr("at %1 s").arg(hundredths(breach.from))
-                                           : HealthList::tr("%1–%2 s").arg(hundredths(breach.from), hundredths(breach.to));
+    const double unit = figures::briefUnit();
+    if (breach.to - breach.from < 0.005 * unit) {
+        return HealthList::tr("at %1").arg(figures::timeText(breach.from));
+    }
+    const QString from = unit < 1.0 ? figures::timeText(breach.from) : QLocale().toString(breach.from, 'f', 2);
+    return HealthList::tr("%1–%2").arg(from, figures::timeText(breach.to));
 }
 
 /// Messages are parts of sentences; here they stand alone.
@@ -59,7 +60,8 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
 }
 
 QString against(const HealthBreach& breach) {
-    const QString when = std::isfinite(breach.worstAt) ? HealthList::tr(" at %1 s").arg(hundredths(breach.worstAt)) : QString();
+    const QString when =
+        std::isfinite(breach.worstAt) ? HealthList::tr(" at %1").arg(figures::timeText(breach.worstAt)) : QString();
     return HealthList::tr("worst %1%2, limit %3")
         .arg(worded(healthMeasure(breach.check, breach.worst)), when, worded(healthMeasure(breach.check, breach.limit)));
 }
@@ -260,7 +262,7 @@ void HealthList::showBreaches(const Content& content) {
         words->setObjectName(QStringLiteral("breach"));
         row->addWidget(words);
         addRemedy(*row, breach, content);
-        auto* show = new QPushButton(tr("Show %1 s").arg(hundredths(breach.from)));
+        auto* show = new QPushButton(tr("Show %1").arg(figures::timeText(breach.from)));
         show->setToolTip(breach.body ? tr("Go to the worst of its times and point out the body")
                                      : tr("Go to the worst of its times"));
         show->setAccessibleName(tr("Show %1, %2").arg(titleOf(breach), times(limit, breaches)));

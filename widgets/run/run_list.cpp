@@ -12,6 +12,7 @@
 
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -25,7 +26,7 @@ QString shownTime(const RunEntry& run) {
 }  // namespace
 
 QString runVerdict(const RunEntry& run) {
-    return !run.complete       ? RunList::tr("cancelled at %1 s").arg(QLocale().toString(run.endTime, 'f', 2))
+    return !run.complete       ? RunList::tr("cancelled at %1").arg(figures::timeText(run.endTime))
            : run.breaches == 0 ? RunList::tr("sound")
            : run.breaches == 1 ? RunList::tr("1 limit passed")
                                : RunList::tr("%1 limits passed").arg(shownCount(run.breaches));

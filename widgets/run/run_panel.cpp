@@ -9,6 +9,7 @@
 #include "core/evidence/cautions.h"
 #include "core/simulation/effects/held_islands.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/run/effects_panel.h"
 
 namespace rubble::widgets {
@@ -103,7 +104,7 @@ void RunPanel::buildOutcome() {
                                   tr("Bodies that moved at one recorded instant; the others cost next to nothing"));
     m_asleep = m_outcome->addValue(tr("Asleep at the end"), {}, tr("Share of the bodies"));
     m_moving = m_outcome->addValue(tr("Still moving"), tr("bodies"));
-    m_span = m_outcome->addValue(tr("The end"), tr("s"), tr("When 99 % of the bodies slept, or the settle time was over"));
+    m_span = m_outcome->addValue(tr("The end"), {}, tr("When 99 % of the bodies slept, or the settle time was over"));
     m_wall = m_outcome->addValue(tr("Wall time"));
     m_step = m_outcome->addValue(tr("Step, mean and worst"), tr("ms"), tr("From the first to the last birth"));
     m_factor =
@@ -147,7 +148,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     m_awake->setText(shownCount(r.awakePeak));
     m_asleep->setText(shownShare(r.asleepAtEnd));
     m_moving->setText(shownCount(r.stillMoving));
-    m_span->setText(QLocale().toString(r.endTime, 'f', 2));
+    m_span->setText(figures::timeText(r.endTime));
     m_wall->setText(shownDuration(outcome.wallSeconds));
     m_step->setText(pair(r.stepTimes.meanMs, r.stepTimes.worstMs));
     m_factor->setText(shownNumber(r.stepTimes.realTimeFactor));

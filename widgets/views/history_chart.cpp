@@ -12,6 +12,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/round_step.h"
 #include "widgets/figures/shown_units.h"
 
@@ -132,10 +133,10 @@ QString HistoryChart::words() const {
     if (now == nullptr) {
         return m_content.points.empty() ? QString() : tr("None of them is on its way yet.");
     }
-    const QString seconds = QLocale().toString(now->time - m_content.timeOrigin, 'f', 2);
+    const QString instant = figures::timeText(now->time - m_content.timeOrigin);
     const QString first =
-        tr("%1 s: %2 of fragments, %3 in the mean, %4 the fastest")
-            .arg(seconds, shownWith(now->mass / 1000.0, "t"), shownWith(now->speed, "m/s"), shownWith(now->topSpeed, "m/s"));
+        tr("%1: %2 of fragments, %3 in the mean, %4 the fastest")
+            .arg(instant, shownWith(now->mass / 1000.0, "t"), shownWith(now->speed, "m/s"), shownWith(now->topSpeed, "m/s"));
     return tr("%1; at %2; kinetic %3, potential %4")
         .arg(first, shownWith(now->height, "m"), shownEnergy(now->kinetic), shownEnergy(now->potential));
 }

@@ -14,6 +14,7 @@
 #include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -22,8 +23,17 @@ namespace {
 constexpr std::size_t mostImpacts = 8;
 constexpr std::size_t mostComponents = 6;
 
+/// The number of an instant for a row whose unit is secondsUnit(); of a brief result with its own unit.
 QString seconds(double time) {
-    return QLocale().toString(time, 'f', 3);
+    return figures::briefUnit() < 1.0 ? figures::timeText(time) : QLocale().toString(time, 'f', 3);
+}
+
+QString secondsUnit() {
+    return figures::briefUnit() < 1.0 ? QString() : Inspector::tr("s");
+}
+
+QString instant(double time) {
+    return figures::briefUnit() < 1.0 ? seconds(time) : Inspector::tr("%1 s").arg(seconds(time));
 }
 
 QString metres(double value) {
@@ -147,13 +157,13 @@ void Inspector::showElement(const ElementFacts& facts) {
         restart(tr("Element %1").arg(element), component);
     }
     PanelGroup* solid = addGroup(tr("Element"));
-    addRow(solid, tr("mass"), shownIn(facts.mass, "kg"), tr("kg"), tr("Volume at rest times the density of its component"));
+    addRow(solid, tr("mass"), facts.mass < 0.1 ? shownMass(facts.mass) : shownIn(facts.mass, "kg"),
+           facts.mass < 0.1 ? QString() : tr("kg"), tr("Volume at rest times the density of its component"));
     addRow(solid, tr("volume"), shownIn(facts.volume, "m3"), tr("m³"), tr("At rest"));
     addRow(solid, tr("shape"), shownName(facts.shape), {}, tr("Shape of the finite element"));
     addMaterial(*solid, facts);
     if (facts.carriedSince) {
-        solid->addNote(
-            tr("Carried by the engine since %1 s, in a loose island.").arg(QLocale().toString(*facts.carriedSince, 'f', 2)));
+        solid->addNote(tr("Carried by the engine since %1, in a loose island.").arg(figures::timeText(*facts.carriedSince)));
     }
     addDeath(facts);
     if (facts.fragment) {
@@ -199,11 +209,12 @@ void Inspector::addDeath(const ElementFacts& facts) {
     } else if (!facts.firstInactive) {
         death->addNote(tr("It stays active to the end of the FE result."));
     } else {
-        addRow(death, tr("last active"), seconds(*facts.lastActive), tr("s"), tr("The last state at which the file has it active"));
-        addRow(death, tr("inactive from"), seconds(*facts.firstInactive), tr("s"),
+        addRow(death, tr("last active"), seconds(*facts.lastActive), secondsUnit(),
+               tr("The last state at which the file has it active"));
+        addRow(death, tr("inactive from"), seconds(*facts.firstInactive), secondsUnit(),
                tr("The first state that reports it inactive: it died in between"));
         if (facts.exactDeath) {
-            addRow(death, tr("died at"), seconds(*facts.exactDeath), tr("s"), tr("The exact time that the file gives"));
+            addRow(death, tr("died at"), seconds(*facts.exactDeath), secondsUnit(), tr("The exact time that the file gives"));
         }
         death->addNote(facts.reportedBy.empty() ? tr("The file gives no cause.")
                                                 : tr("Reported by %1; the file gives no cause.").arg(spokenText(facts.reportedBy)));
@@ -212,7 +223,7 @@ void Inspector::addDeath(const ElementFacts& facts) {
 
 void Inspector::addJourney(const FragmentFacts& fragment) {
     PanelGroup* journey = addGroup(tr("Journey"));
-    addRow(journey, tr("born at"), seconds(fragment.birthTime), tr("s"), tr("When it is shown and reported as a fragment"));
+    addRow(journey, tr("born at"), seconds(fragment.birthTime), secondsUnit(), tr("When it is shown and reported as a fragment"));
     addRow(journey, tr("speed then"), shownIn(fragment.birthSpeed, "m/s"), tr("m/s"), tr("Of its centre of mass"));
     if (fragment.birthPlace) {
         addRow(journey, tr("birth x, y, z"), placeText(*fragment.birthPlace), tr("m"),
@@ -222,7 +233,7 @@ void Inspector::addJourney(const FragmentFacts& fragment) {
         journey->addNote(tr("Simulate to see where it goes."));
     } else {
         addRow(journey, tr("final x, y, z"), placeText(*fragment.finalPlace), tr("m"),
-               tr("Centre of mass at %1 s").arg(seconds(fragment.finalTime)));
+               tr("Centre of mass at %1").arg(instant(fragment.finalTime)));
         if (fragment.birthPlace) {
             const Vec3 way = *fragment.finalPlace - *fragment.birthPlace;
             addRow(journey, tr("moved in plan"), metres(std::hypot(way.x(), way.y())), tr("m"),
@@ -235,7 +246,7 @@ void Inspector::addJourney(const FragmentFacts& fragment) {
         }
     }
     if (fragment.path) {
-        addRow(journey, tr("at rest from"), seconds(fragment.path->restTime), tr("s"),
+        addRow(journey, tr("at rest from"), seconds(fragment.path->restTime), secondsUnit(),
                tr("Since then it has stayed within %1 of its last place").arg(shownLength(0.05)));
     }
     if (fragment.cluster) {
@@ -251,7 +262,7 @@ void Inspector::addJourney(const FragmentFacts& fragment) {
     if (fragment.error) {
         PanelGroup* reference = addGroup(tr("Against the reference"));
         addRow(reference, tr("error"), metres(*fragment.error), tr("m"),
-               tr("Distance from where the reference has it at %1 s").arg(seconds(fragment.finalTime)));
+               tr("Distance from where the reference has it at %1").arg(instant(fragment.finalTime)));
     }
 }
 
@@ -269,7 +280,7 @@ void Inspector::addImpacts(const FragmentPath& path) {
     std::sort(listed.begin(), listed.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
     for (const FragmentImpact& impact : listed) {
         auto* button = new QPushButton(
-            tr("%1 s   %2   %3").arg(seconds(impact.time), shownWith(impact.speed, "m/s"), shownEnergy(impact.energy)));
+            tr("%1   %2   %3").arg(instant(impact.time), shownWith(impact.speed, "m/s"), shownEnergy(impact.energy)));
         button->setFlat(true);
         button->setStyleSheet(QStringLiteral("text-align: left"));
         button->setToolTip(
@@ -287,11 +298,11 @@ void Inspector::addImpacts(const FragmentPath& path) {
 void Inspector::showSums(const Sums& sums) {
     restart(tr("%1 elements").arg(countOf(sums.elements)), tr("selected"));
     PanelGroup* all = addGroup(tr("Together"));
-    addRow(all, tr("mass"), shownIn(sums.mass / 1000.0, "t"), tr("t"), tr("At rest"));
+    addRow(all, tr("mass"), shownMass(sums.mass), {}, tr("At rest"));
     addRow(all, tr("dead now"), countOf(sums.dead), {}, tr("Inactive in the FE result at the time shown"));
     addRow(all, tr("fragments"), countOf(sums.fragments), {}, tr("Elements that die in the course of the collapse"));
     if (sums.fragments > 0) {
-        addRow(all, tr("born"), QStringLiteral("%1–%2").arg(seconds(sums.firstBirth), seconds(sums.lastBirth)), tr("s"),
+        addRow(all, tr("born"), QStringLiteral("%1–%2").arg(seconds(sums.firstBirth), seconds(sums.lastBirth)), secondsUnit(),
                tr("First and last birth time"));
     }
     PanelGroup* components = addGroup(tr("By component"));

@@ -57,6 +57,7 @@ void StatusLine::setActivity(const QString& what, double fraction) {
         m_progress->setRange(0, 1000);
         m_progress->setValue(static_cast<int>(std::lround(1000.0 * std::min(1.0, fraction))));
     }
+    makeRoom();
 }
 
 void StatusLine::setMessage(const QString& message) {
@@ -65,6 +66,7 @@ void StatusLine::setMessage(const QString& message) {
         m_activity->setText(message);
         m_activity->setVisible(!message.isEmpty());
     }
+    makeRoom();
 }
 
 void StatusLine::setFigure(Figure figure, const QString& name, const QString& value, const QString& aside, bool warns) {
@@ -81,7 +83,42 @@ void StatusLine::setFigure(Figure figure, const QString& name, const QString& va
         text = QStringLiteral("<a href='figure' style='color:%1;text-decoration:none'>%2</a>").arg(colour.name(), text);
     }
     label->setText(text);
-    label->setVisible(!value.isEmpty());
+    m_wanted[static_cast<std::size_t>(figure)] = !value.isEmpty();
+    makeRoom();
+}
+
+void StatusLine::makeRoom() {
+    constexpr std::array missed{Figure::Playback, Figure::Energy, Figure::Step, Figure::Memory, Figure::Live};
+    const int spacing = layout()->spacing();
+    int need = layout()->contentsMargins().left() + layout()->contentsMargins().right();
+    for (const QWidget* each : {static_cast<const QWidget*>(m_cancel), static_cast<const QWidget*>(m_progress),
+                                static_cast<const QWidget*>(m_activity)}) {
+        need += each->isHidden() ? 0 : each->sizeHint().width() + spacing;
+    }
+    std::array<bool, 8> shown = m_wanted;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        need += shown[i] ? m_figures[i]->sizeHint().width() + spacing : 0;
+    }
+    for (const Figure figure : missed) {
+        const auto i = static_cast<std::size_t>(figure);
+        if (need > width() && shown[i]) {
+            shown[i] = false;
+            need -= m_figures[i]->sizeHint().width() + spacing;
+        }
+    }
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        m_figures[i]->setVisible(shown[i]);
+    }
+}
+
+QSize StatusLine::minimumSizeHint() const {
+    constexpr int least = 320;  // px
+    return {least, QWidget::minimumSizeHint().height()};
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    makeRoom();
 }
 
 void StatusLine::setFigureTip(Figure figure, const QString& tip) {
@@ -90,7 +127,7 @@ void StatusLine::setFigureTip(Figure figure, const QString& tip) {
 
 QString StatusLine::figureText(Figure figure) const {
     const QLabel* label = m_figures[static_cast<std::size_t>(figure)];
-    return label->isHidden() ? QString() : label->text();
+    return m_wanted[static_cast<std::size_t>(figure)] ? label->text() : QString();
 }
 
 QString StatusLine::activityText() const {

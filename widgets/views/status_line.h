@@ -30,6 +30,11 @@ public:
     void setFigureTip(Figure figure, const QString& tip);
     QString figureText(Figure figure) const;
     QString activityText() const;
+    /// What it says never makes the window wider: figures that can be missed go where there is no room.
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 signals:
     void cancelRequested();
@@ -37,12 +42,15 @@ signals:
     void figureChosen(rubble::widgets::StatusLine::Figure figure);
 
 private:
+    void makeRoom();
+
     QLabel* m_activity;
     QProgressBar* m_progress;
     QPushButton* m_cancel;
     QString m_message;
     bool m_running = false;
     std::array<QLabel*, 8> m_figures{};
+    std::array<bool, 8> m_wanted{};  ///< the figure has a value
 };
 
 }  // namespace rubble::widgets

@@ -12,19 +12,9 @@
 #include "widgets/basics/icons.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
-#include "widgets/figures/round_step.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
-
-/// Where things stand, from top to bottom.
-struct Timeline::Rows {
-    double left, right;
-    double deathsTop, deathsBottom;
-    double barTop, barBottom;
-    double bookmarks;  // centre of the row of flags
-    double health;     // centre of the row of warning signs
-    double axis;
-};
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -82,24 +72,12 @@ void Timeline::setTime(double time) {
     update();
 }
 
-double Timeline::toX(double time) const {
-    const Rows r = rows();
-    return m_last > m_first ? r.left + (time - m_first) / (m_last - m_first) * (r.right - r.left) : r.left;
-}
-
-double Timeline::toTime(double x) const {
-    const Rows r = rows();
-    const double share = std::clamp((x - r.left) / std::max(1.0, r.right - r.left), 0.0, 1.0);
-    return m_first + share * (m_last - m_first);
-}
-
 void Timeline::setHealth(std::vector<HealthMark> marks) {
     m_marks = std::move(marks);
     groupSigns();
     QStringList titles;
     for (const HealthMark& mark : m_marks) {
-        titles
-            << tr("%1 from %2 to %3 s").arg(mark.title, QLocale().toString(mark.from, 'f', 2), QLocale().toString(mark.to, 'f', 2));
+        titles << tr("%1 from %2 to %3").arg(mark.title, figures::timeText(mark.from), figures::timeText(mark.to));
     }
     setAccessibleDescription(titles.isEmpty() ? QString() : tr("Limits passed: %1").arg(inOneLine(titles)));
     update();
@@ -393,25 +371,6 @@ void Timeline::paintComputed(QPainter& painter, const Rows& r) const {
     painter.setBrush(Qt::NoBrush);
 }
 
-void Timeline::paintAxis(QPainter& painter, const Rows& r) const {
-    painter.setPen(tints().hairline);
-    painter.drawLine(QPointF(r.left, r.axis), QPointF(r.right, r.axis));
-    const double step = figures::roundStep(m_last - m_first, (r.right - r.left) / 56.0);
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-    painter.setPen(tints().muted);
-    const double start = std::ceil((m_first - m_origin) / step - 1e-9);
-    for (double k = start; k * step + m_origin <= m_last * (1.0 + 1e-12) + 1e-12; k += 1.0) {
-        const double x = toX(k * step + m_origin);
-        painter.drawLine(QPointF(x, r.axis), QPointF(x, r.axis + 3));
-        QString label = QLocale().toString(k * step, 'f', decimals);
-        if (k == start) {
-            label += QStringLiteral(" s");
-        }
-        const double half = painter.fontMetrics().horizontalAdvance(label) / 2.0;
-        painter.drawText(QPointF(x - half, r.axis + 5 + painter.fontMetrics().ascent()), label);
-    }
-}
-
 void Timeline::setBookmarks(std::vector<TimeMark> bookmarks) {
     const bool before = eventless();
     m_bookmarks = std::move(bookmarks);
@@ -498,7 +457,7 @@ void Timeline::setTimeOrigin(double origin) {
 }
 
 QString Timeline::shownTime(double time) const {
-    return tr("%1 s").arg(QLocale().toString(time - m_origin, 'f', 2));
+    return figures::timeText(time - m_origin);
 }
 
 QPointF Timeline::flagOf(std::size_t bookmark) const {

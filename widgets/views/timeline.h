@@ -82,6 +82,8 @@ public:
     /// Place of a time on the axis and back [px].
     double toX(double time) const;
     double toTime(double x) const;
+    /// s: where the scale of the axis changes, so that a brief FE result has half of it; unset: one scale.
+    std::optional<double> fold() const;
     /// Marks under a point, in their order; the sign of a group stands for all of them.
     std::vector<std::size_t> marksAt(const QPointF& point) const;
     /// Centre of the sign of a mark.
@@ -108,11 +110,20 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
-    static constexpr int bookmarkRow = 16;  // px
+    static constexpr int bookmarkRow = 16;      // px
+    static constexpr double leastShare = 0.02;  // of the axis: a result that has less gets half
     bool eventless() const { return m_bookmarks.empty() && m_photographs.empty() && m_cameraKeys.empty(); }
     /// There is more than bookmarks in their row.
     bool mixed() const { return !m_photographs.empty() || !m_cameraKeys.empty(); }
-    struct Rows;
+    /// Where things stand, from top to bottom.
+    struct Rows {
+        double left, right;
+        double deathsTop, deathsBottom;
+        double barTop, barBottom;
+        double bookmarks;  // centre of the row of flags
+        double health;     // centre of the row of warning signs
+        double axis;
+    };
     Rows rows() const;
     void paintDeaths(QPainter& painter, const Rows& rows) const;
     void paintHandOvers(QPainter& painter, const Rows& rows) const;
@@ -123,6 +134,7 @@ private:
     void paintCaption(QPainter& painter, const Rows& rows, double left, const QString& text) const;
     void paintComputed(QPainter& painter, const Rows& rows) const;
     void paintAxis(QPainter& painter, const Rows& rows) const;
+    void paintTicks(QPainter& painter, const Rows& rows, double first, double last) const;
     void paintMarks(QPainter& painter, const Rows& rows) const;
     void paintHealth(QPainter& painter, const Rows& rows) const;
     void paintBookmarks(QPainter& painter, const Rows& rows) const;

@@ -1,5 +1,6 @@
 #include "widgets/views/tour.h"
 
+#include <QApplication>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -62,6 +63,19 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     connect(m_back, &QPushButton::clicked, this, [this] { go(m_current - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] { go(m_current + 1); });
     window->installEventFilter(this);
+    // A run that begins chooses its panel, and who looks at the tour would be left without its keys.
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
+        const bool left = now == nullptr || (now->window() == this->window() && !isAncestorOf(now));
+        if (m_current >= 0 && left && this->window()->isActiveWindow() && QApplication::activePopupWidget() == nullptr) {
+            QMetaObject::invokeMethod(this, &Tour::takeFocus, Qt::QueuedConnection);
+        }
+    });
+}
+
+void Tour::takeFocus() {
+    if (m_current >= 0 && !isAncestorOf(QApplication::focusWidget()) && QApplication::activeModalWidget() == nullptr) {
+        m_next->setFocus(Qt::TabFocusReason);
+    }
 }
 
 void Tour::start() {

@@ -44,6 +44,7 @@ protected:
 
 private:
     void go(int stop);
+    void takeFocus();
     void tell(const TourStop& stop);
     bool takesKey(const QKeyEvent& key, QObject* on);
     void place();

@@ -10,6 +10,7 @@
 
 #include "widgets/basics/icons.h"
 #include "widgets/basics/theme.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -66,9 +67,7 @@ Transport::Transport(QWidget* parent)
     for (QToolButton* each : {first, back, m_playBack, m_play, forward, last}) {
         buttons->addWidget(each);
     }
-    for (const double rate : rates) {
-        m_rate->addItem(QLocale().toString(rate) + QStringLiteral(" ×"), rate);
-    }
+    offerRates();
     m_rate->setToolTip(tr("Playback rate: seconds of collapse per second"));
     m_rate->setAccessibleName(tr("Playback rate"));
     m_rate->setFocusPolicy(Qt::TabFocus);
@@ -95,16 +94,39 @@ Transport::Transport(QWidget* parent)
 
 void Transport::setTime(double time) {
     m_shown = time;
-    m_time->setText(QLocale().toString(time - m_origin, 'f', 2) + QStringLiteral(" s"));
+    m_time->setText(figures::timeText(time - m_origin));
+}
+
+double Transport::usualRate() {
+    const double unit = figures::briefUnit();
+    return unit < 1.0 ? 10.0 * unit : 1.0;
+}
+
+// Of a brief result in its own units of time a second, and those of what comes after it.
+void Transport::offerRates() {
+    m_offered = usualRate();
+    m_rate->clear();
+    if (m_offered < 1.0) {
+        const QString unit = figures::briefUnit() < 1e-3 ? QStringLiteral(" µs/s") : QStringLiteral(" ms/s");
+        for (const double rate : rates) {
+            m_rate->addItem(QLocale().toString(10.0 * rate) + unit, rate * m_offered);
+        }
+    }
+    for (const double rate : rates) {
+        m_rate->addItem(QLocale().toString(rate) + QStringLiteral(" ×"), rate);
+    }
 }
 
 void Transport::setSpan(double last, double feEnd) {
+    if (m_offered != usualRate()) {
+        offerRates();
+        emit ratePicked(m_offered);
+    }
     m_last = last;
     m_feEnd = feEnd;
-    const QString end = tr("of %1 s").arg(QLocale().toString(last - m_origin, 'f', 2));
-    m_span->setText(last > feEnd + 1e-9
-                        ? end + QLatin1Char('\n') + tr("FE ends at %1 s").arg(QLocale().toString(feEnd - m_origin, 'f', 2))
-                        : end);
+    const QString end = tr("of %1").arg(figures::timeText(last - m_origin));
+    m_span->setText(last > feEnd + 1e-9 ? end + QLatin1Char('\n') + tr("FE ends at %1").arg(figures::timeText(feEnd - m_origin))
+                                        : end);
 }
 
 void Transport::setTimeOrigin(double origin) {
@@ -136,7 +158,7 @@ void Transport::setLooping(bool looping) {
 
 void Transport::setRate(double rate) {
     for (int i = 0; i < m_rate->count(); ++i) {
-        if (std::abs(m_rate->itemData(i).toDouble() - rate) < 1e-9) {
+        if (std::abs(m_rate->itemData(i).toDouble() - rate) < 1e-6 * rate) {
             m_rate->setCurrentIndex(i);
         }
     }

@@ -39,6 +39,9 @@ signals:
     void bookmarkRequested();
 
 private:
+    static double usualRate();
+    void offerRates();
+
     QLabel* m_time;
     QLabel* m_span;
     QToolButton* m_play;
@@ -49,6 +52,7 @@ private:
     double m_shown = 0.0;
     double m_last = 0.0;
     double m_feEnd = 0.0;
+    double m_offered = 1.0;  // the rate that the list is made around
     bool m_playing = false;
     bool m_backwards = false;
 };

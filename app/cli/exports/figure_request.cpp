@@ -20,6 +20,7 @@
 #include "io/site/site_place.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_sheet.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/view_json.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
@@ -349,6 +350,7 @@ render::SceneData FigureRequest::sceneFor(const std::shared_ptr<const io::RunRea
 render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around) {
     const std::shared_ptr<const FeResult>& fe = inputs.fe;
     const Scenario& scenario = run->origin().scenario;
+    figures::setResultSpan(fe->times().back() - fe->times().front());
     render::SceneData data;
     data.fe = fe;
     data.components = std::make_shared<const Components>(

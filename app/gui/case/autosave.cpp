@@ -54,7 +54,10 @@ Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
     connect(&document.undoStack(), &QUndoStack::cleanChanged, this, &Autosave::changed);
     connect(&document, &Document::replaced, this, [this] {
         clear();
-        changed();
+        // A case that the wizard made is in no file at all.
+        if (m_timer.interval() > 0) {
+            saveNow();
+        }
     });
     connect(&document, &Document::titleChanged, this, &Autosave::changed);
 }

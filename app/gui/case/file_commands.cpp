@@ -94,7 +94,7 @@ void FileCommands::connectActions(Actions& actions) {
 
 QString FileCommands::askForInput() {
     return QFileDialog::getOpenFileName(&m_window, tr("Open"), QFileInfo(m_document.base()).absolutePath(),
-                                        tr("Cases, FE results and figures of them (*);;Cases (*.rubble)"));
+                                        tr("Cases, FE results, runs and figures of them (*);;Cases (*.rubble);;Runs (*.run.h5)"));
 }
 
 void FileCommands::setTerrain(const QString& path, const widgets::Wording& what) {

@@ -92,14 +92,25 @@ void KeptRunsDisplay::refresh() {
 
 void KeptRunsDisplay::open(const QString& path) {
     const auto run = std::find_if(m_runs.begin(), m_runs.end(), [&](const KeptRunFile& each) { return each.path == path; });
-    if (run == m_runs.end()) {
-        return;
+    if (run != m_runs.end()) {
+        await(*run);
     }
-    m_awaited = *run;
-    if (m_session.document().openPath() == run->casePath) {
+}
+
+void KeptRunsDisplay::openFile(const QString& path) {
+    try {
+        await(runFileAt(path, m_session.document().openPath(), m_session.computation().inputs().fe.get()));
+    } catch (...) {
+        m_session.report(*failureOf(std::current_exception()));
+    }
+}
+
+void KeptRunsDisplay::await(const KeptRunFile& run) {
+    m_awaited = run;
+    if (m_session.document().openPath() == run.casePath) {
         showAwaited();
     } else {
-        emit openRequested(run->casePath);
+        emit openRequested(run.casePath);
     }
 }
 

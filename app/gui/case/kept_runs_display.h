@@ -27,6 +27,8 @@ public:
 
     /// Opens the list, or brings it to the front.
     void show();
+    /// Shows a run file, wherever it lies, in the case that it belongs to.
+    void openFile(const QString& path);
 
 signals:
     /// A case is wanted, one of whose runs is to be shown then.
@@ -37,6 +39,7 @@ private:
     QStringList inUse() const;
     void refresh();
     void open(const QString& path);
+    void await(const KeptRunFile& run);
     void showAwaited();
     void remove(const QStringList& paths);
     void undo();

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/gui/case/component_display.h"
 #include "app/gui/session/regrouping_edit.h"
@@ -15,6 +16,7 @@
 #include "widgets/case/case_panel.h"
 #include "widgets/case/case_preview.h"
 #include "widgets/case/new_case_wizard.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble {
 
@@ -175,6 +177,9 @@ void NewCase::takeOpened(const Opened& opened) {
         m_wizard->summary().propose(QString::fromStdString(first.title), QString::fromStdString(first.scenarios.front().name));
     }
     m_computation.take(opened, m_document.scenario());
+    if (opened.fe != nullptr) {
+        figures::setResultSpan(opened.fe->times().back() - opened.fe->times().front());
+    }
     showResults();
 }
 
@@ -249,8 +254,20 @@ void NewCase::lookForEvidence() {
                               showFailure(*failure);
                           } else if (thrown == nullptr && fe == m_judged) {
                               m_wizard->units().setEvidence(*found);
+                              takeBestUnits(*found);
                           }
                       }});
+}
+
+// Once, and only where nobody has chosen: taking it back must last.
+void NewCase::takeBestUnits(const widgets::NewCaseUnits::Evidence& evidence) {
+    const auto fe = m_computation.inputs().fe;
+    if (std::exchange(m_unitsTaken, true) || decidedBy(m_document.scenario().import.units) != Decided::ByFrame) {
+        return;
+    }
+    if (const UnitFit* fit = betterFit(evidence.fits, systemOf(fe->contents().units))) {
+        edit(QStringLiteral("units"), ParameterValue(std::string(fit->system->id)));
+    }
 }
 
 void NewCase::audit() {

@@ -32,6 +32,12 @@ ProjectDisplay::ProjectDisplay(Session& session, PanelDeck& deck, ViewArea& area
     connect(m_recovery, &Recovery::recoverRequested, this, &ProjectDisplay::recoverRequested);
     connect(m_start, &StartDisplay::openRequested, this, &ProjectDisplay::openRequested);
     connect(m_keptRuns, &KeptRunsDisplay::openRequested, this, &ProjectDisplay::openRequested);
+    // A run is kept from its first step on: so is what it was made from.
+    connect(&session.computation(), &Computation::runBegun, this, [this] {
+        if (Autosave::chosenInterval() > 0) {
+            autosave().saveNow();
+        }
+    });
     connect(m_start, &StartDisplay::sampleRequested, this, &ProjectDisplay::sampleRequested);
     connect(m_start, &StartDisplay::tourRequested, &actions[ActionId::Tour], &QAction::trigger);
     connectActions(session.document());

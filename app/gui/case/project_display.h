@@ -37,6 +37,7 @@ public:
     Recovery& recovery() { return *m_recovery; }
     InputsDisplay& inputs() { return *m_inputs; }
     RunHistory& runs() { return m_files.runs; }
+    KeptRunsDisplay& keptRuns() { return *m_keptRuns; }
     ScenariosDisplay& scenarios() { return *m_scenarios; }
     StartDisplay& start() { return *m_start; }
     QDockWidget& historyDock() { return *m_history; }

@@ -4,6 +4,7 @@
 
 #include "app/gui/session/computation.h"
 #include "widgets/evidence/photo_view.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble {
 
@@ -41,7 +42,7 @@ void CameraOverlay::draw() {
         m_photo.setOverlay({}, {});
         return;
     }
-    const QString caption = tr("simulation, %1 s").arg(QLocale().toString(wanted.like.time, 'f', 2));
+    const QString caption = tr("simulation, %1").arg(figures::timeText(wanted.like.time));
     if (show == widgets::PhotoView::Show::Outline) {
         const EvidenceRun run(m_computation.inputs(), m_computation.currentRun());
         m_photo.setOverlay({}, caption);

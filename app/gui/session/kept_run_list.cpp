@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "app/gui/session/kept_runs.h"
+#include "core/base/error.h"
+#include "core/fe/fe_result.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
 #include "io/run/run_history.h"
@@ -113,6 +115,37 @@ std::vector<KeptRunFile> keptRunsIn(const std::vector<RunFolder>& folders) {
         }
     }
     return runs;
+}
+
+KeptRunFile runFileAt(const QString& path, const QString& openCase, const FeResult* open) {
+    const QFileInfo file(path);
+    const io::RunOrigin origin = io::openRun(path.toStdString())->origin();
+    KeptRunFile run{file.absoluteFilePath(), openCase, file.size(), file.lastModified(), entryOfRunFile(path), false};
+    const QString ending = QStringLiteral(".runs");
+    const QString folder = file.absolutePath();
+    const QString result = QString::fromStdString(origin.fePath);
+    const QString beside = folder + u'/' + QFileInfo(result).fileName();
+    const bool ofOpen = !openCase.isEmpty() && open != nullptr && open->contents().sha256 == origin.feSha256;
+    if (folder.endsWith(ending) && QFile::exists(folder.chopped(ending.size()))) {
+        run.casePath = folder.chopped(ending.size());
+    } else if (ofOpen) {
+        return run;
+    } else if (origin.scenario.import != ImportSettings()) {
+        // By itself the result would be read in other units or axes than the run was made in.
+        throw UsageError({"gui.run_without_case",
+                          "The run {0} was made in a case that says how {1} is read",
+                          {path.toStdString(), origin.fePath}},
+                         {"gui.run_without_case.remedy", "Open that case, then choose the run again.", {}});
+    } else if (QFile::exists(result)) {
+        run.casePath = result;
+    } else if (QFile::exists(beside)) {
+        run.casePath = beside;
+    } else {
+        throw WorldError(
+            {"gui.run_alone", "The run {0} was made from {1}, which is not there", {path.toStdString(), origin.fePath}},
+            {"gui.run_alone.remedy", "Put that file there or beside the run, or open the case and choose the run again.", {}});
+    }
+    return run;
 }
 
 bool setRunAside(const QString& path) {

@@ -13,6 +13,8 @@ class QLockFile;
 
 namespace rubble {
 
+class FeResult;
+
 /// Where the next run file of a folder is written.
 QString newRunFile(const QString& folder);
 
@@ -57,6 +59,11 @@ struct KeptRunFile {
 };
 /// By folder, the newest first. Each file is looked up in the histories beside its folder and beside its case, else read itself.
 std::vector<KeptRunFile> keptRunsIn(const std::vector<RunFolder>& folders);
+
+/// A run file that somebody has chosen, with what it is shown in: the case beside whose folder of runs it lies, the case
+/// that is open if the run is of its FE result, else the FE result that it was made from. Throws what io::openRun() throws, and
+/// WorldError if that result is not where it was.
+KeptRunFile runFileAt(const QString& path, const QString& openCase, const FeResult* open);
 
 /// Takes a run out of all lists so that it can come back; false if another program writes it or the folder cannot be changed.
 bool setRunAside(const QString& path);

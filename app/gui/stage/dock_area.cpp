@@ -97,6 +97,15 @@ void DockArea::makeWay() {
     m_place = m_floating->pos();
 }
 
+void DockArea::setViewsInFront(bool inFront) {
+    if (inFront && std::exchange(m_away, false)) {
+        m_floating->show();
+    } else if (!inFront && m_floating != nullptr && m_floated && !m_settled && !m_floating->isHidden()) {
+        m_away = true;
+        m_floating->hide();
+    }
+}
+
 void DockArea::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     arrange();

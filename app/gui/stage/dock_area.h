@@ -17,6 +17,8 @@ public:
     /// From now on this dock floats over the centre wherever beside it the centre would become too narrow to work in. Where the
     /// user puts it holds until it is closed.
     void floatWhereNarrow(QDockWidget& dock);
+    /// What floats over the views is in the way of a page that stands in front of them: it goes until they are back.
+    void setViewsInFront(bool inFront);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -34,6 +36,7 @@ private:
     QPoint m_place;          ///< where this has put it
     bool m_own = false;      ///< this moves it just now
     bool m_settled = false;  ///< the user has put it somewhere
+    bool m_away = false;     ///< this has hidden it until the views are back
 };
 
 }  // namespace rubble

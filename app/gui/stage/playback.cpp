@@ -67,6 +67,10 @@ void Playback::connectActions(Actions& actions) {
     on(ActionId::Last, [this] { jumpToLast(); });
 }
 
+bool Playback::picturesSeen() const {
+    return m_view.isVisible();
+}
+
 void Playback::reset() {
     m_kept.following = false;
     m_clock.pause();

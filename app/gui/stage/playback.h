@@ -56,6 +56,8 @@ public:
     double timeOrigin() const;
     /// Live mode: the views show the newest frame as it comes.
     bool following() const { return m_kept.following; }
+    /// The views are seen: something else may stand in front of them.
+    bool picturesSeen() const;
 
 signals:
     /// A frame was shown while playing (by its name: playback) or following a live run.

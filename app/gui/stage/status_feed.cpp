@@ -157,7 +157,7 @@ void StatusFeed::refresh() {
     } else {
         m_line.setFigure(Figure::Live, {}, {});
     }
-    const bool playing = m_playback.clock().playing();
+    const bool playing = m_playback.clock().playing() && m_playback.picturesSeen();
     m_line.setFigure(Figure::Playback, tr("Playback"), playing ? fps(playbackRecent()) : QString());
     showBodies();
     const bool done = record != nullptr && record->outcome != nullptr;

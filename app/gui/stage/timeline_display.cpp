@@ -9,6 +9,7 @@
 #include "app/gui/session/document.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/playback.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/views/bookmark_editor.h"
 #include "widgets/views/timeline.h"
 #include "widgets/views/transport.h"
@@ -121,9 +122,8 @@ void TimelineDisplay::mark() {
     if (nearest() == m_document.theCase().bookmarks.end()) {
         std::vector<Bookmark> all = m_document.theCase().bookmarks;
         all.push_back({now, {}});
-        m_document.setBookmarks(std::move(all), [at = now - m_playback.timeOrigin()] {
-            return tr("bookmark at %1 s").arg(QLocale().toString(at, 'f', 2));
-        });
+        m_document.setBookmarks(std::move(all),
+                                [at = now - m_playback.timeOrigin()] { return tr("bookmark at %1").arg(figures::timeText(at)); });
     }
     edit(static_cast<std::size_t>(nearest() - m_document.theCase().bookmarks.begin()));
 }
@@ -134,7 +134,7 @@ void TimelineDisplay::edit(std::size_t bookmark) {
         return;
     }
     m_edited = bookmark;
-    m_editor->open(tr("Bookmark at %1 s").arg(QLocale().toString(all[bookmark].time - m_playback.timeOrigin(), 'f', 2)),
+    m_editor->open(tr("Bookmark at %1").arg(figures::timeText(all[bookmark].time - m_playback.timeOrigin())),
                    QString::fromStdString(all[bookmark].note), m_timeline.mapToGlobal(m_timeline.flagOf(bookmark).toPoint()));
 }
 

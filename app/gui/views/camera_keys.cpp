@@ -9,6 +9,7 @@
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/view_area.h"
 #include "widgets/figures/camera_path.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/views/timeline.h"
 
 namespace rubble {
@@ -73,9 +74,8 @@ void CameraKeys::setHere() {
     } else {
         after.push_back(key);
     }
-    m_document.setCameraKeys(std::move(after), [at = now - m_playback.timeOrigin()] {
-        return tr("camera key at %1 s").arg(QLocale().toString(at, 'f', 2));
-    });
+    m_document.setCameraKeys(std::move(after),
+                             [at = now - m_playback.timeOrigin()] { return tr("camera key at %1").arg(figures::timeText(at)); });
 }
 
 void CameraKeys::removeHere() {

@@ -23,6 +23,7 @@
 #include "app/gui/help/help.h"
 #include "app/gui/help/manual.h"
 #include "app/gui/session/session.h"
+#include "app/gui/stage/dock_area.h"
 #include "app/gui/stage/view_area.h"
 #include "app/gui/window/done_notice.h"
 #include "core/base/build.h"
@@ -235,6 +236,7 @@ void MainWindow::showCentre() {
         m_lastEntry = entry;
     }
     m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 + page : 0);
+    m_rooms->inspection->docks().setViewsInFront(m_centre->currentWidget() == m_area);
 }
 
 void MainWindow::showTitle() {

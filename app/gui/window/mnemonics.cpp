@@ -47,7 +47,7 @@ void give(const QList<QAction*>& actions) {
         if (place >= 0 && !ownScript) {
             taken.insert(text[place].toUpper());
             marked.insert(place, u'&');
-        } else {
+        } else if (ownScript) {
             QChar letter = place >= 0 ? source[place].toUpper() : QChar(u'A');
             while (letter <= u'Z' && taken.contains(letter)) {
                 letter = QChar(letter.unicode() + 1);
@@ -58,7 +58,7 @@ void give(const QList<QAction*>& actions) {
             taken.insert(letter);
             // The dots that say "a dialog follows" stay last.
             const qsizetype end = text.endsWith(QChar(0x2026)) ? text.size() - 1 : text.size();
-            marked.insert(end, (ownScript ? QStringLiteral("(&%1)") : QStringLiteral(" (&%1)")).arg(letter));
+            marked.insert(end, QStringLiteral("(&%1)").arg(letter));
         }
         action->setIconText(text);
         const QString tip = action->toolTip();

@@ -25,6 +25,7 @@
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/case/start_page.h"
 #include "widgets/figures/export_record.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble {
 
@@ -99,6 +100,10 @@ void Opening::open(const QString& path, bool simulate) {
     }
     if (path.endsWith(QLatin1String(".rubblecase"), Qt::CaseInsensitive)) {
         emit sealedChosen(path);
+        return;
+    }
+    if (path.endsWith(QLatin1String(".run.h5"), Qt::CaseInsensitive)) {
+        emit runChosen(path);
         return;
     }
     m_return.forget();
@@ -234,6 +239,7 @@ void Opening::takeOpened(const Opened& opened) {
     const render::View viewBefore = m_shown.area.views().view();
     const double timeBefore = m_shown.playback.clock().time();
     m_computation.take(opened, m_document.scenario());
+    tellTimes();
     m_shown.scene.show();
     if (opened.fe != nullptr && !refreshed && !around) {
         m_shown.scene.lookAtAll();
@@ -253,6 +259,12 @@ void Opening::takeOpened(const Opened& opened) {
         m_shown.deck.choose(opened.fe != nullptr && !opened.path.isEmpty() ? PanelDeck::Grid : PanelDeck::Case);
     }
     emit changed();
+}
+
+// Of the result that is open; a wizard tells those of another one meanwhile.
+void Opening::tellTimes() {
+    const auto& fe = m_computation.inputs().fe;
+    figures::setResultSpan(fe != nullptr && fe->stateCount() > 0 ? fe->times().back() - fe->times().front() : 0.0);
 }
 
 void Opening::scenarioChanged() {
@@ -308,6 +320,7 @@ void Opening::newCase(const QString& path) {
     const widgets::Preferences& preferences = m_session.preferences();
     m_newCase = new NewCase(file, static_cast<std::size_t>(preferences.memoryMib) << 20, preferences.keepCopies, m_window);
     connect(m_newCase, &NewCase::finished, m_newCase, &QObject::deleteLater);
+    connect(m_newCase, &NewCase::finished, this, &Opening::tellTimes);
     connect(m_newCase, &NewCase::created, this, &Opening::takeMade);
 }
 

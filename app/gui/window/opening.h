@@ -43,7 +43,7 @@ public:
     Opening(Session& session, const Shown& shown, Actions& actions, QWidget& window);
     ~Opening() override;
 
-    /// Opens a case, an FE result, a figure or a sealed bundle; with `simulate`, simulates it as soon as it is prepared.
+    /// Opens a case, an FE result, a run, a figure or a sealed bundle; with `simulate`, simulates it as soon as it is prepared.
     void open(const QString& path, bool simulate = false);
     void openSample();
     /// Makes a new case by the wizard, from a file that is asked for if none is named. What is open stays until the case is made.
@@ -62,6 +62,8 @@ signals:
     void simulateRequested();
     /// A sealed bundle was chosen: it is checked before anything of it opens.
     void sealedChosen(const QString& bundle);
+    /// A run file was chosen: its case opens first.
+    void runChosen(const QString& run);
     /// What is open, or how it stands, has changed.
     void changed();
 
@@ -82,6 +84,7 @@ private:
     void takeOpened(const Opened& opened);
     void takeMade(const Opened& opened, const render::View& looks);
     void showRefreshed(const FeResult& before, const render::View& view, double time);
+    void tellTimes();
     void scenarioChanged();
     void prepared();
     void reopen();

@@ -17,6 +17,7 @@
 #include "app/gui/stage/scene_display.h"
 #include "app/gui/stage/status_feed.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble {
 
@@ -103,8 +104,8 @@ void RunControl::runEnded(bool complete) {
             {record->live ? std::nan("") : record->wallSeconds, record->live ? m_shown.feed.liveMean() : std::nan("")});
         m_session.tell(tr("Simulated in %1").arg(widgets::shownDuration(record->wallSeconds)));
     } else if (record != nullptr && record->reader != nullptr) {
-        m_session.tell(tr("Cancelled at %1 s after %2; what is computed is kept")
-                           .arg(QLocale().toString(record->newest, 'f', 2), widgets::shownDuration(record->wallSeconds)));
+        m_session.tell(tr("Cancelled at %1 after %2; what is computed is kept")
+                           .arg(figures::timeText(record->newest), widgets::shownDuration(record->wallSeconds)));
     } else {
         m_session.tell(tr("Cancelled"));
     }

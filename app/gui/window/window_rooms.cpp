@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <vector>
 
+#include "app/gui/case/kept_runs_display.h"
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -122,6 +123,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     connectGrid(parts);
     report->setCauses(studies->causes());
     QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
+    QObject::connect(opening.get(), &Opening::runChosen, &project->keptRuns(), &KeptRunsDisplay::openFile);
     QObject::connect(opening.get(), &Opening::sealedChosen, sealing.get(), &CaseSealing::openBundle);
     QObject::connect(sealing.get(), &CaseSealing::opened, opening.get(), [this](const QString& path) { opening->open(path); });
     QObject::connect(project.get(), &ProjectDisplay::openRequested, opening.get(),

@@ -85,6 +85,21 @@ TEST(UnitEvidence, RivalsAreNamedWhereNothingDecides) {
     EXPECT_TRUE(proposeUnits(evidence).choice.empty());
 }
 
+TEST(UnitEvidence, AFileIsReadAgainOnlyWhereItFitsClearlyBetter) {
+    UnitEvidence evidence;
+    evidence.densities = {{"girder", 7.85e-9}};
+    evidence.size = 60000.0;
+    evidence.duration = 4.0;
+    const std::vector<UnitFit> fits = fitUnits(evidence);
+    const UnitFit* better = betterFit(fits, systemOf({1.0, 1.0, 1.0}));
+    ASSERT_NE(better, nullptr);
+    EXPECT_EQ(better->system->id, "t-mm-s");
+    EXPECT_EQ(betterFit(fits, better->system), nullptr) << "it is read so already";
+    EXPECT_EQ(betterFit({}, nullptr), nullptr);
+    evidence.densities = {{"dark matter", 1e-30}};
+    EXPECT_EQ(betterFit(fitUnits(evidence), systemOf({1.0, 1.0, 1.0})), nullptr) << "nothing fits";
+}
+
 TEST(UnitEvidence, AnImpactInMicrosecondsIsAmongTheRivals) {
     // A tungsten rod of 23 cm in 70 microseconds, as its file counts: as t, m and s it would be a usual building.
     UnitEvidence evidence;

@@ -52,6 +52,38 @@ protected:
     DebrisMap map = fieldMap(analysis_scene::randomField(2, 300, 10.0), true);
 };
 
+TEST_F(MapPicture, AMapThatLiesAcrossHasTheWidthOfANarrowPicture) {
+    DebrisMap across = map;
+    // Eight times as long as wide.
+    for (MapCell& cell : across.cells) {
+        cell.i *= 8;
+    }
+    const auto columnsDrawn = [&](const DebrisMap& drawn, int width) {
+        style.pixels = {width, 620};
+        const QImage picture = mapPicture(drawn, MapLayer::Height, style);
+        const QColor full = picture.pixelColor(1, 1);
+        int low = picture.width(), high = 0;
+        // The frame of the map is the longest line across.
+        for (int y = 0; y < picture.height(); ++y) {
+            int first = -1, last = -1;
+            int count = 0;
+            for (int x = 0; x < picture.width(); ++x) {
+                if (picture.pixelColor(x, y) != full) {
+                    first = first < 0 ? x : first;
+                    last = x;
+                    ++count;
+                }
+            }
+            if (count > 0.9 * (last - first) && last - first > high - low) {
+                low = first;
+                high = last;
+            }
+        }
+        return high - low;
+    };
+    EXPECT_GT(columnsDrawn(across, 430), 0.7 * 430) << "its legend stands below";
+}
+
 TEST_F(MapPicture, EveryLayerIsDrawnOnWhite) {
     std::set<QByteArray> pictures;
     for (const MapLayer layer : map.present()) {

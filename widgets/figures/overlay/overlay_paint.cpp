@@ -18,6 +18,9 @@ namespace {
 constexpr double widestBar = 46.0;  // of a scale with its margins, in units of the look
 constexpr double legendGap = 5.0;   // between entries of one line, in units of the look
 
+/// Units of length that the axes take in the corner opposite the caption.
+constexpr double axesRoom = 11.0;
+
 /// Metrics that everything over a pane is laid out with.
 struct Look {
     const Palette& palette;
@@ -66,7 +69,7 @@ QStringList captionLines(const Look& look, double paneWidth, const QString& capt
     }
     const QString between = QStringLiteral(" · ");
     const qsizetype end = caption.indexOf(between);
-    if (end < 0 || widthOf(look, caption) <= paneWidth - 8.0 * look.unit) {
+    if (end < 0 || widthOf(look, caption) <= paneWidth - 8.0 * look.unit - axesRoom * look.unit) {
         return {caption};
     }
     return {caption.left(end), caption.mid(end + between.size())};
@@ -82,7 +85,8 @@ void paintCaptions(QPainter& painter, const Look& look, const QRectF& pane, cons
         box = paintCaption(painter, look, pane, corner, line);
     }
     if (!box.isNull()) {
-        const bool beside = box.right() + look.unit + widthOf(look, overlay.moving) + 3.0 * pad <= pane.right();
+        const double axes = axesRoom * look.unit;
+        const bool beside = box.right() + look.unit + widthOf(look, overlay.moving) + 3.0 * pad <= pane.right() - axes;
         corner = beside ? QPointF(box.right() + look.unit, box.top()) : QPointF(box.left(), box.bottom() + look.unit);
     }
     if (!overlay.moving.isEmpty()) {

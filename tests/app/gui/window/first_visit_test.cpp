@@ -54,6 +54,11 @@ TEST_F(FirstVisitOf, PlaysTheSampleAndIsNeverMadeAgain) {
     const double began = window->rooms().playback->clock().time();
     EXPECT_TRUE(QTest::qWaitFor([&] { return window->rooms().playback->clock().time() > began; }, patience)) << "it plays";
     EXPECT_TRUE(due()) << "whoever was cut off sees it once more";
+    // A run that has begun has chosen its panel: the keys are the tour's all the same.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().simulating(); }, patience));
+    window->rooms().deck->choose(PanelDeck::Case);
+    window->setFocus();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tour().isAncestorOf(focus()); }, 10'000));
     type(Qt::Key_Escape);
     EXPECT_FALSE(tour().isVisible());
     EXPECT_FALSE(due());

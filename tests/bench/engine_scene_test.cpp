@@ -38,7 +38,7 @@ EngineScene sinkingPiece() {
     ConvexPart plate;
     plate.box.halfExtents = {4.0, 4.0, 0.25};
     const Pose start{{0.0, 0.0, 3.0}, Quat::Identity()};
-    const PieceId piece = world.addPiece({plate}, start, Material::Concrete);
+    const PieceId piece = world.addPiece({plate}, start, Material::Concrete, {});
     NewBody tilted = boxAt({0.3, 0.1, 4.2});
     tilted.pose.orientation = Quat(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
     tilted.velocity = {0.1, -0.2, 0.3};

@@ -223,7 +223,7 @@ void makeResult(SampleRun& run, Dice& dice) {
     run.result.stepTimes = {1.5, 2.5, 17.25, 0.99, 1.7, 1.6, 0.25, 0.125, 0.0625, 0.03125, 0.5, 0.75};
     run.result.energy = {1e9 / 3, 2e8, 3e5, 9e8, 1e-12};
     run.result.ledger = {1e-16, 2e-16, 3e-16, 4e-16, 5e-16, 6e-16};
-    run.result.births = {4500, 900, 0.31, 77, 1e6, -2e3, 12};
+    run.result.births = {4500, 900, 410, 0.31, 77, 1e6, -2e3, 12};
     run.result.islands = {3, 41, 1e5, 2, 2, 40, 9e4, 1, 1, 1, 1e3, {1e-15, 2e-15, 3e-15, 4e-15, 5e-15, 6e-15}};
     run.result.carried = {7,
                           900,

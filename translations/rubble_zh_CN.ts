@@ -11588,20 +11588,12 @@
         <translation>杆的柱</translation>
     </message>
     <message>
-        <source>a body of {0} corners rolls: on a slope it goes the farther, the more steps a second are simulated</source>
-        <translation>{0} 个角的刚体会滚动：在坡上，每秒模拟的步数越多，它走得越远</translation>
-    </message>
-    <message>
         <source>bodies of {0}: one that falls over its edge turns by 1.5 degrees in a step (at least {1}, at most {2} a second)</source>
         <translation>{0} 的刚体：绕棱翻倒的刚体每步转动 1.5 度（每秒至少 {1}，至多 {2}）</translation>
     </message>
     <message>
         <source>fitted on the other half, judged on the one</source>
         <translation>用另一半拟合，用这一半评判</translation>
-    </message>
-    <message>
-        <source>repeat with step_rate doubled before its run-out is used, or say with the result how much that changed</source>
-        <translation>使用其散落距离之前，把每秒步数加倍再算一次，或在结果旁说明改变了多少</translation>
     </message>
     <message>
         <source>the same at 240 steps a second, six times the least of a collapse</source>

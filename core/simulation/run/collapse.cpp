@@ -221,11 +221,25 @@ void Collapse::advance(double dt, double time, const std::function<void(double)>
     const bool halved = m_settings.autoRemedy && m_health.unwell(m_time);
     if (halved) {
         m_health.remedied(time - dt, time);
-        movePieces(0.5);
-        step(0.5 * dt, time - 0.5 * dt);
     }
-    movePieces(1.0);
-    step(halved ? 0.5 * dt : dt, time);
+    const int parts = (halved ? 2 : 1) * partsOfStep(fastestRound(), dt);
+    for (int i = 1; i <= parts; ++i) {
+        movePieces(static_cast<double>(i) / parts);
+        step(dt / parts, time - dt * static_cast<double>(parts - i) / parts);
+    }
+}
+
+double Collapse::fastestRound() const {
+    double fastest = 0.0;
+    if (m_description.fe->contents().looseBodies) {
+        const std::vector<TrackedBody>& bodies = m_outcomes.bodies();
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (bodies[i].carriers > facesOfBoxes && m_world->state(idAt<BodyId>(i)) == BodyState::Awake) {
+                fastest = std::max(fastest, bodies[i].latest.angularVelocity.norm());
+            }
+        }
+    }
+    return fastest;
 }
 
 void Collapse::removeLost(double time) {

@@ -63,6 +63,8 @@ private:
     HandOver handOverAt(std::size_t k, LedgerRow& row);
     void advance(double dt, double time, const std::function<void(double)>& movePieces);
     void step(double dt, double time);
+    /// rad/s, of the bodies of a table that roll, awake ones.
+    double fastestRound() const;
     void removeLost(double time);
     void keepWatch(double time);
     void breakUp(double dt, double time);

@@ -25,6 +25,7 @@ constexpr double turningOverEdge = 0.788;
 constexpr double turnPerStep = 1.5 * std::numbers::pi / 180.0;  ///< rad
 /// 1/s, at most: of 285 tosses of a 0.1 m cube a hundredth more end on the right face at 240 than at 146, none more at 2,000.
 constexpr double tumblingRate = 480.0;
+constexpr double mostParts = 32.0;
 
 /// m3, of each body's elements at rest.
 /// @param apart  clusters break up
@@ -83,6 +84,10 @@ StepRate chosenStepRate(const RunDescription& description, const EffectDecisions
     return {fe ? bySize : std::max(bySize, looseRate),
             bySize,
             {"simulation.step_rate.size", "by size and number of the bodies, {0} and {1}", {{size, "m"}, volumes.size()}}};
+}
+
+int partsOfStep(double spin, double dt) {
+    return static_cast<int>(std::clamp(std::ceil(spin * dt / turnPerStep - 1e-9), 1.0, mostParts));
 }
 
 double stepRateOf(const RunDescription& description, const EffectDecisions& decisions) {

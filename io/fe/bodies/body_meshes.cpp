@@ -25,9 +25,6 @@ constexpr double convexShare = 0.98;
 /// Of the size of a body, by which points may lie outside of its hull without a word.
 constexpr double leftOutShare = 1e-3;
 
-/// Of a body that lies on its faces and hardly rolls.
-constexpr std::size_t boxCorners = 8;
-
 /// m3, of a mesh without a hole, whichever way its triangles turn; nothing for one that is not closed.
 std::optional<double> closedVolume(const RawMesh& mesh) {
     std::map<std::array<double, 3>, std::uint32_t> places;
@@ -98,13 +95,6 @@ std::shared_ptr<const ConvexBody> BodyMeshes::shape(const std::string& name, std
                     "the mesh of a body is not convex: it fills {0} % of its hull, which is simulated with the mass of the table",
                     {100.0 * *volume / hull->volume}},
                    "cut it into convex bodies if its hollows matter");
-    }
-    if (hull->corners.size() > boxCorners) {
-        addFinding(m_findings, path,
-                   {"bodies.mesh_rolls",
-                    "a body of {0} corners rolls: on a slope it goes the farther, the more steps a second are simulated",
-                    {hull->corners.size()}},
-                   "repeat with step_rate doubled before its run-out is used, or say with the result how much that changed");
     }
     if (hull->leftOut > leftOutShare * hull->sides.norm()) {
         addFinding(m_findings, path,

@@ -109,5 +109,12 @@ TEST(StepRate, OfATableTurnsACubeByOneAndAHalfDegreesInAStep) {
     EXPECT_EQ(tableRate(0.1048, scenario).reason.id, "simulation.step_rate.set");
 }
 
+TEST(StepRate, AStepIsPartedByWhatRolls) {
+    EXPECT_EQ(partsOfStep(0.0, 0.01), 1);
+    EXPECT_EQ(partsOfStep(2.6, 0.01), 1);
+    EXPECT_EQ(partsOfStep(2.7, 0.01), 2) << "1.55 degrees";
+    EXPECT_EQ(partsOfStep(1e9, 0.01), 32);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/scenario/body_scenario.h"
 #include "core/validation/drop_series.h"
@@ -174,6 +175,42 @@ TEST(Drop, AConvexBodyComesToRestOnOneOfItsFaces) {
         lowest = std::min(lowest, (end * corner).z());
     }
     EXPECT_NEAR(lowest, 0.0, 0.01);
+}
+
+TEST(Drop, WhatRollsGoesAsFarInLongSteps) {
+    // Octagonal rollers of 0.4 m whose axes lie level, let go at 6 m/s as they roll, each turned on by another angle.
+    std::vector<LooseBody> rollers;
+    for (int i = 0; i < 8; ++i) {
+        std::vector<Vec3> corners;
+        for (int k = 0; k < 8; ++k) {
+            const double angle = (k + 0.5) * std::numbers::pi / 4.0;
+            corners.emplace_back(0.2 * std::sin(angle), -0.3, 0.2 * std::cos(angle));
+            corners.emplace_back(0.2 * std::sin(angle), 0.3, 0.2 * std::cos(angle));
+        }
+        LooseBody body;
+        body.id = std::to_string(i);
+        body.hull = std::make_shared<const ConvexBody>(*convexBodyOf(corners));
+        body.sides = body.hull->sides;
+        body.mass = 2400.0 * body.hull->volume;
+        body.pose = {Vec3(0.0, 2.0 * i, 0.25), Quat(Eigen::AngleAxisd(0.1 * i, Vec3::UnitY()))};
+        body.velocity = {6.0, 0.0, 0.0};
+        body.spin = {0.0, 30.0, 0.0};
+        rollers.push_back(std::move(body));
+    }
+    const auto mean = [&](double rate) {
+        Scenario scenario;
+        scenario.simulation.stepRate = rate;
+        scenario.simulation.friction = 0.6;
+        scenario.simulation.restitution = 0.0;
+        double sum = 0.0;
+        for (const DropOutcome& body : dropped(rollers, scenario).bodies) {
+            sum += body.runOut;
+        }
+        return sum / static_cast<double>(rollers.size());
+    };
+    const double fine = mean(1400.0);
+    EXPECT_GT(fine, 2.0);
+    EXPECT_NEAR(mean(87.0), fine, 0.1 * fine);
 }
 
 TEST(Drop, LookingOnChangesNoBit) {

@@ -130,7 +130,7 @@ TEST_F(BodyTableFile, ABodyHasTheHullOfItsMesh) {
     EXPECT_TRUE(table.bodies[1].sides.isApprox(Vec3(1.0, 0.5, 0.5)));
     EXPECT_EQ(table.bodies[2].hull, nullptr);
     EXPECT_EQ(table.findings.count("bodies.mesh_hollow") + table.findings.count("bodies.mesh_open"), 0);
-    EXPECT_EQ(table.findings.count("bodies.mesh_corners") + table.findings.count("bodies.mesh_rolls"), 0);
+    EXPECT_EQ(table.findings.count("bodies.mesh_corners"), 0);
     const auto fe = openFe(path, {}, {}, Execution{});
     EXPECT_EQ(fe->contents().files, (std::vector<std::string>{path, m_folder / "wedge.obj"}));
     EXPECT_EQ(bodiesOfTable(*fe).back(), 2u);
@@ -138,16 +138,6 @@ TEST_F(BodyTableFile, ABodyHasTheHullOfItsMesh) {
     // Another shape is another result.
     std::ofstream(m_folder / "wedge.obj", std::ios::app) << "v 12 0 1\nf 1 2 7\n";
     EXPECT_NE(openFe(path, {}, {}, Execution{})->contents().fingerprint, fe->contents().fingerprint);
-}
-
-TEST_F(BodyTableFile, AMeshOfMoreCornersThanABoxIsSaidToRoll) {
-    // A cube of 1 m with a roof: nine corners.
-    std::ofstream(m_folder / "roof.obj")
-        << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0.5 0.5 1.5\n"
-           "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
-           "f 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n";
-    const BodyTable table = read("mass_kg,mesh,x_m,y_m,z_m\n2800,roof.obj,0,0,5\n2800,roof.obj,5,0,5\n");
-    EXPECT_EQ(table.findings.count("bodies.mesh_rolls"), 1) << "once for each mesh";
 }
 
 TEST_F(BodyTableFile, AMeshThatIsNotConvexIsToldAndABadOneRefused) {

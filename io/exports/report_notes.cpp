@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/base/files.h"
+#include "io/json/json_cursor.h"
 #include "io/json/json_document.h"
+#include "io/json/json_text.h"
 
 namespace rubble::io {
 

@@ -1,6 +1,7 @@
 #include "io/site/clouds/las/arithmetic_decoder.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace rubble::io {
@@ -57,6 +58,7 @@ void SymbolModel::learn() {
             m_total += m_entries[s].count;
         }
     }
+    assert(m_total > 0);  // each symbol counts at least one
     const std::uint32_t scale = (std::uint32_t{1} << wholeShift) / m_total;
     std::uint32_t sum = 0;
     std::fill(m_table.begin(), m_table.end(), std::uint16_t{0});

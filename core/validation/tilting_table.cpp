@@ -62,6 +62,7 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
     WorldSettings settings;
     settings.pairs = PairTable::uniform(wall.friction, 0.0);
     settings.ground = false;
+    // As a collapse takes them by default, so that what is found here holds there.
     settings.substeps = substepsOf(Scenario());
     settings.partsJammed = true;
     settings.threads = execution.threads();

@@ -64,6 +64,7 @@ bool archStands(const VoussoirArch& arch, double thickness, const Execution& exe
     WorldSettings settings;
     settings.pairs = PairTable::uniform(arch.friction, 0.0);
     settings.ground = false;
+    // As a collapse takes them by default, so that what is found here holds there.
     settings.substeps = substepsOf(Scenario());
     settings.partsJammed = true;
     settings.threads = execution.threads();

@@ -17,10 +17,6 @@ void raise(double& number, double least) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether two share a node of the mesh.
 bool joined(const Collider& a, const Collider& b) {
     const Collider& few = a.nodes.size() <= b.nodes.size() ? a : b;
@@ -35,7 +31,8 @@ void noteBirthDepth(Collider& a, Collider& b, double depth) {
         const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
         if (born->newborn && older) {
             raise(born->birthDepth, depth);
-            if (!joined(*born, *other)) {
+            // Most contacts of a newborn are no overlap: nobody has to compare nodes for those.
+            if (depth > 0.0 && !joined(*born, *other)) {
                 raise(born->birthDepthApart, depth);
             }
         }

@@ -177,7 +177,7 @@ ContactBytes contactBytes() {
     ContactBytes bytes;
     bytes.found = sizeof(FoundContact);
     bytes.kept = 2 * SoftContact::bytes(points);
-    bytes.record = sizeof(SolverContact) + points * sizeof(SolverPoint);
+    bytes.record = sizeof(SolverContact);
     bytes.solving = (sizeof(LaneContacts) + points * sizeof(LanePoint)) / lanes;
     bytes.tally = (sizeof(LaneTally) + points * sizeof(LanePointTally)) / lanes;
     bytes.correction = (sizeof(LaneCorrection) + points * sizeof(LaneCorrectionPoint)) / lanes;

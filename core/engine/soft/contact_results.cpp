@@ -8,8 +8,8 @@ namespace rubble {
 
 void ContactResults::take(SoftSolver& solver, bool corrected, ContactReport& report) {
     m_outcomes.resize(solver.contacts.size());
-    solver.takeBack({.take = [&](std::uint32_t k) { m_outcomes[k] = outcomeOf(solver, solver.contacts[k], corrected); },
-                     .prefetch = [&](std::uint32_t k) { m_assembly.prefetchFor(solver.contacts[k]); }});
+    solver.takeBack(
+        [&](std::uint32_t k, const ContactOutcome& c) { m_outcomes[k] = outcomeOf(solver, solver.contacts[k], c, corrected); });
     report.pairs = 0;
     report.points = 0;
     m_unloaded.clear();
@@ -34,36 +34,38 @@ void ContactResults::take(SoftSolver& solver, bool corrected, ContactReport& rep
     }
 }
 
-ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, const SolverContact& c, bool corrected) const {
-    SoftContact& contact = m_scene.contacts[c.found];
-    contact.yield = m_assembly.yieldOf(c);
+ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
+                                                  bool corrected) const {
+    SoftContact& contact = m_scene.contacts[of.found];
+    contact.yield = m_assembly.yieldOf(of);
     Outcome outcome;
+    const std::array<Vec3, 2> tangents = SolverAssembly::tangentsOf(contact.normal);
     double pushed = 0.0;  // N s along the normal, over the substeps
-    for (std::uint32_t k = 0; k < c.points; ++k) {
-        const SolverPoint& p = solver.points[c.firstPoint + k];
-        contact.points[k].impulse = p.normalImpulse;
+    for (std::uint32_t k = 0; k < of.points; ++k) {
+        const PointImpulses& p = c.points[k];
+        contact.points[k].impulse = p.normal;
         contact.points[k].push = p.push;
-        contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
-        pushed += p.impulseSum;
-        outcome.points = outcome.points > 0 || p.largestImpulse > 0.0 ? c.points : 0;
+        contact.points[k].friction = p.tangent[0] * tangents[0] + p.tangent[1] * tangents[1];
+        pushed += p.sum;
+        outcome.points = outcome.points > 0 || p.largest > 0.0 ? of.points : 0;
     }
     if (outcome.points > 0) {
-        m_assembly.noteSupport(c);
-        outcome.pushOnA = loosePushBy(false, solver, c, contact);
-        outcome.pushOnB = loosePushBy(true, solver, c, contact);
+        m_assembly.noteSupport(of, contact.normal);
+        outcome.pushOnA = loosePushBy(false, solver, of, c, contact);
+        outcome.pushOnB = loosePushBy(true, solver, of, c, contact);
     }
     if (corrected) {
-        contact.offset += pressedByCorrection(solver, c, contact);
+        contact.offset += pressedByCorrection(solver, of, contact);
     }
-    contact.correctedFor += c.correction > 0.0 ? m_assembly.substepLength() * m_assembly.substeps() : 0.0;
+    contact.correctedFor += c.corrected ? m_assembly.substepLength() * m_assembly.substeps() : 0.0;
     contact.load += loadMemory * (loadOf(contact) - contact.load);
-    if (const std::uint32_t still = m_scene.bodies.stillSlot; c.a == still || c.b == still) {
+    if (const std::uint32_t still = m_scene.bodies.stillSlot; of.a == still || of.b == still) {
         outcome.unloaded = unloadedBy(contact);
     }
     outcome.work = c.driven || c.countsWork ? c.work : 0.0;
     outcome.driven = c.driven;
     if (c.driven) {
-        accountForPiece(solver, c, contact, pushed);
+        accountForPiece(solver, of, contact, pushed);
     }
     return outcome;
 }
@@ -71,21 +73,22 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
 /// J/kg, v^2 / 2 + g z with the speed of the fastest point of one side that pushes the other and the height of the other's centre,
 /// or noPush if the first is neither loose nor was pushed by what is, or if the other is loose itself. What a turning span carries
 /// along gets faster than by its fall, and hands that on, but not more.
-double ContactResults::loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const {
+double ContactResults::loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
+                                   const SoftContact& contact) const {
     const Collider& pusher = sideA ? *contact.a : *contact.b;
     const Collider& pushed = sideA ? *contact.b : *contact.a;
     if (pushed.kind != ColliderKind::Body || pushed.loose || (!pusher.loose && pusher.loosePush == noPush)) {
         return noPush;
     }
-    const SolverBody& body = solver.bodies[sideA ? c.a : c.b];
+    const SolverBody& body = solver.bodies[sideA ? of.a : of.b];
     const double gravity = m_scene.settings.gravity;
     const Vec3 centre = m_scene.bodies.of(pushed).pose.position;
     double most = noPush;
-    for (std::uint32_t k = 0; k < c.points; ++k) {
-        const SolverPoint& p = solver.points[c.firstPoint + k];
-        if (p.largestImpulse > 0.0) {
+    for (std::uint32_t k = 0; k < of.points; ++k) {
+        const PointImpulses& p = c.points[k];
+        if (p.largest > 0.0) {
             // What lies on it goes as fast as it would at the centre of what lies there.
-            const Vec3 arm = sideA ? p.fromA : p.fromB;
+            const Vec3 arm = m_assembly.armOf(sideA, of, k);
             const Vec3 atCentre = arm + centre - contact.points[k].position;
             most = std::max({most, (body.velocity + body.spin.cross(arm)).squaredNorm(),
                              (body.velocity + body.spin.cross(atCentre)).squaredNorm()});
@@ -126,7 +129,7 @@ std::uint32_t ContactResults::unloadedBy(const SoftContact& contact) const {
 /// comes apart like all of it; taken for a load, it would be fought by impulses. The ground does not take any: what is pressed into
 /// it is pushed up again. Nor does less than jammingPush count: columns that only touch would stand and spread otherwise than
 /// grains.
-double ContactResults::pressedByCorrection(const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const {
+double ContactResults::pressedByCorrection(const SoftSolver& solver, const SolverContact& of, const SoftContact& contact) const {
     if (contact.a->kind == ColliderKind::Ground) {
         return 0.0;
     }
@@ -138,23 +141,23 @@ double ContactResults::pressedByCorrection(const SoftSolver& solver, const Solve
         return Vec3(way.moved + way.turned.cross(arm));
     };
     double pressed = 0.0;
-    for (std::uint32_t k = 0; k < c.points; ++k) {
-        const SolverPoint& p = solver.points[c.firstPoint + k];
-        const double closed = c.normal.dot(wayOf(c.a, p.fromA) - wayOf(c.b, p.fromB));
+    for (std::uint32_t k = 0; k < of.points; ++k) {
+        const double closed =
+            contact.normal.dot(wayOf(of.a, m_assembly.armOf(true, of, k)) - wayOf(of.b, m_assembly.armOf(false, of, k)));
         pressed = std::max(pressed, closed - std::max(0.0, contact.points[k].separation));
     }
     return pressed > jammingPush ? pressed : 0.0;
 }
 
-void ContactResults::accountForPiece(const SoftSolver& solver, const SolverContact& c, SoftContact& contact, double pushed) const {
+void ContactResults::accountForPiece(const SoftSolver& solver, const SolverContact& of, SoftContact& contact, double pushed) const {
     double left = 0.0;  // m/s of closing speed
-    for (std::uint32_t k = 0; k < c.points; ++k) {
-        const SolverPoint& p = solver.points[c.firstPoint + k];
-        const SolverBody& a = solver.bodies[c.a];
-        const SolverBody& b = solver.bodies[c.b];
-        left = std::max(left, -c.normal.dot(b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA)));
+    for (std::uint32_t k = 0; k < of.points; ++k) {
+        const SolverBody& a = solver.bodies[of.a];
+        const SolverBody& b = solver.bodies[of.b];
+        const Vec3 fromA = m_assembly.armOf(true, of, k), fromB = m_assembly.armOf(false, of, k);
+        left = std::max(left, -contact.normal.dot(b.velocity + b.spin.cross(fromB) - a.velocity - a.spin.cross(fromA)));
     }
-    m_scene.rests.accountForPiece(contact, pushed, c.impulseLimit * c.points * m_assembly.substeps(), left);
+    m_scene.rests.accountForPiece(contact, pushed, m_assembly.pieceLimit(contact) * of.points * m_assembly.substeps(), left);
 }
 
 }  // namespace rubble

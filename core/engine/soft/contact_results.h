@@ -31,10 +31,11 @@ private:
         double pushOnA = noPush;          ///< J/kg, by what is loose
         double pushOnB = noPush;
     };
-    Outcome outcomeOf(const SoftSolver& solver, const SolverContact& c, bool corrected) const;
-    double pressedByCorrection(const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const;
-    void accountForPiece(const SoftSolver& solver, const SolverContact& c, SoftContact& contact, double pushed) const;
-    double loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& c, const SoftContact& contact) const;
+    Outcome outcomeOf(const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c, bool corrected) const;
+    double pressedByCorrection(const SoftSolver& solver, const SolverContact& of, const SoftContact& contact) const;
+    void accountForPiece(const SoftSolver& solver, const SolverContact& of, SoftContact& contact, double pushed) const;
+    double loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
+                       const SoftContact& contact) const;
     Vec3 loadOf(const SoftContact& contact) const;
     std::uint32_t unloadedBy(const SoftContact& contact) const;
 

@@ -10,11 +10,11 @@ namespace {
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;
 
-Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoint& p) {
+Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const BouncePoint& p) {
     return b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA);
 }
 
-void apply(SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
+void apply(SolverBody& a, SolverBody& b, const BouncePoint& p, const Vec3& impulse) {
     // Threads may share an immovable body, so nothing is written to it.
     if (a.inverseMass > 0.0) {
         a.velocity -= a.inverseMass * impulse;
@@ -38,7 +38,7 @@ double inverseMassAlong(const SolverBody& body, const Vec3& arm, const Vec3& dir
 }
 
 /// Coulomb friction of what a bounce presses with: it acts against what slides, at most up to where it sticks.
-void rub(const SolverContact& c, const SolverPoint& p, BounceFriction& bounce, SolverBody& a, SolverBody& b) {
+void rub(const ContactConstraint& c, const BouncePoint& p, BounceFriction& bounce, SolverBody& a, SolverBody& b) {
     const Vec3 relative = relativeVelocity(a, b, p);
     const Vec3 sliding = relative - c.normal.dot(relative) * c.normal;
     const double speed = sliding.norm();
@@ -58,25 +58,25 @@ void rub(const SolverContact& c, const SolverPoint& p, BounceFriction& bounce, S
 
 }  // namespace
 
-void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold,
+void restituteContact(const ContactConstraint& c, std::span<BouncePoint> points, SolverBody& a, SolverBody& b, double threshold,
                       bool friction) {
     std::array<BounceFriction, 4> bounces;
     // The points of one face share a blow; a few rounds find their shares.
     for (int round = 0; round < restitutionRounds; ++round) {
         for (std::size_t k = 0; k < points.size(); ++k) {
-            SolverPoint& p = points[k];
-            if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
+            BouncePoint& p = points[k];
+            if (p.approachSpeed < threshold || p.impulses.largest == 0.0) {
                 continue;
             }
             const double speed = c.normal.dot(relativeVelocity(a, b, p));
             // Over the whole step a contact never pulls.
-            const double change = std::max(-p.normalMass * (speed - c.restitution * p.approachSpeed), -p.impulseSum);
+            const double change = std::max(-p.normalMass * (speed - c.restitution * p.approachSpeed), -p.impulses.sum);
             // What a limit left of a moving piece's approach is not made up for here.
             if (c.driven && change > 0.0) {
                 continue;
             }
-            p.impulseSum += change;
-            p.normalImpulse = std::max(0.0, p.normalImpulse + change);
+            p.impulses.sum += change;
+            p.impulses.normal = std::max(0.0, p.impulses.normal + change);
             apply(a, b, p, change * c.normal);
             if (friction) {
                 bounces[k].pressed += change;

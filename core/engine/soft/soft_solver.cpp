@@ -28,6 +28,8 @@ constexpr int holdPasses = 4;
 constexpr std::size_t grain = 96;
 /// The same, side by side.
 constexpr std::size_t laneGrain = 12;
+/// Groups ahead of the one at hand that a loop over what contacts come from prefetches.
+constexpr std::size_t madeAhead = 3;
 /// Contacts that are worth a strip of their own.
 constexpr std::size_t stripContacts = 512;
 /// Steps on one thread after one in which the threads did not run at the same time.
@@ -125,13 +127,8 @@ std::size_t SoftSolver::stripCount() {
     return m_alone > 0 ? 1 : std::clamp<std::size_t>(contacts.size() / stripContacts, 1, m_pool.threads());
 }
 
-void SoftSolver::resize(std::size_t contactCount, std::size_t pointCount) {
-    contacts.resize(contactCount);
-    points.resize(pointCount);
-    m_fastest.resize(contactCount);
-}
-
-void SoftSolver::layOut(double h, const Source& source) {
+void SoftSolver::layOut(double h, const Source& source, const Shown& made) {
+    m_source = source;
     arrange();
     m_scene.contacts = m_lanes.data();
     m_scene.tallies = m_tallies.data();
@@ -143,22 +140,22 @@ void SoftSolver::layOut(double h, const Source& source) {
     m_scene.h = h;
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            if (i + 1 < to) {
-                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, source.prefetch);
-            }
-            fillLanes(i, source);
+            prefetchGroup(i + madeAhead);
+            fillLanes(i, made);
             m_passes.prepare(m_scene, i, i + 1);
-            for (std::uint32_t lane = 0; lane < m_groups[i].count; ++lane) {
-                m_fastest[m_groups[i].found[lane]] = m_tallies[i].fastest[lane];
-            }
         }
     });
-    m_back.assign(m_groups.size(), 0);
     m_withWork.clear();
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         if (m_lanes[i].countsWork) {
             m_withWork.push_back(i);
         }
+    }
+}
+
+void SoftSolver::prefetchGroup(std::size_t group) const {
+    if (group < m_groups.size()) {
+        std::for_each_n(m_groups[group].found, m_groups[group].count, m_source.prefetch);
     }
 }
 
@@ -256,16 +253,16 @@ void setLane(LanePoint& to, LanePointTally& tally, std::size_t lane, const Solve
     setLane(to.fromB, lane, p.fromB);
     tally.separation[lane] = to.now[lane] = static_cast<KeptNumber>(p.separation);
     to.normalMass[lane] = 1;
-    to.normalImpulse[lane] = p.normalImpulse;
-    tally.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
+    to.normalImpulse[lane] = p.impulses.normal;
+    tally.before[lane] = static_cast<KeptNumber>(p.impulses.normal);
     for (int t = 0; t < 2; ++t) {
-        to.tangentImpulse[t][lane] = p.tangentImpulse[t];
+        to.tangentImpulse[t][lane] = p.impulses.tangent[t];
     }
 }
 
 }  // namespace
 
-void SoftSolver::fillLanes(std::size_t at, const Source& source) {
+void SoftSolver::fillLanes(std::size_t at, const Shown& made) {
     const Group& group = m_groups[at];
     LaneContacts& lanes = m_lanes[at];
     LaneTally& tally = m_tallies[at];
@@ -284,9 +281,10 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
     for (std::uint32_t k = 0; k < most; ++k) {
         m_correctionPoints[first + k].push = {};
     }
+    ContactConstraint c;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-        source.fill(group.found[lane]);
-        const SolverContact& c = contacts[group.found[lane]];
+        m_source.make(group.found[lane], c);
+        made(group.found[lane], c);
         const auto [copyA, copyB] = endsOf(group.found[lane]);
         const MassProperties& a = m_massProperties[copyA];
         const MassProperties& b = m_massProperties[copyB];
@@ -310,9 +308,9 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
         tally.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1 : 0;
         tally.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1 : 0;
         lanes.countsWork = lanes.countsWork || c.countsWork || c.driven;
-        for (std::uint32_t k = 0; k < c.points; ++k) {
-            setLane(m_lanePoints[first + k], m_pointTallies[first + k], lane, points[c.firstPoint + k]);
-            m_correctionPoints[first + k].push[lane] = static_cast<KeptNumber>(points[c.firstPoint + k].push);
+        for (std::uint32_t k = 0; k < contacts[group.found[lane]].points; ++k) {
+            setLane(m_lanePoints[first + k], m_pointTallies[first + k], lane, c.points[k]);
+            m_correctionPoints[first + k].push[lane] = static_cast<KeptNumber>(c.points[k].impulses.push);
         }
     }
 }
@@ -475,7 +473,10 @@ void SoftSolver::accumulateWork() {
 }
 
 bool SoftSolver::correctPositions() {
-    if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.correction > 0.0; })) {
+    const auto comesApart = [](const LaneTally& tally) {
+        return std::any_of(tally.correction.at, tally.correction.at + solverLanes, [](KeptNumber x) { return x > 0; });
+    };
+    if (std::ranges::none_of(m_tallies, comesApart)) {
         for (LaneCorrectionPoint& point : m_correctionPoints) {
             point.push = {};
         }
@@ -502,68 +503,79 @@ SolverWay SoftSolver::correctionOf(std::size_t body) const {
     return {Vec3(way.moved[0], way.moved[1], way.moved[2]), Vec3(way.turned[0], way.turned[1], way.turned[2])};
 }
 
-void SoftSolver::takeGroupBack(std::size_t at) {
-    const Group& group = m_groups[at];
-    for (std::uint32_t lane = 0; lane < group.count; ++lane) {
-        SolverContact& c = contacts[group.found[lane]];
-        c.work = m_tallies[at].work[lane];
-        for (std::uint32_t n = 0; n < c.points; ++n) {
-            const LanePoint& lanePoint = m_lanePoints[group.firstPoint + n];
-            const LanePointTally& tally = m_pointTallies[group.firstPoint + n];
-            SolverPoint& p = points[c.firstPoint + n];
-            p.normalMass = lanePoint.normalMass[lane];
-            p.approachSpeed = tally.approach[lane];
-            p.normalImpulse = lanePoint.normalImpulse[lane];
-            p.tangentImpulse[0] = lanePoint.tangentImpulse[0][lane];
-            p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
-            p.largestImpulse = tally.largestImpulse[lane];
-            p.impulseSum = tally.impulseSum[lane];
-            p.push = m_correctionPoints[group.firstPoint + n].push[lane];
-        }
-    }
-    m_back[at] = 1;
+PointImpulses SoftSolver::impulsesOf(std::size_t point, std::size_t lane) const {
+    const LanePoint& p = m_lanePoints[point];
+    const LanePointTally& tally = m_pointTallies[point];
+    return {p.normalImpulse[lane],
+            {p.tangentImpulse[0][lane], p.tangentImpulse[1][lane]},
+            m_correctionPoints[point].push[lane],
+            tally.largestImpulse[lane],
+            tally.impulseSum[lane]};
 }
 
-void SoftSolver::takeBack(const Target& target) {
+void SoftSolver::takeBack(const std::function<void(std::uint32_t contact, const ContactOutcome& outcome)>& take) const {
     m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        ContactOutcome outcome;
         for (std::size_t i = from; i < to; ++i) {
-            if (i + 1 < to) {
-                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, target.prefetch);
+            prefetchGroup(i + madeAhead);
+            const Group& group = m_groups[i];
+            const LaneTally& tally = m_tallies[i];
+            for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+                outcome.work = tally.work[lane];
+                outcome.corrected = tally.correction[lane] > 0;
+                outcome.countsWork = tally.workShare[lane] > 0;
+                outcome.driven = tally.drivenByA[lane] > 0 || tally.drivenByB[lane] > 0;
+                for (std::uint32_t n = 0; n < contacts[group.found[lane]].points; ++n) {
+                    outcome.points[n] = impulsesOf(group.firstPoint + n, lane);
+                }
+                take(group.found[lane], outcome);
             }
-            if (m_back[i] == 0) {
-                takeGroupBack(i);
-            }
-            std::for_each_n(m_groups[i].found, m_groups[i].count, target.take);
         }
     });
+}
+
+void SoftSolver::giveBack(const Hit& hit, double threshold, bool friction) {
+    const SolverContact& contact = contacts[hit.contact];
+    const std::size_t first = m_groups[hit.group].firstPoint;
+    ContactConstraint c;
+    m_source.make(hit.contact, c);
+    std::array<BouncePoint, 4> points;
+    for (std::uint32_t n = 0; n < contact.points; ++n) {
+        points[n] = {c.points[n].fromA, c.points[n].fromB, m_lanePoints[first + n].normalMass[hit.lane],
+                     m_pointTallies[first + n].approach[hit.lane], impulsesOf(first + n, hit.lane)};
+    }
+    restituteContact(c, std::span(points).first(contact.points), bodies[contact.a], bodies[contact.b], threshold, friction);
+    for (std::uint32_t n = 0; n < contact.points; ++n) {
+        m_lanePoints[first + n].normalImpulse[hit.lane] = points[n].impulses.normal;
+        m_pointTallies[first + n].impulseSum[hit.lane] = points[n].impulses.sum;
+    }
 }
 
 void SoftSolver::restitute(double threshold, bool friction) {
-    m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            const KeptLanes& fastest = m_tallies[i].fastest;
-            if (std::any_of(fastest.at, fastest.at + m_groups[i].count, [&](KeptNumber x) { return x >= threshold; })) {
-                takeGroupBack(i);
+    std::vector<Hit> hits;
+    for (std::uint32_t group = 0; group < m_groups.size(); ++group) {
+        for (std::uint32_t lane = 0; lane < m_groups[group].count; ++lane) {
+            if (m_tallies[group].fastest[lane] >= threshold) {
+                hits.push_back({m_groups[group].found[lane], group, lane});
             }
         }
-    });
-    std::vector<std::uint32_t> hit, ofSplit;
-    const auto give = [&](std::uint32_t i) {
-        SolverContact& c = contacts[i];
-        const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
-        restituteContact(c, own, bodies[c.a], bodies[c.b], threshold, friction);
-    };
+    }
+    // Contacts lie by colours.
+    std::ranges::sort(hits, {}, &Hit::contact);
+    const auto give = [&](const Hit& hit) { giveBack(hit, threshold, friction); };
+    std::vector<Hit> ofWhole, ofSplit;
+    auto next = hits.begin();
     for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
-        hit.clear();
+        ofWhole.clear();
         ofSplit.clear();
-        for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
-            if (m_fastest[i] >= threshold) {
-                (isSplit(contacts[i].a) || isSplit(contacts[i].b) ? ofSplit : hit).push_back(i);
-            }
+        for (; next != hits.end() && next->contact < firstOfGroup[group + 1]; ++next) {
+            const SolverContact& contact = contacts[next->contact];
+            (isSplit(contact.a) || isSplit(contact.b) ? ofSplit : ofWhole).push_back(*next);
         }
         const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
-        m_pool.loop(hit.size(), inOrder ? hit.size() : grain, [&](std::size_t from, std::size_t to) {
-            std::for_each(hit.begin() + static_cast<std::ptrdiff_t>(from), hit.begin() + static_cast<std::ptrdiff_t>(to), give);
+        m_pool.loop(ofWhole.size(), inOrder ? ofWhole.size() : grain, [&](std::size_t from, std::size_t to) {
+            std::for_each(ofWhole.begin() + static_cast<std::ptrdiff_t>(from), ofWhole.begin() + static_cast<std::ptrdiff_t>(to),
+                          give);
         });
         // Here a body is one again.
         std::ranges::for_each(ofSplit, give);

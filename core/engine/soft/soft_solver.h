@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -42,40 +43,55 @@ struct SolverWay {
     Vec3 turned = Vec3::Zero();  ///< rad
 };
 
-/// One contact point prepared for the solver.
-struct SolverPoint {
-    Vec3 fromA, fromB;           ///< m, from the centres of mass, at the start of the step
-    double separation = 0.0;     ///< m, at the start of the step, rest offset taken off
-    double normalMass = 0.0;     ///< kg, known after the substeps
-    double normalImpulse = 0.0;  ///< N s in a substep, carried from step to step
-    double tangentImpulse[2] = {0.0, 0.0};
-    double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing; known after the substeps
-    double largestImpulse = 0.0;  ///< N s, of any substep
-    double impulseSum = 0.0;      ///< N s along the normal, over the substeps
-    double push = 0.0;            ///< kg m in a step, by position only, carried from step to step
+/// What a contact point carries, and what the substeps made of it.
+struct PointImpulses {
+    double normal = 0.0;  ///< N s in a substep, carried from step to step
+    double tangent[2] = {0.0, 0.0};
+    double push = 0.0;     ///< kg m in a step, by position only, carried from step to step
+    double largest = 0.0;  ///< N s along the normal, of any substep; known after them
+    double sum = 0.0;      ///< N s along the normal, over the substeps; known after them
 };
 
-/// Contact of two bodies: points with one normal.
+/// One contact point as the solver takes it.
+struct SolverPoint {
+    Vec3 fromA, fromB;        ///< m, from the centres of mass, at the start of the step
+    double separation = 0.0;  ///< m, at the start of the step, rest offset taken off
+    PointImpulses impulses;
+};
+
+/// Where a contact of two bodies is; all else of it is made when it is needed.
 struct SolverContact {
     std::uint32_t a = 0, b = 0;  ///< bodies
-    std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;
-    float x = 0.0f, y = 0.0f;     ///< m, about where it is
-    std::uint32_t found = 0;      ///< where the contact came from
-    bool idle = false;            ///< carried nothing in the step before
+    float x = 0.0f, y = 0.0f;  ///< m, about where it is
+    std::uint32_t found = 0;   ///< where the contact came from
+    bool idle = false;         ///< carried nothing in the step before
+};
+
+/// What a contact asks of its two bodies: points with one normal.
+struct ContactConstraint {
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
     Vec3 tangent[2];              ///< orthogonal to it
     double friction = 0.0;
     double restitution = 0.0;
-    double frequency = 0.0;     ///< Hz, of the contact as an oscillator, at least
-    double sinkAllowed = 0.0;   ///< m, by which the load may press the two into each other; stiffer if it takes that
-    double weight = 0.0;        ///< N s, impulse of the lighter body's weight in a substep
-    double correction = 0.0;    ///< m, by which the two are brought apart by position only in this step; zero: none
-    double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
-    double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
-    double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
-    bool countsWork = false;    ///< account for the work of pushing apart
-    bool driven = false;        ///< account for the work of the immovable one of the two
+    double frequency = 0.0;             ///< Hz, of the contact as an oscillator, at least
+    double sinkAllowed = 0.0;           ///< m, by which the load may press the two into each other; stiffer if it takes that
+    double weight = 0.0;                ///< N s, impulse of the lighter body's weight in a substep
+    double correction = 0.0;            ///< m, by which the two are brought apart by position only in this step; zero: none
+    double lift = 0.0;                  ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
+    double impulseLimit = 0.0;          ///< N s per point and substep; negative: none
+    bool countsWork = false;            ///< account for the work of pushing apart
+    bool driven = false;                ///< account for the work of the immovable one of the two
+    std::array<SolverPoint, 4> points;  ///< as many as the contact has; the others are never looked at
+};
+
+/// What a step made of a contact.
+struct ContactOutcome {
+    double work = 0.0;        ///< J: of pushing the bodies apart, or of a moving piece
+    bool corrected = false;   ///< the two were to come apart by position
+    bool countsWork = false;  ///< as its constraint has it, likewise the next
+    bool driven = false;
+    std::array<PointImpulses, 4> points;  ///< as many as the contact has
 };
 
 /// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved,
@@ -90,7 +106,6 @@ public:
 
     std::vector<SolverBody> bodies;
     std::vector<SolverContact> contacts;
-    std::vector<SolverPoint> points;
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
     std::span<const SplitBody> split;  ///< bodies that the passes see as several, for the whole step
@@ -101,19 +116,21 @@ public:
     void resizeBodies(std::size_t count);
     /// Where a body is: from here on the solver has it. Any number of threads for different ones.
     void place(std::size_t body, const Pose& pose);
-    /// Makes room for contacts and points.
-    void resize(std::size_t contactCount, std::size_t pointCount);
-    /// Where contacts come from. What the order of the passes is made of, ends, number of points, place and whether it is idle, is
-    /// in them from the start.
+    /// Where constraints come from. None is kept: what bounces is made again.
     struct Source {
-        std::function<void(std::uint32_t contact)> fill = [](std::uint32_t) {};      ///< makes the rest of a contact and its points
+        /// Makes the constraint of a contact with its points, all but what is known after the substeps; to the same bits until
+        /// contacts are given out.
+        std::function<void(std::uint32_t contact, ContactConstraint& made)> make = [](std::uint32_t, ContactConstraint&) {};
         std::function<void(std::uint32_t contact)> prefetch = [](std::uint32_t) {};  ///< which one is made soon
     };
     /// Takes the bodies as they are into a step; from here to its end what moves them lies elsewhere.
     /// @param movable  bodies below this one move
     void begin(std::size_t movable);
+    using Shown = std::function<void(std::uint32_t contact, const ContactConstraint& made)>;
     /// Lays contacts side by side for substeps of h [s], with what their points move and how stiff they are.
-    void layOut(double h, const Source& source);
+    /// @param source  is kept until the next step
+    /// @param made    is shown each constraint
+    void layOut(double h, const Source& source, const Shown& made = [](std::uint32_t, const ContactConstraint&) {});
     /// What a body may get to where contacts act on it, m/s.
     void bound(std::size_t body, double fastest);
     /// Between the passes and after them.
@@ -140,13 +157,8 @@ public:
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
     /// @param friction  what gives it back rubs as well, by Coulomb's law
     void restitute(double threshold, bool friction = false);
-    /// Where contacts go.
-    struct Target {
-        std::function<void(std::uint32_t contact)> take = [](std::uint32_t) {};      ///< is given each once it is complete
-        std::function<void(std::uint32_t contact)> prefetch = [](std::uint32_t) {};  ///< which one is given soon
-    };
-    /// Puts impulses and work into contacts and points. The passes above do not reach those.
-    void takeBack(const Target& target);
+    /// Gives out each contact with the impulses and the work that the passes and restitution left. From any thread.
+    void takeBack(const std::function<void(std::uint32_t contact, const ContactOutcome& outcome)>& take) const;
 
 private:
     /// Groups of lanes of one colour in one strip; those at its borders come first.
@@ -159,6 +171,10 @@ private:
         std::vector<Colour> colours;
         Milestone border;      ///< colours that meet and whose groups at the border are done, in all passes at hand
         std::size_t done = 0;  ///< colours, in all passes at hand
+    };
+    /// A contact that is hit, and where it lies.
+    struct Hit {
+        std::uint32_t contact = 0, group = 0, lane = 0;
     };
     /// What contacts take of a body, close together.
     struct MassProperties {
@@ -185,8 +201,10 @@ private:
     void solveStrip(Strip& strip, int passes, Pass pass);
     std::size_t stripCount();
     void arrange();
-    void fillLanes(std::size_t group, const Source& source);
-    void takeGroupBack(std::size_t group);
+    void fillLanes(std::size_t group, const Shown& made);
+    void prefetchGroup(std::size_t group) const;
+    PointImpulses impulsesOf(std::size_t point, std::size_t lane) const;
+    void giveBack(const Hit& hit, double threshold, bool friction);
 
     WorkerPool& m_pool;
     std::size_t m_movable = 0;              ///< bodies below this one move
@@ -198,9 +216,8 @@ private:
     std::vector<Strip> m_strips;
     std::atomic<bool> m_givenUp{false};  ///< the threads do not run at the same time, in this step
     int m_alone = 0;                     ///< steps for which this thread does all
-    std::vector<double> m_fastest;       ///< m/s, [contacts] speed of approach
+    Source m_source;
     std::vector<Group> m_groups;
-    std::vector<char> m_back;               ///< [groups] contacts and points have what the passes made
     std::vector<std::uint32_t> m_withWork;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LaneTally> m_tallies;  ///< beside them

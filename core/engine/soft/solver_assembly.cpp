@@ -230,14 +230,13 @@ void SolverAssembly::order(SoftSolver& solver) {
     solver.lastInOrder = colours.lastInOrder;
     m_points.fill(0.0);
     m_ends.resize(m_taken.size());
-    std::vector<std::uint32_t> firstPoint(m_taken.size() + 1, 0);
     for (std::size_t k = 0; k < m_taken.size(); ++k) {
         const Taken& from = m_taken[colours.order[k]];
-        firstPoint[k + 1] = firstPoint[k] + from.points;
         m_points[static_cast<std::size_t>(from.kind)] += from.points;
         m_ends[k] = {from.a, from.b};
     }
-    solver.resize(m_taken.size(), firstPoint.back());
+    m_struck.resize(m_taken.size());
+    solver.contacts.resize(m_taken.size());
     solver.copies.clear();
     if (m_split.added() > 0) {
         std::transform(colours.order.begin(), colours.order.end(), std::back_inserter(solver.copies),
@@ -246,16 +245,7 @@ void SolverAssembly::order(SoftSolver& solver) {
     m_scene.pool.loop(m_taken.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const Taken& from = m_taken[colours.order[k]];
-            SolverContact& c = solver.contacts[k];
-            c = {};
-            c.a = from.a;
-            c.b = from.b;
-            c.firstPoint = firstPoint[k];
-            c.points = from.points;
-            c.x = from.x;
-            c.y = from.y;
-            c.found = from.contact;
-            c.idle = from.idle;
+            solver.contacts[k] = {from.a, from.b, from.points, from.x, from.y, from.contact, from.idle};
         }
     });
 }
@@ -269,10 +259,14 @@ void SolverAssembly::build(SoftSolver& solver, int substeps, double dt) {
     limitMassRatios(solver);
     order(solver);
     solver.begin(m_scene.bodies.awake.size());
-    solver.layOut(m_h, {.fill = [&](std::uint32_t k) { fillContact(solver, solver.contacts[k]); },
-                        .prefetch = [&](std::uint32_t k) { prefetchFor(solver.contacts[k]); }});
-    const std::vector<double> bounds =
-        m_speeds.find(m_ends, solver.contacts, solver.points, solver.bodies, 2.0 * m_scene.settings.gravity * dt);
+    m_speeds.spread(m_ends);
+    solver.layOut(m_h,
+                  {.make = [this, &solver](std::uint32_t k, ContactConstraint& c) { makeConstraint(solver.contacts[k], c); },
+                   .prefetch = [this, &solver](std::uint32_t k) { prefetchFor(solver.contacts[k]); }},
+                  [&](std::uint32_t k, const ContactConstraint& c) {
+                      m_struck[k] = m_speeds.struck(m_ends[k], c, solver.contacts[k].points, solver.bodies);
+                  });
+    const std::vector<double> bounds = m_speeds.bounds(m_ends, m_struck, 2.0 * m_scene.settings.gravity * dt);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         solver.bound(i, bounds[i]);
     }
@@ -300,17 +294,17 @@ double SolverAssembly::correctionOf(const SoftContact& contact, double thickness
     return std::clamp(pushed || held ? std::max(overlap, jammed) : overlap, 0.0, m_scene.settings.overlapSpeed * dt);
 }
 
-void SolverAssembly::fillContact(SoftSolver& solver, SolverContact& c) const {
-    const SoftContact& contact = m_scene.contacts[c.found];
+void SolverAssembly::makeConstraint(const SolverContact& of, ContactConstraint& c) const {
+    const SoftContact& contact = m_scene.contacts[of.found];
     const WorldSettings& settings = m_scene.settings;
     Side stillA, stillB;
-    const Side& a = sideOf(c.a, *contact.a, stillA);
-    const Side& b = sideOf(c.b, *contact.b, stillB);
+    const Side& a = sideOf(of.a, *contact.a, stillA);
+    const Side& b = sideOf(of.b, *contact.b, stillB);
     const PairProperties& pair = settings.pairs.of(a.material, b.material);
     const auto isPiece = [&](std::uint32_t slot) { return !moves(slot) && slot != m_scene.bodies.stillSlot; };
     c.normal = contact.normal;
     c.friction = pair.friction;
-    c.driven = isPiece(c.a) || isPiece(c.b);
+    c.driven = isPiece(of.a) || isPiece(of.b);
     // What is limited or still overlaps does not bounce.
     c.restitution = contact.offset > 0.0 || c.driven ? 0.0 : pair.restitution;
     // What a body in overlap does to others, overlap does.
@@ -318,38 +312,50 @@ void SolverAssembly::fillContact(SoftSolver& solver, SolverContact& c) const {
     const double thickness = std::min(a.thickness, b.thickness);
     const double dt = m_h * m_substeps;
     c.correction = c.driven ? 0.0 : correctionOf(contact, thickness, dt);
-    const bool immovable = !moves(c.a) || !moves(c.b);
+    const bool immovable = !moves(of.a) || !moves(of.b);
     const double frequency = std::min(contactFrequency, 0.25 / m_h);
-    c.lift = immovable ? (!moves(c.a) ? 1.0 : -1.0) * settings.gravity * m_h : 0.0;
+    c.lift = immovable ? (!moves(of.a) ? 1.0 : -1.0) * settings.gravity * m_h : 0.0;
     c.frequency = immovable ? 2.0 * frequency : frequency;
     c.sinkAllowed = sinkAllowedOf(thickness);
     c.weight = settings.gravity * m_h / std::max(a.inverseMass, b.inverseMass);
-    c.impulseLimit = c.driven ? m_scene.rests.pieceLimit(contact, m_substeps, dt) : -1.0;
-    // Any direction off the normal will do for the first tangent, as long as it depends on the normal alone.
-    const Vec3& n = c.normal;
-    const Vec3 off = std::abs(n.x()) < 0.57735 ? Vec3(0.0, n.z(), -n.y()) : Vec3(n.y(), -n.x(), 0.0);
-    c.tangent[0] = off / std::sqrt(off.squaredNorm());
-    c.tangent[1] = n.cross(c.tangent[0]);
-    fillPoints(solver, c, a, b);
+    c.impulseLimit = c.driven ? pieceLimit(contact) : -1.0;
+    const std::array<Vec3, 2> tangents = tangentsOf(c.normal);
+    c.tangent[0] = tangents[0];
+    c.tangent[1] = tangents[1];
+    makePoints(of, a, b, c);
 }
 
-void SolverAssembly::fillPoints(SoftSolver& solver, const SolverContact& c, const Side& a, const Side& b) const {
-    const SoftContact& contact = m_scene.contacts[c.found];
+void SolverAssembly::makePoints(const SolverContact& of, const Side& a, const Side& b, ContactConstraint& c) const {
+    const SoftContact& contact = m_scene.contacts[of.found];
     // What a body carried while it counted as heavier must not hit it when it no longer does.
     const double yielded = std::min(1.0, contact.yield / std::min(a.yield, b.yield));
     const double carried = (m_substepLength > 0.0 ? m_h / m_substepLength : 1.0) * yielded;
-    for (std::uint32_t k = 0; k < c.points; ++k) {
+    for (std::uint32_t k = 0; k < of.points; ++k) {
         const SoftContact::Point& point = contact.points[k];
-        SolverPoint p;
+        SolverPoint& p = c.points[k];
         p.fromA = point.position - a.centre;
         p.fromB = point.position - b.centre;
         p.separation = point.separation + contact.offset;
-        p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
-        p.push = yielded * point.push;
-        p.tangentImpulse[0] = carried * c.tangent[0].dot(point.friction);
-        p.tangentImpulse[1] = carried * c.tangent[1].dot(point.friction);
-        solver.points[c.firstPoint + k] = p;
+        p.impulses.normal = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
+        p.impulses.push = yielded * point.push;
+        p.impulses.tangent[0] = carried * c.tangent[0].dot(point.friction);
+        p.impulses.tangent[1] = carried * c.tangent[1].dot(point.friction);
     }
+}
+
+std::array<Vec3, 2> SolverAssembly::tangentsOf(const Vec3& normal) {
+    // Any direction off the normal will do for the first, as long as it depends on the normal alone.
+    const Vec3& n = normal;
+    const Vec3 off = std::abs(n.x()) < 0.57735 ? Vec3(0.0, n.z(), -n.y()) : Vec3(n.y(), -n.x(), 0.0);
+    const Vec3 first = off / std::sqrt(off.squaredNorm());
+    return {first, n.cross(first)};
+}
+
+Vec3 SolverAssembly::armOf(bool ofA, const SolverContact& c, std::size_t point) const {
+    const SoftContact& contact = m_scene.contacts[c.found];
+    Side still;
+    const Side& side = ofA ? sideOf(c.a, *contact.a, still) : sideOf(c.b, *contact.b, still);
+    return contact.points[point].position - side.centre;
 }
 
 double SolverAssembly::yieldOf(const SolverContact& c) const {
@@ -357,8 +363,8 @@ double SolverAssembly::yieldOf(const SolverContact& c) const {
     return std::min(of(c.a), of(c.b));
 }
 
-void SolverAssembly::noteSupport(const SolverContact& c) {
-    const double up = c.normal.z();
+void SolverAssembly::noteSupport(const SolverContact& c, const Vec3& normal) {
+    const double up = normal.z();
     if (std::abs(up) < supportingNormal) {
         return;
     }

@@ -49,10 +49,16 @@ public:
     /// Contact points that the solver got, of all kinds or of one.
     double points() const { return points(ContactKind::Ground) + points(ContactKind::Structure) + points(ContactKind::Fragments); }
     double points(ContactKind kind) const { return m_points[static_cast<std::size_t>(kind)]; }
+    /// The directions of friction of a contact.
+    static std::array<Vec3, 2> tangentsOf(const Vec3& normal);
+    /// m, from the centre of mass of one of the two of a contact to a point of it, at the start of the step.
+    Vec3 armOf(bool ofA, const SolverContact& c, std::size_t point) const;
+    /// N s per point and substep that a piece may give.
+    double pieceLimit(const SoftContact& contact) const { return m_scene.rests.pieceLimit(contact, m_substeps, m_h * m_substeps); }
     /// Share of its true inverse mass that the lighter body of a contact has in this step.
     double yieldOf(const SolverContact& c) const;
     /// Notes that a contact acted: what lies on something firm is firm in the next step. Any number of threads.
-    void noteSupport(const SolverContact& c);
+    void noteSupport(const SolverContact& c, const Vec3& normal);
     /// The body of a slot lay on something firm in this step.
     bool supported(std::size_t slot) const { return m_supportedNow[slot] != 0; }
     int substeps() const { return m_substeps; }
@@ -94,8 +100,8 @@ private:
     Side sideOf(const Collider& collider) const;
     const Side& sideOf(std::uint32_t slot, const Collider& collider, Side& still) const;
     double correctionOf(const SoftContact& contact, double thickness, double dt) const;
-    void fillContact(SoftSolver& solver, SolverContact& c) const;
-    void fillPoints(SoftSolver& solver, const SolverContact& c, const Side& a, const Side& b) const;
+    void makeConstraint(const SolverContact& c, ContactConstraint& made) const;
+    void makePoints(const SolverContact& c, const Side& a, const Side& b, ContactConstraint& made) const;
     bool moves(std::uint32_t slot) const { return slot < m_scene.bodies.awake.size(); }
 
     AssemblyScene m_scene;
@@ -108,8 +114,9 @@ private:
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
     SpeedBound m_speeds;
     MassSplit m_split;
-    std::vector<SpeedBound::SlotPair> m_ends;  ///< [contacts of the solver]
-    std::array<double, 3> m_points{};          ///< by kind
+    std::vector<SpeedBound::SlotPair> m_ends;         ///< [contacts of the solver]
+    std::vector<std::pair<double, double>> m_struck;  ///< m/s, likewise: see SpeedBound::struck()
+    std::array<double, 3> m_points{};                 ///< by kind
 };
 
 }  // namespace rubble

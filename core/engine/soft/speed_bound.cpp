@@ -40,11 +40,11 @@ void SpeedBound::spread(std::span<const SlotPair> ends) {
 
 /// m/s that a far lighter body gets to by what strikes it. Seen from the point that strikes, it slides on as it came, and parts no
 /// faster than it parts by now, bounces (Newton) or is pushed out. What strikes it may have got faster in the step itself.
-double SpeedBound::struckBy(std::uint32_t from, std::uint32_t to, bool fromA, const SolverContact& contact,
-                            std::span<const SolverPoint> points, std::span<const SolverBody> bodies) const {
+double SpeedBound::struckBy(std::uint32_t from, std::uint32_t to, bool fromA, const ContactConstraint& contact, std::size_t points,
+                            std::span<const SolverBody> bodies) const {
     const Vec3 away = fromA ? contact.normal : Vec3(-contact.normal);
     double struck = 0.0;
-    for (const SolverPoint& point : points.subspan(contact.firstPoint, contact.points)) {
+    for (const SolverPoint& point : std::span(contact.points).first(points)) {
         const Vec3 strikes = bodies[from].velocity + bodies[from].spin.cross(fromA ? point.fromA : point.fromB);
         const Vec3 seen = bodies[to].velocity - strikes;
         const double parting = seen.dot(away);
@@ -54,24 +54,32 @@ double SpeedBound::struckBy(std::uint32_t from, std::uint32_t to, bool fromA, co
     return struck + (1.0 + contact.restitution) * (m_reach[from] - m_own[from]);
 }
 
-std::vector<double> SpeedBound::find(std::span<const SlotPair> ends, std::span<const SolverContact> contacts,
-                                     std::span<const SolverPoint> points, std::span<const SolverBody> bodies, double fall) {
-    spread(ends);
+std::pair<double, double> SpeedBound::struck(const SlotPair& ends, const ContactConstraint& contact, std::size_t points,
+                                             std::span<const SolverBody> bodies) const {
     const std::size_t still = m_reach.size() - 1;
-    std::vector<double> struck(m_movable, 0.0);  // what is far lighter than what it meets
+    const auto of = [&](std::uint32_t to, std::uint32_t from, bool fromA) {
+        const bool farLighter = to < m_movable && from != still && m_inverse[to] > mostMassRatio * m_inverse[from];
+        return farLighter ? struckBy(from, to, fromA, contact, points, bodies) : 0.0;
+    };
+    return {of(ends.first, ends.second, false), of(ends.second, ends.first, true)};
+}
+
+std::vector<double> SpeedBound::bounds(std::span<const SlotPair> ends, std::span<const std::pair<double, double>> struck,
+                                       double fall) const {
+    std::vector<double> most(m_movable, 0.0);
     for (std::size_t k = 0; k < ends.size(); ++k) {
-        const auto [a, b] = ends[k];
-        for (const auto& [to, from] : {SlotPair{a, b}, SlotPair{b, a}}) {
-            if (to < m_movable && from != still && m_inverse[to] > mostMassRatio * m_inverse[from]) {
-                struck[to] = std::max(struck[to], struckBy(from, to, from == a, contacts[k], points, bodies));
+        const auto take = [&](std::uint32_t slot, double speed) {
+            if (speed > 0.0) {
+                most[slot] = std::max(most[slot], speed);
             }
-        }
+        };
+        take(ends[k].first, struck[k].first);
+        take(ends[k].second, struck[k].second);
     }
-    std::vector<double> bounds(m_movable);
     for (std::size_t i = 0; i < m_movable; ++i) {
-        bounds[i] = (struck[i] > 0.0 ? struck[i] : 2.0 * m_reach[i] + pushOutSpeed) + fall;
+        most[i] = (most[i] > 0.0 ? most[i] : 2.0 * m_reach[i] + pushOutSpeed) + fall;
     }
-    return bounds;
+    return most;
 }
 
 bool SpeedBound::holdBack(SolverBody& body) {

@@ -25,21 +25,24 @@ public:
     double inverseMass(std::size_t slot) const { return m_inverse[slot]; }
     double speed(std::size_t slot) const { return m_reach[slot]; }
 
+    /// Hands speeds on through contacts, whose ends these are.
+    void spread(std::span<const SlotPair> ends);
+    /// m/s that the two of a contact, of so many points, get to at most by what strikes them, where one is far lighter than the
+    /// other; else 0. After speeds were handed on; any number of threads.
+    /// @param bodies  [slots] with their velocities
+    std::pair<double, double> struck(const SlotPair& ends, const ContactConstraint& contact, std::size_t points,
+                                     std::span<const SolverBody> bodies) const;
     /// m/s that each body that moves may get to where contacts act on it.
-    /// @param ends      [contacts] the slots that each is between
-    /// @param contacts  beside them
-    /// @param points    of the contacts
-    /// @param bodies    [slots] with their velocities
-    /// @param fall      m/s, that gravity adds in the step, at most
-    std::vector<double> find(std::span<const SlotPair> ends, std::span<const SolverContact> contacts,
-                             std::span<const SolverPoint> points, std::span<const SolverBody> bodies, double fall);
+    /// @param struck  beside the ends
+    /// @param fall    m/s, that gravity adds in the step, at most
+    std::vector<double> bounds(std::span<const SlotPair> ends, std::span<const std::pair<double, double>> struck,
+                               double fall) const;
     /// Slows a body down to its bound, if contacts act on it; true: it was too fast.
     static bool holdBack(SolverBody& body);
 
 private:
-    void spread(std::span<const SlotPair> ends);
-    double struckBy(std::uint32_t from, std::uint32_t to, bool fromA, const SolverContact& contact,
-                    std::span<const SolverPoint> points, std::span<const SolverBody> bodies) const;
+    double struckBy(std::uint32_t from, std::uint32_t to, bool fromA, const ContactConstraint& contact, std::size_t points,
+                    std::span<const SolverBody> bodies) const;
 
     std::size_t m_movable = 0;
     std::vector<double> m_inverse;  ///< 1/kg, [slots], as the solver takes it

@@ -21,6 +21,7 @@ struct Heap {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
     WorkerPool pool;
     SoftSolver solver{pool};
+    scenes::SolverConstraints constraints;
 
     explicit Heap(int threads) : pool(threads) {
         std::mt19937 random(11);
@@ -45,18 +46,18 @@ struct Heap {
         solver.firstOfGroup = colours.first;
         solver.lastInOrder = colours.lastInOrder;
         for (const std::uint32_t k : colours.order) {
-            SolverContact c =
-                scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0), h);
+            ContactConstraint made = scenes::contactConstraint(Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0), h);
+            SolverContact c = scenes::solverContact(ends[k], k);
             c.x = 0.1f * static_cast<float>(c.b);
             c.y = static_cast<float>(between(0.0, 5.0));
-            c.countsWork = k % 3 == 0;
-            c.correction = k % 4 == 0 ? 0.01 : 0.0;
+            made.countsWork = k % 3 == 0;
+            made.correction = k % 4 == 0 ? 0.01 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {
-                solver.points.push_back(scenes::solverPoint(between));
+                made.points[n] = scenes::solverPoint(between);
             }
             solver.contacts.push_back(c);
+            constraints.made.push_back(made);
         }
-        solver.resize(solver.contacts.size(), solver.points.size());
     }
 
     /// All numbers that a few steps leave.
@@ -64,7 +65,7 @@ struct Heap {
         std::vector<double> numbers;
         for (int step = 0; step < 3; ++step) {
             solver.begin(bodies);
-            solver.layOut(h, {});
+            solver.layOut(h, constraints.source());
             for (int substep = 0; substep < 2; ++substep) {
                 solver.solveSoft(1.0);
                 solver.relax();
@@ -78,9 +79,9 @@ struct Heap {
                 numbers.insert(numbers.end(), solver.bodies[i].velocity.begin(), solver.bodies[i].velocity.end());
                 numbers.insert(numbers.end(), solver.bodies[i].spin.begin(), solver.bodies[i].spin.end());
             }
-            solver.takeBack({});
-            for (const SolverContact& c : solver.contacts) {
-                numbers.push_back(c.work);
+            constraints.takeBack(solver);
+            for (const ContactOutcome& outcome : constraints.outcomes) {
+                numbers.push_back(outcome.work);
             }
         }
         return numbers;

@@ -20,6 +20,7 @@ struct Column {
     static constexpr double h = 1.0 / 240.0;
     WorkerPool pool{1};
     SoftSolver solver{pool};
+    scenes::SolverConstraints constraints;
 
     /// @param height  bodies in a column
     explicit Column(unsigned seed, std::uint32_t height = 3) {
@@ -42,24 +43,25 @@ struct Column {
         solver.firstOfGroup = colours.first;
         solver.lastInOrder = colours.lastInOrder;
         for (const std::uint32_t k : colours.order) {
-            SolverContact c =
-                scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.2, 0.2), between(-0.2, 0.2), 1.0), h);
+            ContactConstraint c = scenes::contactConstraint(Vec3(between(-0.2, 0.2), between(-0.2, 0.2), 1.0), h);
             c.impulseLimit = k % 5 == 0 ? 0.02 : -1.0;
             c.countsWork = k % 2 == 0;
             c.correction = k % 4 == 0 ? 0.2 : 0.0;
-            for (std::uint32_t n = 0; n < c.points; ++n) {
-                solver.points.push_back(scenes::solverPoint(between));
+            solver.contacts.push_back(scenes::solverContact(ends[k], k));
+            for (std::uint32_t n = 0; n < solver.contacts.back().points; ++n) {
+                c.points[n] = scenes::solverPoint(between);
             }
-            solver.contacts.push_back(c);
+            constraints.made.push_back(c);
         }
         prepare();
     }
 
     void prepare() {
-        solver.resize(solver.contacts.size(), solver.points.size());
         solver.begin(bodies);
-        solver.layOut(h, {});
+        solver.layOut(h, constraints.source());
     }
+
+    void takeBack() { constraints.takeBack(solver); }
 
     void substep() {
         solver.applyGravity(standardGravity * h);
@@ -82,7 +84,7 @@ void expectAlike(const LanePasses& variant) {
     for (Column* column : {&common, &fast}) {
         EXPECT_TRUE(column->solver.correctPositions());
         column->solver.end();
-        column->solver.takeBack({});
+        column->takeBack();
     }
     for (std::size_t i = 0; i < Column::bodies; ++i) {
         const SolverBody& a = common.solver.bodies[i];
@@ -96,10 +98,13 @@ void expectAlike(const LanePasses& variant) {
         EXPECT_EQ(common.solver.correctionOf(i).moved, fast.solver.correctionOf(i).moved) << i;
         EXPECT_EQ(common.solver.correctionOf(i).turned, fast.solver.correctionOf(i).turned) << i;
     }
-    for (std::size_t i = 0; i < common.solver.points.size(); ++i) {
-        EXPECT_EQ(common.solver.points[i].impulseSum, fast.solver.points[i].impulseSum) << i;
-        EXPECT_EQ(common.solver.points[i].push, fast.solver.points[i].push) << i;
-        EXPECT_EQ(common.solver.points[i].normalMass, fast.solver.points[i].normalMass) << i;
+    for (std::size_t i = 0; i < common.constraints.outcomes.size(); ++i) {
+        EXPECT_EQ(common.constraints.outcomes[i].work, fast.constraints.outcomes[i].work) << i;
+        for (std::size_t n = 0; n < common.solver.contacts[i].points; ++n) {
+            EXPECT_EQ(common.constraints.outcomes[i].points[n].sum, fast.constraints.outcomes[i].points[n].sum) << i;
+            EXPECT_EQ(common.constraints.outcomes[i].points[n].push, fast.constraints.outcomes[i].points[n].push) << i;
+            EXPECT_EQ(common.constraints.outcomes[i].points[n].normal, fast.constraints.outcomes[i].points[n].normal) << i;
+        }
     }
 }
 
@@ -150,8 +155,7 @@ TEST(SoftLanes, ABodyThatContactsActOnIsHeldToWhatItMayGetTo) {
     for (std::size_t i = 0; i < Column::bodies; ++i) {
         column.solver.bodies[i].radius = 1.0;
     }
-    column.solver.begin(Column::bodies);
-    column.solver.layOut(Column::h, {});
+    column.prepare();
     for (std::size_t i = 0; i < Column::bodies; ++i) {
         column.solver.bound(i, 0.25);
     }
@@ -171,9 +175,9 @@ TEST(SoftLanes, WhatAContactGetsDoesNotDependOnThoseBesideIt) {
         column.solver.contacts.resize(contacts);
         column.solver.firstOfGroup = {0, static_cast<std::uint32_t>(contacts)};
         const SolverContact& c = column.solver.contacts[0];
-        for (SolverPoint& p : std::span(column.solver.points).subspan(c.firstPoint, c.points)) {
-            p.normalImpulse = 0.0;
-            p.tangentImpulse[0] = 0.05;
+        for (SolverPoint& p : std::span(column.constraints.made[0].points).first(c.points)) {
+            p.impulses.normal = 0.0;
+            p.impulses.tangent[0] = 0.05;
             p.separation = 1.0;
         }
         column.prepare();
@@ -190,17 +194,19 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
     // A column in which all contacts come apart: the lower ones carry the way of what lies above, for which the passes of one step
     // are too few. What is open may close first.
     Column column(7, Column::bodies);
-    for (SolverContact& c : column.solver.contacts) {
+    for (ContactConstraint& c : column.constraints.made) {
         c.correction = 0.2;
     }
     column.prepare();
     const auto missing = [&] {
         EXPECT_TRUE(column.solver.correctPositions());
         double most = 0.0;
-        for (const SolverContact& c : column.solver.contacts) {
-            const SolverWay a = column.solver.correctionOf(c.a), b = column.solver.correctionOf(c.b);
-            for (std::uint32_t k = 0; k < c.points; ++k) {
-                const SolverPoint& p = column.solver.points[c.firstPoint + k];
+        for (std::size_t i = 0; i < column.constraints.made.size(); ++i) {
+            const SolverContact& of = column.solver.contacts[i];
+            const ContactConstraint& c = column.constraints.made[i];
+            const SolverWay a = column.solver.correctionOf(of.a), b = column.solver.correctionOf(of.b);
+            for (std::uint32_t k = 0; k < of.points; ++k) {
+                const SolverPoint& p = c.points[k];
                 const Vec3 way = b.moved + b.turned.cross(p.fromB) - a.moved - a.turned.cross(p.fromA);
                 most = std::max(most, c.correction - std::max(0.0, p.separation) - c.normal.dot(way));
             }
@@ -210,7 +216,7 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
     const double first = missing();
     double last = first;
     for (int step = 0; step < 30; ++step) {
-        column.solver.takeBack({});
+        column.takeBack();
         column.prepare();
         last = missing();
     }
@@ -220,6 +226,13 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
 TEST(SoftLanes, ContactsKeepMomentum) {
     // The ground takes part in every third contact: without it momentum stays to rounding.
     Column column(3);
+    std::vector<ContactConstraint> kept;
+    for (std::size_t i = 0; i < column.constraints.made.size(); ++i) {
+        if (column.solver.contacts[i].a != Column::bodies) {
+            kept.push_back(column.constraints.made[i]);
+        }
+    }
+    column.constraints.made = kept;
     std::erase_if(column.solver.contacts, [](const SolverContact& c) { return c.a == Column::bodies; });
     column.solver.firstOfGroup = {0};
     for (std::size_t i = 0; i < column.solver.contacts.size(); ++i) {
@@ -243,7 +256,7 @@ TEST(SoftLanes, ContactsKeepMomentum) {
 
 TEST(SoftLanes, WorkBookedCoversWhatContactsPutIn) {
     Column column(11);
-    for (SolverContact& c : column.solver.contacts) {
+    for (ContactConstraint& c : column.constraints.made) {
         c.countsWork = true;
         c.correction = 0.2;
     }
@@ -264,10 +277,10 @@ TEST(SoftLanes, WorkBookedCoversWhatContactsPutIn) {
     column.solver.relax();
     column.solver.accumulateWork();
     column.solver.end();
-    column.solver.takeBack({});
+    column.takeBack();
     double work = 0.0;
-    for (const SolverContact& c : column.solver.contacts) {
-        work += c.work;
+    for (const ContactOutcome& outcome : column.constraints.outcomes) {
+        work += outcome.work;
     }
     EXPECT_GE(work, energy() - before - 1e-12);
     EXPECT_GT(work, 0.0);

@@ -22,16 +22,18 @@ struct Scene {
         bound.set(slot, 1.0 / mass, speed);
     }
     std::vector<double> bounds(double fall = 0.0) {
-        std::vector<SolverContact> contacts(ends.size());
-        for (SolverContact& c : contacts) {
-            c.restitution = restitution;
-            c.normal = Vec3::UnitX();
-            c.points = 1;
-        }
+        ContactConstraint contact;
+        contact.restitution = restitution;
+        contact.normal = Vec3::UnitX();
         // All meet in one point of theirs.
-        SolverPoint point;
-        point.fromA = arm;
-        return bound.find(ends, contacts, std::span(&point, 1), bodies, fall);
+        contact.points[0].fromA = arm;
+        contact.points[0].fromB = Vec3::Zero();
+        bound.spread(ends);
+        std::vector<std::pair<double, double>> struck;
+        for (const SpeedBound::SlotPair& pair : ends) {
+            struck.push_back(bound.struck(pair, contact, 1, bodies));
+        }
+        return bound.bounds(ends, struck, fall);
     }
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/analysis/accuracy/accuracy_settings.h"
 #include "widgets/accuracy/accuracy_words.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 
@@ -55,10 +56,7 @@ void AccuracyTable::setHeadings(const std::vector<double>& tolerances) {
     m_kinds = accuracyKinds(tolerances);
     setColumnCount(accuracyColumn + static_cast<int>(m_kinds.size()));
     const auto head = [this](int column, const QString& text, const QString& tip) {
-        auto* item = new QTableWidgetItem(text);
-        item->setToolTip(tip);
-        item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-        setHorizontalHeaderItem(column, item);
+        setHorizontalHeaderItem(column, tableCell(text, column == 0, tip));
     };
     head(0, tr("setting"), tr("What departs from the settings of the case"));
     const std::array<std::pair<QString, QString>, costKindCount> costs{
@@ -78,10 +76,7 @@ void AccuracyTable::setHeadings(const std::vector<double>& tolerances) {
 }
 
 void AccuracyTable::put(int line, int column, const QString& text, const QString& tip) {
-    auto* item = new QTableWidgetItem(text);
-    item->setToolTip(tip);
-    item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    setItem(line, column, item);
+    setItem(line, column, tableCell(text, column == 0, tip));
 }
 
 void AccuracyTable::addPoint(const AccuracyPoint& point, int row, bool inUse) {

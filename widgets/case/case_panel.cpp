@@ -10,6 +10,7 @@
 
 #include "core/fe/unit_evidence.h"
 #include "widgets/basics/spoken_text.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
@@ -20,13 +21,6 @@ namespace rubble::widgets {
 namespace {
 
 enum ComponentColumn { NameColumn, KindColumn, ElementsColumn, DeadColumn, DensityColumn, ColumnsOfComponents };
-
-QTableWidgetItem* cell(const QString& text, bool number) {
-    auto* item = new QTableWidgetItem(text);
-    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    return item;
-}
 
 QString joined(const std::vector<std::string>& names) {
     QStringList list;
@@ -246,12 +240,12 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
         for (const ElementIndex e : component.elements) {
             dead += fe != nullptr && !fe->activity().active(fe->stateCount() - 1, e) ? 1 : 0;
         }
-        m_table->setItem(row, NameColumn, cell(QString::fromStdString(component.name), false));
+        m_table->setItem(row, NameColumn, fixedCell(QString::fromStdString(component.name), true));
         m_table->item(row, NameColumn)->setToolTip(QString::fromStdString(component.name));
-        m_table->setItem(row, KindColumn, cell(spokenText(component.kind), false));
-        m_table->setItem(row, ElementsColumn, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
-        m_table->setItem(row, DeadColumn, cell(shownCount(dead), true));
-        auto* density = cell(shownIn(component.density, "kg/m3", 4), true);
+        m_table->setItem(row, KindColumn, fixedCell(spokenText(component.kind), true));
+        m_table->setItem(row, ElementsColumn, fixedCell(shownCount(static_cast<std::int64_t>(component.elements.size())), false));
+        m_table->setItem(row, DeadColumn, fixedCell(shownCount(dead), false));
+        auto* density = fixedCell(shownIn(component.density, "kg/m3", 4), false);
         density->setFlags(density->flags() | Qt::ItemIsEditable);
         m_table->setItem(row, DensityColumn, density);
         const Vec3 size = component.bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(component.bounds.sizes());

@@ -16,6 +16,7 @@
 
 #include "widgets/basics/icons.h"
 #include "widgets/basics/language.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 
@@ -197,10 +198,7 @@ void ContactTable::fill() {
 
 void ContactTable::fillRow(int row, MaterialPair pair) {
     const auto plain = [&](int column, const QString& text, const QString& tip) {
-        auto* item = new QTableWidgetItem(text);
-        item->setTextAlignment((column == Pair ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        item->setToolTip(tip);
+        QTableWidgetItem* item = fixedCell(text, column == Pair, tip);
         m_table->setItem(row, column, item);
         return item;
     };

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "widgets/basics/spoken_text.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
@@ -18,13 +19,6 @@ namespace rubble::widgets {
 namespace {
 
 enum Column { Name, Dead, Share, First, Last, ColumnCount };
-
-QTableWidgetItem* cell(const QString& text, bool number) {
-    auto* item = new QTableWidgetItem(text);
-    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    return item;
-}
 
 QString instant(const std::optional<double>& time) {
     return time ? figures::timeText(*time) : QString(QChar(0x2013));
@@ -143,11 +137,12 @@ void NewCaseDeaths::showTable() {
         const ComponentAudit& component = m_content->audit.components[i];
         const Span span = i < m_content->spans.size() ? m_content->spans[i] : Span{};
         const int row = static_cast<int>(i);
-        m_table->setItem(row, Name, cell(QString::fromStdString(component.name), false));
-        m_table->setItem(row, Dead, cell(shownCount(component.dead), true));
-        m_table->setItem(row, Share, cell(shownShare(component.mass > 0.0 ? component.deadMass / component.mass : 0.0, 0), true));
-        m_table->setItem(row, First, cell(instant(span.first), true));
-        m_table->setItem(row, Last, cell(instant(span.last), true));
+        m_table->setItem(row, Name, fixedCell(QString::fromStdString(component.name), true));
+        m_table->setItem(row, Dead, fixedCell(shownCount(component.dead), false));
+        m_table->setItem(row, Share,
+                         fixedCell(shownShare(component.mass > 0.0 ? component.deadMass / component.mass : 0.0, 0), false));
+        m_table->setItem(row, First, fixedCell(instant(span.first), false));
+        m_table->setItem(row, Last, fixedCell(instant(span.last), false));
     }
     const int lines = std::min(12, std::max(1, m_table->rowCount()));
     m_table->setFixedHeight((lines + 1) * (m_table->fontMetrics().height() + 9) + 8);

@@ -13,6 +13,7 @@
 
 #include "core/scenario/differences.h"
 #include "widgets/basics/group_heading.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 
@@ -42,9 +43,7 @@ void addRow(QTableWidget& to, const QString& label, const QString& left, const Q
     to.insertRow(row);
     const std::array texts = {label, left, right, unit};
     for (int column = 0; column < 4; ++column) {
-        auto* item = new QTableWidgetItem(texts[static_cast<std::size_t>(column)]);
-        item->setTextAlignment((column == 1 || column == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-        item->setToolTip(tip);
+        QTableWidgetItem* item = tableCell(texts[static_cast<std::size_t>(column)], column != 1 && column != 2, tip);
         if (column == 3) {
             item->setForeground(tints().muted);
         }

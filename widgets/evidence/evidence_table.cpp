@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
@@ -71,10 +72,8 @@ void EvidenceTable::setRows(const std::vector<EvidenceRow>& rows) {
         const QStringList cells{name.isEmpty() ? kindText(row.form) : name, shows, numberOrWords(row.within, tr("not known")),
                                 numberOrWords(row.score, QStringLiteral("–"))};
         for (int c = 0; c < cells.size(); ++c) {
-            auto* item = new QTableWidgetItem(cells[c]);
-            item->setTextAlignment((c < 2 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-            item->setToolTip(kindText(row.form) + QStringLiteral(" · ") + name + QStringLiteral(" · ") + shows);
-            setItem(r, c, item);
+            const QString tip = kindText(row.form) + QStringLiteral(" · ") + name + QStringLiteral(" · ") + shows;
+            setItem(r, c, tableCell(cells[c], c < 2, tip));
         }
     }
     if (current >= 0 && current < rowCount()) {

@@ -13,6 +13,7 @@
 
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
@@ -24,13 +25,6 @@ namespace {
 constexpr int rowHeight = 24;  // px
 constexpr int rowsShown = 8;
 constexpr double farthest = 1e7;  // m, and px
-
-QTableWidgetItem* cell(const QString& text, Qt::Alignment side) {
-    auto* item = new QTableWidgetItem(text);
-    item->setTextAlignment(side | Qt::AlignVCenter);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    return item;
-}
 
 QString residualText(const CameraMatch* match, std::size_t pair) {
     if (match == nullptr || pair >= match->residuals.size()) {
@@ -152,15 +146,15 @@ void PhotoPairs::showTable(const CameraMatch* match) {
     for (std::size_t i = 0; i < m_pairs.size(); ++i) {
         const int row = static_cast<int>(i);
         const bool wrong = match != nullptr && i < match->used.size() && !match->used[i];
-        QTableWidgetItem* residual = cell(residualText(match, i), Qt::AlignRight);
+        QTableWidgetItem* residual = fixedCell(residualText(match, i), false);
         if (wrong) {
             QFont bold = m_table->font();
             bold.setWeight(QFont::DemiBold);
             residual->setFont(bold);
             residual->setForeground(tints().finding);
         }
-        m_table->setItem(row, 0, cell(QString::number(i + 1), Qt::AlignRight));
-        m_table->setItem(row, 1, cell(QString::fromStdString(m_pairs[i].name), Qt::AlignLeft));
+        m_table->setItem(row, 0, fixedCell(QString::number(i + 1), false));
+        m_table->setItem(row, 1, fixedCell(QString::fromStdString(m_pairs[i].name), true));
         m_table->item(row, 1)->setToolTip(QString::fromStdString(m_pairs[i].name));
         m_table->setItem(row, 2, residual);
     }

@@ -18,6 +18,7 @@
 #include "widgets/basics/fixed_number.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/surveys/removal_box.h"
@@ -73,9 +74,7 @@ void addRow(QTableWidget& table, const QStringList& cells) {
     const int row = table.rowCount();
     table.setRowCount(row + 1);
     for (int c = 0; c < cells.size(); ++c) {
-        auto* item = new QTableWidgetItem(cells[c]);
-        item->setTextAlignment((c == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-        table.setItem(row, c, item);
+        table.setItem(row, c, tableCell(cells[c], c == 0));
     }
 }
 

@@ -17,6 +17,7 @@
 #include "widgets/basics/fixed_number.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/model_marks.h"
@@ -319,8 +320,7 @@ void PlacePairsDialog::showTable() {
             cells = {cells[0], pairMetres(left.x()), pairMetres(left.y()), pairMetres(left.z()), pairMetres(left.norm())};
         }
         for (int c = 0; c < cells.size(); ++c) {
-            auto* item = new QTableWidgetItem(cells[c]);
-            item->setTextAlignment((c == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+            QTableWidgetItem* item = tableCell(cells[c], c == 0);
             if (bad(p)) {
                 item->setForeground(tints().finding);
             }

@@ -16191,6 +16191,22 @@
         <source>of the compared causes</source>
         <translation>所比较的原因</translation>
     </message>
+    <message>
+        <source>%1, set alike for %2</source>
+        <translation>%1，%2 处相同</translation>
+    </message>
+    <message>
+        <source>%1, by its density</source>
+        <translation>%1（由密度推断）</translation>
+    </message>
+    <message>
+        <source>What is a material &lt;i&gt;by its density&lt;/i&gt; was guessed: nobody said what the component is made of.</source>
+        <translation>标明&lt;i&gt;由密度推断&lt;/i&gt;的材料是猜测：没有人说明该构件由什么制成。</translation>
+    </message>
+    <message>
+        <source>The case says of this scenario: %1</source>
+        <translation>案例对此方案的说明：%1</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -24123,16 +24139,16 @@ Program: %3</source>
         <translation>四跨石拱桥</translation>
     </message>
     <message>
-        <source>The strips whose loss of strength starts the collapse belong to their arch rings.</source>
-        <translation>因强度丧失而引发倒塌的条带归入各自的拱圈。</translation>
-    </message>
-    <message>
         <source>Reinforced concrete arch above a river</source>
         <translation>跨河钢筋混凝土拱桥</translation>
     </message>
     <message>
         <source>All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below the valley floor.</source>
         <translation>所有混凝土均配筋；河水以 1 m/s 向北流动，水面低于谷底半米。</translation>
+    </message>
+    <message>
+        <source>The strips whose loss of strength starts the collapse belong to their arch rings. All is natural stone of 2,400 kg/m3, as in the FE result; EN 1991-1-1:2002, table A.2, gives sandstone 21 to 27 kN/m3 (2,140 to 2,750 kg/m3).</source>
+        <translation>因强度丧失而引发倒塌的条带归入各自的拱圈。全部为天然石材，密度 2,400 kg/m3，与有限元结果相同；EN 1991-1-1:2002 表 A.2 给出砂岩 21 至 27 kN/m3（2,140 至 2,750 kg/m3）。</translation>
     </message>
 </context>
 </TS>

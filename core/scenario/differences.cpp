@@ -24,4 +24,24 @@ std::vector<SettingDifference> differencesBetween(const Scenario& first, const S
     return found;
 }
 
+std::string SharedDifference::key() const {
+    return subjects.size() == 1 ? change.row->keyFor(subjects.front())
+                                : std::string(change.row->key) + " (" + std::to_string(subjects.size()) + ")";
+}
+
+std::vector<SharedDifference> sharedDifferences(const std::vector<SettingDifference>& differences) {
+    std::vector<SharedDifference> shared;
+    for (const SettingDifference& each : differences) {
+        const auto same = std::find_if(shared.begin(), shared.end(), [&](const SharedDifference& known) {
+            return known.change.row == each.row && known.change.first == each.first && known.change.second == each.second;
+        });
+        if (same != shared.end()) {
+            same->subjects.push_back(each.subject);
+        } else {
+            shared.push_back({each, {each.subject}});
+        }
+    }
+    return shared;
+}
+
 }  // namespace rubble

@@ -54,8 +54,8 @@ const CaseScenario* scenarioOf(const ReportRequest& request) {
                      {"report.no_scenario.remedy", "Name one of its scenarios.", {}});
 }
 
-std::string settingText(const SettingDifference& difference, const ParameterValue& value) {
-    return difference.row->keyFor(difference.subject) + " = " + valueText(value);
+std::string settingText(const SharedDifference& difference, const ParameterValue& value) {
+    return difference.key() + " = " + valueText(value);
 }
 
 void addStaleFile(std::vector<Message>& stale, const std::string& what, const std::string& path, const std::string& recorded,
@@ -74,10 +74,10 @@ void addStaleSettings(std::vector<Message>& stale, const ReportRequest& request)
         return;
     }
     const Scenario& ran = request.run->origin().scenario;
-    for (const SettingDifference& difference : differencesBetween(ran, scenario->scenario)) {
+    for (const SharedDifference& difference : sharedDifferences(differencesBetween(ran, scenario->scenario))) {
         stale.push_back({"report.stale_setting",
                          "the run has {0}, the case {1}",
-                         {settingText(difference, difference.first), settingText(difference, difference.second)}});
+                         {settingText(difference, difference.change.first), settingText(difference, difference.change.second)}});
     }
     if (!(ran.regrouping == scenario->scenario.regrouping)) {
         stale.push_back({"report.stale_regrouping", "the case regroups its components in another way than the run", {}});

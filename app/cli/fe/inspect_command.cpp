@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/cli/fe/component_origin.h"
 #include "app/cli/fe/growth_watch.h"
 #include "app/cli/fe/loose_output.h"
 #include "app/cli/fe/missing_facts.h"
@@ -14,6 +15,7 @@
 #include "core/fe/unit_evidence.h"
 #include "core/fragments/lifetimes.h"
 #include "core/pipeline/loose_scene.h"
+#include "core/scenario/case_lookup.h"
 
 namespace rubble::cli {
 
@@ -73,9 +75,31 @@ LooseReport looseReport(const io::OpenedCase& subject, const Components& compone
     return report;
 }
 
+/// What a component is made of, and who says so.
+struct ComponentMaterial {
+    std::string_view name;
+    ComponentOrigin origin;
+};
+
+std::vector<ComponentMaterial> materialsOf(const io::OpenedCase& subject, const Components& components) {
+    const std::vector<ComponentOrigin> origins = originsOf(components, subject.inputs.fe->mesh(), subject.scenario.components);
+    std::vector<ComponentMaterial> materials;
+    for (std::size_t c = 0; c < origins.size(); ++c) {
+        materials.push_back({materialName(components.list[c].material), origins[c]});
+    }
+    return materials;
+}
+
+/// What the case says of its scenario: where densities come from belongs there. Empty: nothing, or no case.
+std::string noteOf(const io::OpenedCase& subject) {
+    const CaseScenario* scenario = findScenario(subject.theCase, subject.scenarioId);
+    return scenario == nullptr ? std::string() : scenario->note;
+}
+
 /// All that is told of one result.
 struct Inspection {
     Audit audit;
+    std::vector<ComponentMaterial> materials;  ///< by component
     Findings findings;
     UnitReport units;
     LooseReport loose;
@@ -96,8 +120,11 @@ Json inspectionJson(const io::OpenedCase& subject, const Inspection& inspection)
     object["states"] = fe.stateCount();
     object["time_first_s"] = fe.times().front();
     object["time_last_s"] = fe.times().back();
+    object["scenario"] = {{"name", subject.scenarioName}, {"note", noteOf(subject)}};
     object["components"] = Json::array();
-    for (const ComponentAudit& component : audit.components) {
+    for (std::size_t c = 0; c < audit.components.size(); ++c) {
+        const ComponentAudit& component = audit.components[c];
+        const ComponentMaterial& material = inspection.materials[c];
         Json row;
         row["name"] = component.name;
         row["kind"] = component.kind;
@@ -106,6 +133,9 @@ Json inspectionJson(const io::OpenedCase& subject, const Inspection& inspection)
         row["density_kg_m3"] = component.density;
         row["mass_kg"] = component.mass;
         row["dead_mass_kg"] = component.deadMass;
+        row["density_from"] = material.origin.density;
+        row["material"] = material.name;
+        row["material_from"] = material.origin.material;
         object["components"].push_back(std::move(row));
     }
     object["mass_kg"] = audit.mass;
@@ -129,17 +159,25 @@ Json inspectionJson(const io::OpenedCase& subject, const Inspection& inspection)
     return object;
 }
 
-TextTable componentTable(const Audit& audit) {
+TextTable componentTable(const Inspection& inspection) {
+    const Audit& audit = inspection.audit;
     TextTable table({{"component", "component"},
                      {"kind", "kind"},
                      {"elements", "elements"},
                      {"dead", "dead"},
                      {"density [kg/m3]", "density_kg_m3"},
                      {"mass [kg]", "mass_kg"},
-                     {"dead mass [kg]", "dead_mass_kg"}});
-    for (const ComponentAudit& component : audit.components) {
+                     {"dead mass [kg]", "dead_mass_kg"},
+                     {"density by", "density_from"},
+                     {"material", "material"},
+                     {"by", "material_from"}});
+    for (std::size_t c = 0; c < audit.components.size(); ++c) {
+        const ComponentAudit& component = audit.components[c];
+        const ComponentMaterial& material = inspection.materials[c];
         table.add({textCell(component.name), textCell(component.kind), integerCell(component.elements), integerCell(component.dead),
-                   numberCell(component.density), numberCell(component.mass), numberCell(component.deadMass)});
+                   numberCell(component.density), numberCell(component.mass), numberCell(component.deadMass),
+                   textCell(std::string(material.origin.density)), textCell(std::string(material.name)),
+                   textCell(std::string(material.origin.material))});
     }
     return table;
 }
@@ -197,7 +235,10 @@ void printInspection(std::ostream& out, const io::OpenedCase& subject, const Ins
             << fact.instead << '\n';
     }
     printHeading(out, "Components");
-    componentTable(audit).print(out);
+    componentTable(inspection).print(out);
+    if (const std::string note = noteOf(subject); !note.empty()) {
+        out << "\nScenario \"" << subject.scenarioName << "\": " << note << '\n';
+    }
     if (audit.deadTotal == 0) {
         out << "\nNo element is dead at the end: there are no fragments in this result.\n";
     } else {
@@ -222,9 +263,10 @@ ExitCode inspect(const Arguments& arguments, Session& session) {
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Components, nullptr, session.execution());
     const Execution& execution = session.execution();
-    const Inspection inspection{auditDeaths(*subject.inputs.fe, *results.components, execution), io::allFindings(subject, results),
+    const Inspection inspection{auditDeaths(*subject.inputs.fe, *results.components, execution),
+                                materialsOf(subject, *results.components), io::allFindings(subject, results),
                                 unitReport(*subject.inputs.fe, execution), looseReport(subject, *results.components, execution)};
-    writeCsv(arguments, componentTable(inspection.audit));
+    writeCsv(arguments, componentTable(inspection));
     if (arguments.json()) {
         printJson(session, inspectionJson(subject, inspection));
     } else {

@@ -134,11 +134,11 @@ json provenanceFacts(const RunReader& run, const PageExtras& extras) {
         }
     }
     json settings = json::array();
-    for (const SettingDifference& difference : differencesBetween(Scenario{}, origin.scenario)) {
-        settings.push_back({{"key", difference.row->keyFor(difference.subject)},
-                            {"delivered", valueText(difference.first)},
-                            {"run", valueText(difference.second)},
-                            {"unit", difference.row->unit}});
+    for (const SharedDifference& difference : sharedDifferences(differencesBetween(Scenario{}, origin.scenario))) {
+        settings.push_back({{"key", difference.key()},
+                            {"delivered", valueText(difference.change.first)},
+                            {"run", valueText(difference.change.second)},
+                            {"unit", difference.change.row->unit}});
     }
     json facts = {{"files", files},
                   {"settings", settings},

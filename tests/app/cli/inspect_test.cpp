@@ -83,11 +83,51 @@ TEST_F(Inspect, TellsForPeopleWhatComesLoose) {
     EXPECT_THAT(arch.out, testing::HasSubstr("--json lists all"));
 }
 
+TEST_F(Inspect, SaysWhoSettledDensityAndMaterial) {
+    const nlohmann::json bare = cli({"inspect", writeSmallCollapse(m_folder / "small.exo"), "--json"}).json();
+    EXPECT_EQ(bare["components"][0]["density_from"], "file");
+    EXPECT_EQ(bare["components"][0]["material"], "masonry") << "2,000 kg/m3";
+    EXPECT_EQ(bare["components"][0]["material_from"], "density");
+    EXPECT_EQ(bare["scenario"]["note"], "");
+    const Outcome set = cli({"inspect", m_folder / "small.exo", "--json", "--set", "component[deck].density=2500", "--set",
+                             "component[deck].material=stone"});
+    EXPECT_EQ(set.json()["components"][0]["density_from"], "settings");
+    EXPECT_EQ(set.json()["components"][0]["material"], "stone");
+    EXPECT_EQ(set.json()["components"][0]["material_from"], "settings");
+    EXPECT_EQ(set.json()["components"][1]["density_from"], "file");
+
+    io::ExodusBuilder light = smallCollapse();
+    for (auto& block : light.blocks) {
+        block.attributes.clear();
+        block.attributeNames.clear();
+        block.attributeCount = 0;
+    }
+    light.write(m_folder / "light.exo");
+    const nlohmann::json assumed = cli({"inspect", m_folder / "light.exo", "--json"}).json();
+    EXPECT_EQ(assumed["components"][0]["density_from"], "assumed");
+}
+
+TEST_F(Inspect, TheSampleIsStoneAndSaysWhereItsDensityComesFrom) {
+    const std::string sample = sourcePath("resources/samples/stone-arch.rubble");
+    const nlohmann::json object = cli({"inspect", sample, "--json"}).json();
+    for (const nlohmann::json& component : object["components"]) {
+        EXPECT_EQ(component["material"], "stone") << component;
+        EXPECT_EQ(component["density_from"], "settings") << component;
+        EXPECT_GE(component["density_kg_m3"].get<double>(), 2140.0);
+        EXPECT_LE(component["density_kg_m3"].get<double>(), 2750.0);
+    }
+    EXPECT_THAT(object["scenario"]["note"].get<std::string>(), HasSubstr("EN 1991-1-1:2002, table A.2"));
+    EXPECT_THAT(cli({"inspect", sample}).out, HasSubstr("Scenario \"As computed\": "));
+    EXPECT_NEAR(object["mass_kg"], 111'254e3, 1e3) << "as its authors have it";
+}
+
 TEST_F(Inspect, CsvIsTheTableOfComponents) {
     const std::string csv = m_folder / "components.csv";
     ASSERT_EQ(cli({"inspect", writeSmallCollapse(m_folder / "small.exo"), "--csv", csv}).exitCode, 0);
     const std::string text = textOf(csv);
-    EXPECT_THAT(text, testing::StartsWith("component,kind,elements,dead,density_kg_m3,mass_kg,dead_mass_kg\ndeck,solid,3,3,2000,"));
+    EXPECT_THAT(text, testing::StartsWith(
+                          "component,kind,elements,dead,density_kg_m3,mass_kg,dead_mass_kg,density_from,material,material_from\n"
+                          "deck,solid,3,3,2000,"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 

@@ -24,6 +24,22 @@ TEST(Differences, AreEmptyBetweenEqualScenariosAndSymmetric) {
     }
 }
 
+TEST(Differences, ThatAreTheSameForSeveralComponentsAreToldOnce) {
+    Scenario stone;
+    for (const char* name : {"deck", "pier", "wall"}) {
+        stone.components[name].material = Material::Stone;
+    }
+    stone.components["roof"].material = Material::Steel;
+    setParameter(stone, "friction", 0.65);
+    const auto shared = sharedDifferences(differencesBetween({}, stone));
+    ASSERT_EQ(shared.size(), 3U);
+    EXPECT_EQ(shared[0].key(), "component[*].material (3)");
+    EXPECT_EQ(shared[0].subjects, (std::vector<std::string>{"deck", "pier", "wall"}));
+    EXPECT_EQ(shared[0].change.second, ParameterValue(std::string("stone")));
+    EXPECT_EQ(shared[1].key(), "component[roof].material");
+    EXPECT_EQ(shared[2].key(), "friction");
+}
+
 // Every row of the table is compared: what can be set shows as a difference.
 TEST(Differences, SeeEveryParameter) {
     for (const Parameter& row : parameterTable()) {

@@ -151,11 +151,13 @@ void ReportSections::addInputs() {
         table.columns = QStringList{tr("setting"), tr("key"), tr("delivered"), tr("in this run"), tr("unit")};
         table.words = {true, true, false, false, true};
         table.shares = {0.26, 0.37, 0.14, 0.14, 0.09};
-        for (const SettingDifference& difference : differences) {
+        for (const SharedDifference& shared : sharedDifferences(differences)) {
+            const SettingDifference& difference = shared.change;
             const std::string_view unit = difference.row->unit;
-            table.rows.push_back({said({"", std::string(difference.row->label), {}}),
-                                  code(QString::fromStdString(difference.row->keyFor(difference.subject))),
-                                  valueOf(difference.first), valueOf(difference.second),
+            const QString label = said({"", std::string(difference.row->label), {}});
+            const std::size_t many = shared.subjects.size();
+            table.rows.push_back({many == 1 ? label : tr("%1, set alike for %2").arg(label).arg(many),
+                                  code(QString::fromStdString(shared.key())), valueOf(difference.first), valueOf(difference.second),
                                   unitShown(QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())))});
         }
         table.source = source();
@@ -176,14 +178,25 @@ void ReportSections::addComponents() {
         ++born[at(fragment.component)];
         mass[at(fragment.component)] += fragment.mass;
     }
+    std::size_t guessed = 0;
     for (std::size_t c = 0; c < born.size(); ++c) {
         const Component& component = m_facts.components->list[c];
-        table.rows.push_back({escaped(component.name), said({"", std::string(materialName(component.material)), {}}),
+        const auto own = m_facts.scenario.components.find(component.name);
+        const bool isSaid = own != m_facts.scenario.components.end() && own->second.material;
+        guessed += isSaid ? 0 : 1;
+        const QString material = said({"", std::string(materialName(component.material)), {}});
+        table.rows.push_back({escaped(component.name), isSaid ? material : tr("%1, by its density").arg(material),
                               reportNumber(component.density, 4), count(static_cast<std::int64_t>(component.elements.size())),
                               tonnes(component.mass), count(born[c]), tonnes(mass[c])});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
+    if (guessed > 0) {
+        text(tr("What is a material <i>by its density</i> was guessed: nobody said what the component is made of."));
+    }
+    if (!m_facts.scenarioNote.empty()) {
+        text(tr("The case says of this scenario: %1").arg(escaped(m_facts.scenarioNote)));
+    }
 }
 
 void ReportSections::addContacts() {

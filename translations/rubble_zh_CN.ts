@@ -13785,10 +13785,6 @@
         <translation>此结果中没有单元失效，因此没有可模拟的内容。</translation>
     </message>
     <message>
-        <source>Settings have changed since this run: it is shown as it was. Simulate to bring it up to date.</source>
-        <translation>此次计算后设置已更改：显示的仍是当时的结果。请重新模拟以更新。</translation>
-    </message>
-    <message>
         <source>The sizes are counted anew when the simulation is through.</source>
         <translation>模拟完成后将重新统计尺寸。</translation>
     </message>
@@ -13831,6 +13827,14 @@
     <message>
         <source>Agreement with the reference (verification, no validation), what it costs in time, and which differences mean something.</source>
         <translation>与基准的一致性（核实，不是验证）、它以多少时间为代价，以及哪些差别有意义。</translation>
+    </message>
+    <message>
+        <source>The case has other settings than this run: it is shown as it was. Simulate to bring it up to date, or take its settings.</source>
+        <translation>案例的设置与本次计算不同：本次计算按原样显示。请重新模拟，或采用其设置。</translation>
+    </message>
+    <message>
+        <source>What this run stands on has changed: it is shown as it was. Simulate to bring it up to date.</source>
+        <translation>本次计算所依据的内容已改变：按原样显示。请重新模拟。</translation>
     </message>
 </context>
 <context>
@@ -14044,6 +14048,14 @@
     <message>
         <source>Cancelled at %1 after %2; what is computed is kept</source>
         <translation>在 %1 处取消，耗时 %2；已计算的内容保留</translation>
+    </message>
+    <message>
+        <source>take the settings of the run</source>
+        <translation>采用计算的设置</translation>
+    </message>
+    <message>
+        <source>Shown: the run %1. It has other settings than the case; Run &gt; Take its settings</source>
+        <translation>已显示：计算 %1。其设置与案例不同；计算 &gt; 采用其设置</translation>
     </message>
 </context>
 <context>
@@ -14618,66 +14630,6 @@
     <message>
         <source>released structure</source>
         <translation>已释放结构</translation>
-    </message>
-    <message>
-        <source>Where the debris of the collapse went: simulation report</source>
-        <translation>倒塌碎块的去向：模拟报告</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>目录</translation>
-    </message>
-    <message>
-        <source>page %1 of %2</source>
-        <translation>第 %1 页，共 %2 页</translation>
-    </message>
-    <message>
-        <source>Figure %1</source>
-        <translation>图 %1</translation>
-    </message>
-    <message>
-        <source>Table %1</source>
-        <translation>表 %1</translation>
-    </message>
-    <message>
-        <source>%1 · run %2</source>
-        <translation>%1 · 计算 %2</translation>
-    </message>
-    <message>
-        <source>Made by</source>
-        <translation>编制者</translation>
-    </message>
-    <message>
-        <source>Made on (UTC)</source>
-        <translation>编制时间 (UTC)</translation>
-    </message>
-    <message>
-        <source>Scenario</source>
-        <translation>方案</translation>
-    </message>
-    <message>
-        <source>FE result</source>
-        <translation>有限元结果</translation>
-    </message>
-    <message>
-        <source>SHA-256 of the FE result</source>
-        <translation>有限元结果的 SHA-256</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>计算</translation>
-    </message>
-    <message>
-        <source>Trajectory hash</source>
-        <translation>轨迹哈希</translation>
-    </message>
-    <message>
-        <source>Program</source>
-        <translation>程序</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>机器</translation>
     </message>
     <message>
         <source>a file has the name of the folder</source>
@@ -16206,6 +16158,62 @@
     <message>
         <source>The case says of this scenario: %1</source>
         <translation>案例对此方案的说明：%1</translation>
+    </message>
+    <message>
+        <source>Where the debris of the collapse went: simulation report</source>
+        <translation>倒塌碎块的去向：模拟报告</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>图 %1</translation>
+    </message>
+    <message>
+        <source>Table %1</source>
+        <translation>表 %1</translation>
+    </message>
+    <message>
+        <source>%1 · run %2</source>
+        <translation>%1 · 计算 %2</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>编制者</translation>
+    </message>
+    <message>
+        <source>Made on (UTC)</source>
+        <translation>编制时间 (UTC)</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the FE result</source>
+        <translation>有限元结果的 SHA-256</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>Trajectory hash</source>
+        <translation>轨迹哈希</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
     </message>
 </context>
 <context>
@@ -22478,6 +22486,18 @@ Program: %3</source>
     <message>
         <source>%1; fragments born from them %2, of these after they had come to rest %3, by a blow twice as hard as in the engine %4; bodies left at the end %5</source>
         <translation>%1；由其产生的碎块 %2，其中静止之后产生的 %3，因冲击为引擎所给两倍以上而产生的 %4；结束时余下的刚体 %5</translation>
+    </message>
+    <message>
+        <source>Settings of the case become those that this run was simulated with, in one step of undo</source>
+        <translation>案例的设置变为本次计算所用的设置，一步即可撤销</translation>
+    </message>
+    <message>
+        <source>The case has the settings of this run</source>
+        <translation>案例的设置与本次计算相同</translation>
+    </message>
+    <message>
+        <source>Take its settings</source>
+        <translation>采用其设置</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImageWriter>
+#include <QLocale>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
@@ -83,6 +84,8 @@ void ensureGuiApplication() {
     static char* argv[] = {name, option, platform, nullptr};
     // Lives until the process ends: Qt's own statics may outlast ours.
     new QGuiApplication(argc, argv);
+    // Without a window words are English, and so are numbers, whatever the system counts in.
+    QLocale::setDefault(QLocale(QLocale::English));
 }
 
 struct Studio::Impl {
@@ -371,11 +374,16 @@ void tagPdf(QPdfWriter& writer, const std::string& metadata) {
         return;
     }
     const QByteArray json = QByteArray::fromStdString(metadata);
+    // Readers of tags take the title from here (ISO 14289-1, 7.1).
+    const QByteArray title = writer.title().isEmpty()
+                                 ? QByteArray()
+                                 : "<dc:title><rdf:Alt><rdf:li xml:lang='x-default'>" + writer.title().toHtmlEscaped().toUtf8() +
+                                       "</rdf:li></rdf:Alt></dc:title>";
     writer.setDocumentXmpMetadata(
         "<?xpacket begin='' id='W5M0MpCehiHzreSzNTczkc9d'?>\n<x:xmpmeta xmlns:x='adobe:ns:meta/'>"
         "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#'>"
-        "<rdf:Description rdf:about='' xmlns:dc='http://purl.org/dc/elements/1.1/'><dc:source><![CDATA[" +
-        json + "]]></dc:source></rdf:Description></rdf:RDF></x:xmpmeta>\n<?xpacket end='w'?>");
+        "<rdf:Description rdf:about='' xmlns:dc='http://purl.org/dc/elements/1.1/'>" +
+        title + "<dc:source><![CDATA[" + json + "]]></dc:source></rdf:Description></rdf:RDF></x:xmpmeta>\n<?xpacket end='w'?>");
     writer.addFileAttachment(QStringLiteral("provenance.json"), json, QStringLiteral("application/json"));
 }
 

@@ -73,6 +73,22 @@ TEST_F(ReportCommand, SaysTheNumbersOfTheRun) {
     }
 }
 
+// Its words are English, so a reader who speaks German or Chinese must not be sent over them, nor take its points for commas.
+TEST_F(ReportCommand, SpeaksEnglishWhateverTheSystemSpeaks) {
+    for (const char* spoken : {"de_DE.UTF-8", "zh_CN.UTF-8"}) {
+        const Outcome outcome = CommandRun()
+                                    .with("DISPLAY", std::nullopt)
+                                    .with("LC_ALL", spoken)
+                                    .with("LANG", spoken)
+                                    .cli({"report", m_out, "--self-test", "none", "--repeats", "0", "--out", m_folder / "report",
+                                          "--cache", m_folder / "cache"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_THAT(html(), HasSubstr("<html lang=\"en\">")) << spoken;
+        EXPECT_THAT(html(), HasSubstr("together 10.00 t")) << spoken;
+        EXPECT_THAT(html(), testing::Not(HasSubstr("10,00"))) << spoken;
+    }
+}
+
 TEST_F(ReportCommand, CheckListsWhatItLacksAndWritesNothing) {
     const Outcome bare = cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--repeats", "0"});
     EXPECT_EQ(bare.exitCode, 1) << bare.err;

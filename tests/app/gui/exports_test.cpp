@@ -14,6 +14,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
+#include "widgets/basics/language.h"
 #include "widgets/evidence/figure_dialog.h"
 #include "widgets/evidence/movie_dialog.h"
 #include "widgets/evidence/report_panel.h"
@@ -118,6 +119,28 @@ TEST_F(Exports, AReportIsMadeOfTheRunAndNotOfAStaleOne) {
     ASSERT_TRUE(idle());
     EXPECT_FALSE(write->isEnabled()) << "the run does not have this setting";
     session->document().undoStack().setClean();
+}
+
+// A report is made in the language of the window: its own words, names of settings, materials and effects.
+TEST_F(Exports, AReportSpeaksTheLanguageOfTheWindow) {
+    widgets::speak(QStringLiteral("zh_CN"));
+    simulated();
+    widgets::ReportPanel& panel = window->rooms().deck->report();
+    panel.findChild<QSpinBox*>(QStringLiteral("reportRepeats"))->setValue(0);
+    auto* selfTest = panel.findChild<QComboBox*>(QStringLiteral("reportSelfTest"));
+    selfTest->setCurrentIndex(selfTest->findData(QStringLiteral("none")));
+    window->rooms().report->writeTo(QString::fromStdString(m_folder / "report"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().report->writing(); }, patience));
+    const std::string html = textOf(QString::fromStdString(m_folder / "report/report.html"));
+    widgets::speak(QStringLiteral("en"));
+    EXPECT_NE(html.find("<html lang=\"zh-CN\">"), std::string::npos);
+    for (const char* english : {"simulation report", "Contents", "Made on", "Trajectory hash", "Table 1", "Figure 1", "Settle time",
+                                "Contact of", "masonry", "Scenario<"}) {
+        EXPECT_EQ(html.find(english), std::string::npos) << english;
+    }
+    for (const char* chinese : {"目录", "砌体", "构件"}) {
+        EXPECT_NE(html.find(chinese), std::string::npos) << chinese;
+    }
 }
 
 TEST(FigureDialog, SaysTheSizeInPrintAndAsksForAPreviewOnceItRests) {

@@ -247,6 +247,65 @@ TEST_F(TaggedPdf, HeadingsTablesListsAndFiguresAreNamedInBothLanguages) {
     }
 }
 
+/// Titles of an outline with their depth, and the page that each leads to.
+struct OutlineRow {
+    int depth = 0;
+    std::string title;
+    std::size_t page = 0;
+};
+
+void readOutline(QPDFObjectHandle parent, int depth, const std::vector<QPDFObjectHandle>& pages, std::vector<OutlineRow>& rows) {
+    QPDFObjectHandle before;
+    for (QPDFObjectHandle item = parent.getKey("/First"); item.isDictionary(); item = item.getKey("/Next")) {
+        EXPECT_EQ(item.getKey("/Parent").getObjGen(), parent.getObjGen());
+        EXPECT_TRUE(!before.isInitialized() || item.getKey("/Prev").getObjGen() == before.getObjGen());
+        const auto page = std::ranges::find_if(pages, [&](const QPDFObjectHandle& each) {
+            return each.getObjGen() == item.getKey("/Dest").getArrayItem(0).getObjGen();
+        });
+        rows.push_back({depth, item.getKey("/Title").getUTF8Value(), static_cast<std::size_t>(page - pages.begin())});
+        const std::size_t own = rows.size();
+        readOutline(item, depth + 1, pages, rows);
+        if (rows.size() > own) {
+            EXPECT_EQ(item.getKey("/Count").getIntValue(), static_cast<long long>(rows.size() - own));
+        }
+        before = item;
+    }
+    if (before.isInitialized()) {
+        EXPECT_EQ(parent.getKey("/Last").getObjGen(), before.getObjGen());
+    }
+}
+
+TEST_F(TaggedPdf, AnOutlineLeadsToEveryHeadingAndTheTitleIsInTheMetadata) {
+    for (const QString language : {"en", "zh-CN"}) {
+        SCOPED_TRACE(language.toStdString());
+        TagsOf tags(written(language));
+        std::vector<QPDFObjectHandle> pages;
+        for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(tags.file()).getAllPages()) {
+            pages.push_back(page.getObjectHandle());
+        }
+        QPDFObjectHandle outlines = tags.catalog().getKey("/Outlines");
+        ASSERT_TRUE(outlines.isDictionary());
+        std::vector<OutlineRow> rows;
+        readOutline(outlines, 1, pages, rows);
+        ASSERT_EQ(rows.size(), 3U);
+        EXPECT_EQ(outlines.getKey("/Count").getIntValue(), 3);
+        EXPECT_EQ(rows[0].title, "1 First");
+        EXPECT_EQ(rows[1].title, "1.1 Part");
+        EXPECT_EQ(rows[2].title, "A Appendix");
+        EXPECT_EQ(rows[0].depth, 1);
+        EXPECT_EQ(rows[1].depth, 2);
+        EXPECT_EQ(rows[2].depth, 1);
+        EXPECT_EQ(rows[0].page, 2U) << "after cover and contents";
+        EXPECT_LE(rows[0].page, rows[1].page);
+        EXPECT_LT(rows[1].page, rows[2].page);
+        ASSERT_LT(rows[2].page, pages.size());
+        const auto held = tags.catalog().getKey("/Metadata").getStreamData();
+        const std::string metadata(reinterpret_cast<const char*>(held->getBuffer()), held->getSize());
+        const std::string title = oneOfEach(language).title.toHtmlEscaped().toStdString();
+        EXPECT_THAT(metadata, testing::HasSubstr("<rdf:li xml:lang='x-default'>" + title + "</rdf:li>"));
+    }
+}
+
 TEST_F(TaggedPdf, WhatCannotBeTaggedIsWrittenAsItIsAndTold) {
     PdfTags tags;
     tags.open("P");

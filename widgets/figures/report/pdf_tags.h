@@ -35,6 +35,15 @@ public:
     void begin(QPainter& painter);
     void end(QPainter& painter);
 
+    /// A heading that the outline of the file leads to. @param level  from 1; @param page  from 0
+    void addBookmark(int level, const QString& title, std::size_t page) { m_bookmarks.push_back({level, title, page}); }
+    struct Bookmark {
+        int level = 1;
+        QString title;
+        std::size_t page = 0;
+    };
+    const std::vector<Bookmark>& bookmarks() const { return m_bookmarks; }
+
     /// The first one is the document.
     const std::vector<Element>& elements() const { return m_elements; }
     std::size_t marks() const { return m_marks; }
@@ -46,6 +55,7 @@ private:
     void paint(QPainter& painter);
 
     std::vector<Element> m_elements;
+    std::vector<Bookmark> m_bookmarks;  ///< in reading order
     std::size_t m_open = 0;
     std::size_t m_marks = 0;
     unsigned int m_painted = 0;  ///< squares

@@ -207,6 +207,7 @@ private:
             m_y += (first ? 20.0 : 11.0) * dot;
         }
         m_found.push_back({heading.level, text, m_page});
+        m_tags.addBookmark(heading.level, text.simplified(), static_cast<std::size_t>(m_page - 1));
         ++m_heading;
         setRich(first ? "H2" : "H3", QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped()), points, 0.0, (first ? 7.0 : 4.0) * dot);
     }

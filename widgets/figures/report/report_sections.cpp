@@ -1,5 +1,6 @@
 #include "widgets/figures/report/report_sections.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -35,6 +36,17 @@ QString criterionShown(QString text) {
     text.replace(power, QStringLiteral("<sup>\\1</sup>"));
     text.replace(friction, QStringLiteral("µ"));
     return text.replace(QStringLiteral("+-"), QStringLiteral("±")).replace(QStringLiteral(" - "), QStringLiteral(" − "));
+}
+
+/// The name of a setting, as it stands beside its field.
+QString labelOf(const Parameter& row) {
+    return QCoreApplication::translate("parameters", std::string(row.label).c_str()).toHtmlEscaped();
+}
+
+QString nameOf(Material material) {
+    std::string words(materialName(material));
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return QCoreApplication::translate("choices", words.c_str()).toHtmlEscaped();
 }
 
 QString valueOf(const ParameterValue& value) {
@@ -154,7 +166,7 @@ void ReportSections::addInputs() {
         for (const SharedDifference& shared : sharedDifferences(differences)) {
             const SettingDifference& difference = shared.change;
             const std::string_view unit = difference.row->unit;
-            const QString label = said({"", std::string(difference.row->label), {}});
+            const QString label = labelOf(*difference.row);
             const std::size_t many = shared.subjects.size();
             table.rows.push_back({many == 1 ? label : tr("%1, set alike for %2").arg(label).arg(many),
                                   code(QString::fromStdString(shared.key())), valueOf(difference.first), valueOf(difference.second),
@@ -184,7 +196,7 @@ void ReportSections::addComponents() {
         const auto own = m_facts.scenario.components.find(component.name);
         const bool isSaid = own != m_facts.scenario.components.end() && own->second.material;
         guessed += isSaid ? 0 : 1;
-        const QString material = said({"", std::string(materialName(component.material)), {}});
+        const QString material = nameOf(component.material);
         table.rows.push_back({escaped(component.name), isSaid ? material : tr("%1, by its density").arg(material),
                               reportNumber(component.density, 4), count(static_cast<std::int64_t>(component.elements.size())),
                               tonnes(component.mass), count(born[c]), tonnes(mass[c])});
@@ -210,13 +222,12 @@ void ReportSections::addContacts() {
     table.columns = QStringList{tr("pair"), tr("coefficient"), tr("in this run"), tr("range"), tr("source")};
     table.words = {true, true, false, true, true};
     table.shares = {0.18, 0.14, 0.1, 0.2, 0.38};
-    const auto name = [&](Material material) { return said({"", std::string(materialName(material)), {}}); };
     for (const PairSource& row : pairSources()) {
         const auto [a, b] = row.pair;
         if (!materials.contains(a) || !materials.contains(b)) {
             continue;
         }
-        const QString pair = tr("%1 on %2").arg(name(a), name(b));
+        const QString pair = tr("%1 on %2").arg(nameOf(a), nameOf(b));
         table.rows.push_back({pair, tr("friction"), reportNumber(acting.of(a, b).friction), said(rangeText(row.frictionRange)),
                               said({"", std::string(row.friction), {}})});
         table.rows.push_back({pair, tr("restitution"), reportNumber(acting.of(a, b).restitution),
@@ -257,10 +268,9 @@ void ReportSections::addEffects() {
     table.shares = {0.18, 0.08, 0.12, 0.48, 0.14};
     const std::array<QString, 3> asked{tr("off"), tr("on"), tr("auto")};
     for (const EffectReport& effect : m_facts.result->effects) {
-        QString name = QString::fromUtf8(effectName(effect.decision.kind).data(),
-                                         static_cast<qsizetype>(effectName(effect.decision.kind).size()));
-        table.rows.push_back({name.replace(u'_', u' '), effect.decision.on ? tr("on") : tr("off"),
-                              asked[static_cast<std::size_t>(effect.decision.asked)], said(effect.decision.reason),
+        table.rows.push_back({labelOf(*findParameter(effectName(effect.decision.kind)).first),
+                              effect.decision.on ? tr("on") : tr("off"), asked[static_cast<std::size_t>(effect.decision.asked)],
+                              said(effect.decision.reason),
                               effect.decision.on ? reportNumber(effect.msPerStep, 2) : QStringLiteral("–")});
     }
     table.source = source();

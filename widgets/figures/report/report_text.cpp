@@ -72,32 +72,32 @@ QString shortDigest(const std::string& digest) {
 }
 
 ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pictures) {
-    const auto tr = [](const char* text) { return ReportSections::tr(text); };
     ReportDocument document;
     document.title = QString::fromStdString(facts.title);
-    document.subtitle = tr("Where the debris of the collapse went: simulation report");
+    document.subtitle = ReportSections::tr("Where the debris of the collapse went: simulation report");
     document.language = QLocale().language() == QLocale::Chinese ? QStringLiteral("zh-CN") : QStringLiteral("en");
-    document.contents = tr("Contents");
-    document.page = tr("page %1 of %2");
-    document.figure = tr("Figure %1");
-    document.table = tr("Table %1");
-    document.header = tr("%1 · run %2").arg(document.title, QString::fromStdString(facts.fingerprint.substr(0, 16)));
+    document.contents = ReportSections::tr("Contents");
+    document.page = ReportSections::tr("page %1 of %2");
+    document.figure = ReportSections::tr("Figure %1");
+    document.table = ReportSections::tr("Table %1");
+    document.header =
+        ReportSections::tr("%1 · run %2").arg(document.title, QString::fromStdString(facts.fingerprint.substr(0, 16)));
     const auto fact = [&](const QString& name, const QString& value) {
         if (!value.isEmpty()) {
             document.facts.emplace_back(name, value);
         }
     };
-    fact(tr("Made by"), QString::fromStdString(facts.author).toHtmlEscaped());
+    fact(ReportSections::tr("Made by"), QString::fromStdString(facts.author).toHtmlEscaped());
     // ISO 8601, as a reader has it.
-    fact(tr("Made on (UTC)"),
+    fact(ReportSections::tr("Made on (UTC)"),
          QString::fromStdString(facts.when).replace(QLatin1Char('T'), QLatin1Char(' ')).remove(QLatin1Char('Z')));
-    fact(tr("Scenario"), QString::fromStdString(facts.scenarioName).toHtmlEscaped());
-    fact(tr("FE result"), QFileInfo(QString::fromStdString(facts.fe->contents().path)).fileName().toHtmlEscaped());
-    fact(tr("SHA-256 of the FE result"), code(facts.fe->contents().sha256));
-    fact(tr("Run"), code(facts.fingerprint));
-    fact(tr("Trajectory hash"), code(facts.result->trajectoryHash.hex()));
-    fact(tr("Program"), QString::fromStdString(facts.build).toHtmlEscaped());
-    fact(tr("Machine"), QString::fromStdString(facts.machine).toHtmlEscaped());
+    fact(ReportSections::tr("Scenario"), QString::fromStdString(facts.scenarioName).toHtmlEscaped());
+    fact(ReportSections::tr("FE result"), QFileInfo(QString::fromStdString(facts.fe->contents().path)).fileName().toHtmlEscaped());
+    fact(ReportSections::tr("SHA-256 of the FE result"), code(facts.fe->contents().sha256));
+    fact(ReportSections::tr("Run"), code(facts.fingerprint));
+    fact(ReportSections::tr("Trajectory hash"), code(facts.result->trajectoryHash.hex()));
+    fact(ReportSections::tr("Program"), QString::fromStdString(facts.build).toHtmlEscaped());
+    fact(ReportSections::tr("Machine"), QString::fromStdString(facts.machine).toHtmlEscaped());
 
     ReportSections sections(facts, pictures);
     sections.addPlainSummary();

@@ -248,6 +248,46 @@ std::vector<PlacedMark> markPages(QPDF& file, const PdfTags& tags, std::vector<H
     return placed;
 }
 
+/// The bookmarks as the outline that readers show beside the pages (ISO 32000-1, 12.3.3); nothing without any.
+void addOutline(QPDF& file, const std::vector<PdfTags::Bookmark>& bookmarks, const std::vector<Handle>& pages) {
+    if (bookmarks.empty()) {
+        return;
+    }
+    Handle root = file.makeIndirectObject(Handle::newDictionary());
+    root.replaceKey("/Type", pdfName("Outlines"));
+    root.replaceKey("/Count", Handle::newInteger(static_cast<long long>(bookmarks.size())));
+    // From the root down to the last item, with levels.
+    std::vector<std::pair<int, Handle>> way{{0, root}};
+    for (const PdfTags::Bookmark& each : bookmarks) {
+        Handle item = file.makeIndirectObject(Handle::newDictionary());
+        item.replaceKey("/Title", Handle::newUnicodeString(each.title.toStdString()));
+        Handle place = Handle::newArray();
+        place.appendItem(pages.at(each.page));
+        place.appendItem(pdfName("Fit"));
+        item.replaceKey("/Dest", place);
+        while (way.back().first >= each.level) {
+            way.pop_back();
+        }
+        Handle parent = way.back().second;
+        item.replaceKey("/Parent", parent);
+        if (parent.hasKey("/Last")) {
+            Handle before = parent.getKey("/Last");
+            before.replaceKey("/Next", item);
+            item.replaceKey("/Prev", before);
+        } else {
+            parent.replaceKey("/First", item);
+        }
+        parent.replaceKey("/Last", item);
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            Handle above = way[i].second;
+            const long long below = above.hasKey("/Count") ? above.getKey("/Count").getIntValue() : 0;
+            above.replaceKey("/Count", Handle::newInteger(below + 1));
+        }
+        way.emplace_back(each.level, item);
+    }
+    file.getRoot().replaceKey("/Outlines", root);
+}
+
 }  // namespace
 
 QByteArray withStructure(const QByteArray& pdf, const PdfTags& tags, const QString& language) {
@@ -260,6 +300,7 @@ QByteArray withStructure(const QByteArray& pdf, const PdfTags& tags, const QStri
     mendCharacters(file);
     Handle catalog = file.getRoot();
     catalog.replaceKey("/StructTreeRoot", Tree(file, tags, placed, pages).root());
+    addOutline(file, tags.bookmarks(), pages);
     Handle marked = Handle::newDictionary();
     marked.replaceKey("/Marked", Handle::newBool(true));
     catalog.replaceKey("/MarkInfo", marked);

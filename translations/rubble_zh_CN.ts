@@ -16200,8 +16200,8 @@
         <translation>有限元结果的 SHA-256</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>计算</translation>
+        <source>Fingerprint of the run</source>
+        <translation>计算的指纹</translation>
     </message>
     <message>
         <source>Trajectory hash</source>

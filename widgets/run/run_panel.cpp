@@ -90,8 +90,19 @@ void RunPanel::setScenario(const Scenario& scenario) {
     m_notHeld->set(Notice::Kind::Note, finding ? worded(finding->what) : QString(), finding ? worded(finding->remedy) : QString());
 }
 
+void RunPanel::setOtherSettings(bool other) {
+    m_take->setEnabled(other);
+    m_take->setToolTip(other ? tr("Settings of the case become those that this run was simulated with, in one step of undo")
+                             : tr("The case has the settings of this run"));
+}
+
 void RunPanel::buildOutcome() {
     m_outcome = addGroup(tr("Last run"));
+    m_take = new QPushButton(tr("Take its settings"));
+    m_take->setObjectName(QStringLiteral("takeSettings"));
+    connect(m_take, &QPushButton::clicked, this, &RunPanel::settingsRequested);
+    m_outcome->addWide(m_take);
+    setOtherSettings(false);
     m_solver = m_outcome->addNote({});
     m_solver->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_solver->setToolTip(

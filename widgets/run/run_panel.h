@@ -34,6 +34,8 @@ public:
     void setHealth(const std::optional<HealthList::Content>& health);
     HealthList& health() { return *m_health; }
     RunList& runs() { return *m_runs; }
+    /// Whether the run that is shown has other settings than the case: they can then be taken into it.
+    void setOtherSettings(bool other);
     /// @param ready    there are clusters to simulate; @param why  else says what is missing
     /// @param running  only Cancel can be pushed; the buttons stand still
     void setReady(bool ready, bool running, const QString& why = {});
@@ -43,6 +45,8 @@ signals:
     void simulateRequested();
     void liveRequested();
     void cancelRequested();
+    /// The settings of the run that is shown are to be those of the case.
+    void settingsRequested();
 
 private:
     void buildSettings();
@@ -58,6 +62,7 @@ private:
     HealthList* m_health;
     RunList* m_runs;
     PanelGroup* m_outcome;
+    QPushButton* m_take;
     QLabel* m_solver;
     QLabel* m_bodies;
     QLabel* m_awake;

@@ -275,8 +275,19 @@ void PanelDeck::showState() {
         why = tr("No element dies in this result, so there is nothing to simulate.");
     }
     m_run->setReady(fe != nullptr && !none, running || waits, why);
-    m_run->setStale(record != nullptr && !record->running && record->outcome != nullptr && m_computation.runStale(scenario),
-                    tr("Settings have changed since this run: it is shown as it was. Simulate to bring it up to date."));
+    const bool ended = record != nullptr && !record->running;
+    Scenario now = scenario;
+    if (ended && record->live) {
+        // Live mode records as the screen needs it.
+        now.simulation.frameRate = record->scenario.simulation.frameRate;
+    }
+    const bool other = ended && !(record->scenario == now);
+    m_run->setOtherSettings(other);
+    m_run->setStale(
+        ended && record->outcome != nullptr && m_computation.runStale(scenario),
+        other ? tr("The case has other settings than this run: it is shown as it was. Simulate to bring it up to date, or take its "
+                   "settings.")
+              : tr("What this run stands on has changed: it is shown as it was. Simulate to bring it up to date."));
     const bool sizeStale = m_computation.stale(Stage::Sizing, scenario) || m_computation.stale(Stage::Clusters, scenario);
     m_grid->setStale(sizeStale && running, tr("The sizes are counted anew when the simulation is through."));
 }

@@ -41,6 +41,7 @@ RunControl::RunControl(Session& session, const Shown& shown, Actions& actions, Q
     connect(&actions[ActionId::Cancel], &QAction::triggered, this, &RunControl::cancel);
     connect(&m_shown.deck, &PanelDeck::simulateRequested, this, [this] { simulate(false); });
     connect(&m_shown.deck, &PanelDeck::liveRequested, this, [this] { simulate(true); });
+    connect(&m_shown.deck.run(), &widgets::RunPanel::settingsRequested, this, &RunControl::takeSettings);
     connect(&m_shown.deck, &PanelDeck::cancelRequested, &m_computation, &Computation::cancel);
     connect(&m_computation, &Computation::decided, &m_shown.deck, &PanelDeck::showState);
     connect(&m_computation, &Computation::stateChanged, this, &RunControl::changed);
@@ -66,6 +67,12 @@ void RunControl::cancel() {
         m_shown.validation.work().cancel();
         m_shown.errors.work().cancel();
         m_shown.studies.work().cancel();
+    }
+}
+
+void RunControl::takeSettings() {
+    if (const RunRecord* record = m_computation.currentRun()) {
+        m_document.edit([] { return tr("take the settings of the run"); }, record->scenario);
     }
 }
 
@@ -127,7 +134,10 @@ void RunControl::runReopened() {
     m_shown.scene.show();
     emit changed();
     m_shown.feed.refresh();
-    m_session.tell(tr("Shown: the run %1").arg(QFileInfo(record.path).fileName()));
+    const QString name = QFileInfo(record.path).fileName();
+    m_session.tell(record.scenario == m_document.scenario()
+                       ? tr("Shown: the run %1").arg(name)
+                       : tr("Shown: the run %1. It has other settings than the case; Run > Take its settings").arg(name));
 }
 
 QString RunControl::costlyWork() const {

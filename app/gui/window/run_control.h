@@ -51,6 +51,7 @@ signals:
 
 private:
     void cancel();
+    void takeSettings();
     void runBegun();
     void runEnded(bool complete);
     void runReopened();

@@ -94,7 +94,7 @@ ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pic
     fact(ReportSections::tr("Scenario"), QString::fromStdString(facts.scenarioName).toHtmlEscaped());
     fact(ReportSections::tr("FE result"), QFileInfo(QString::fromStdString(facts.fe->contents().path)).fileName().toHtmlEscaped());
     fact(ReportSections::tr("SHA-256 of the FE result"), code(facts.fe->contents().sha256));
-    fact(ReportSections::tr("Run"), code(facts.fingerprint));
+    fact(ReportSections::tr("Fingerprint of the run"), code(facts.fingerprint));
     fact(ReportSections::tr("Trajectory hash"), code(facts.result->trajectoryHash.hex()));
     fact(ReportSections::tr("Program"), QString::fromStdString(facts.build).toHtmlEscaped());
     fact(ReportSections::tr("Machine"), QString::fromStdString(facts.machine).toHtmlEscaped());

@@ -95,6 +95,35 @@ TEST_F(SecondHour, ARunFileOpensInItsCaseWhereverItLies) {
     EXPECT_TRUE(session->document().openPath().endsWith(QLatin1String("north.exo"))) << "what was open stays";
 }
 
+TEST_F(SecondHour, ARunWithOtherSettingsThanTheCaseLendsThem) {
+    openAndAwait(smallAs("east.exo"));
+    Document& document = session->document();
+    const Scenario delivered = document.scenario();
+    document.setParameter(QStringLiteral("friction"), 0.3);
+    document.setParameter(QStringLiteral("component[deck].density"), 2500.0);
+    const Scenario ran = document.scenario();
+    simulateToEnd();
+    auto* take = window->findChild<QPushButton*>(QStringLiteral("takeSettings"));
+    ASSERT_NE(take, nullptr);
+    EXPECT_FALSE(take->isEnabled()) << "they are those of the case";
+    document.undoStack().undo();
+    document.undoStack().undo();
+    ASSERT_EQ(document.scenario(), delivered);
+    EXPECT_TRUE(take->isEnabled());
+    EXPECT_TRUE(session->computation().runStale(document.scenario())) << "shown hatched";
+    ASSERT_TRUE(take->isEnabled());
+    clickPanel(PanelDeck::Run);
+    const int steps = document.undoStack().index();
+    QTest::mouseClick(take, Qt::LeftButton);
+    EXPECT_EQ(document.scenario(), ran);
+    EXPECT_EQ(document.undoStack().index(), steps + 1) << "one step";
+    EXPECT_FALSE(session->computation().runStale(document.scenario()));
+    EXPECT_FALSE(take->isEnabled());
+    document.undoStack().undo();
+    EXPECT_EQ(document.scenario(), delivered);
+    EXPECT_TRUE(take->isEnabled());
+}
+
 TEST_F(SecondHour, ABlastOfMicrosecondsIsToldInItsOwnUnitsAndHasHalfOfTheTimeline) {
     openAndAwait(timedAs("blast.exo", 1.4e-4));
     EXPECT_EQ(shown("timeFigures"), QStringLiteral("0.00 µs"));

@@ -72,12 +72,25 @@ std::vector<Caution> runCautions(const RunStanding& run) {
     return list;
 }
 
+bool cameraStated(const Photograph& photograph) {
+    return !photograph.pairs.empty() && std::all_of(photograph.pairs.begin(), photograph.pairs.end(),
+                                                    [](const PointPair& pair) { return pair.name.starts_with(statedPairName); });
+}
+
 std::vector<Caution> photographCautions(const Photograph& photograph, const CameraMatch* match, const RunStanding* run) {
     std::vector<Caution> list;
     if (match != nullptr && match->verdict == MatchVerdict::Poor) {
         list.push_back({"poor_camera",
                         HealthGrade::Finding,
                         {"caution.poor_camera", "poor match of the camera: do not rest a conclusion on it", {}}});
+    }
+    if (match != nullptr && cameraStated(photograph)) {
+        list.push_back({"stated_camera",
+                        HealthGrade::Finding,
+                        {"caution.stated_camera",
+                         "the camera is the one that the cloud states for its picture: how well it is known nobody said, and no "
+                         "spread here holds it",
+                         {}}});
     }
     if (run != nullptr && !photograph.time && (run->moving > 0 || !run->complete)) {
         list.push_back(

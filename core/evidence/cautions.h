@@ -16,7 +16,7 @@ namespace rubble {
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
     std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "single_run", "bodies", "poor_camera",
-                           ///< "not_at_rest"
+                           ///< "not_at_rest", "stated_camera"
     HealthGrade grade{};
     Message what;
 
@@ -43,6 +43,11 @@ RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bo
 
 /// The gravest first; the number of bodies stands at the end.
 std::vector<Caution> runCautions(const RunStanding& run);
+
+/// How names of pairs begin that were made from the camera that a cloud states for its picture, not clicked by somebody.
+inline constexpr std::string_view statedPairName = "pose of the cloud";
+/// Whether the camera of a photograph is one that was stated: then its residuals say nothing of how well it is known.
+bool cameraStated(const Photograph& photograph);
 
 /// Of a photograph that the debris of a run is held against.
 /// @param match  null: none was found

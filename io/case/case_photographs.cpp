@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/site/clouds/e57/placed_photographs.h"
+#include "io/site/photograph_file.h"
+
 namespace rubble::io {
 
 namespace fs = std::filesystem;
@@ -29,6 +34,41 @@ std::optional<std::string> addPhotograph(Case& theCase, const std::string& caseP
     added.camera.height = facts.height;
     added.camera.freePrincipal = cropped(facts);
     return id;
+}
+
+AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePath, const std::string& cloud, const Frame& frame,
+                                       Findings& findings) {
+    std::optional<Registration> placed;
+    std::error_code ignored;
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == InputRole::Survey && fs::equivalent(inputPath(casePath, input), cloud, ignored)) {
+            placed = input.registration;
+        }
+    }
+    AddedPhotographs added;
+    const fs::path beside = fs::absolute(casePath).parent_path() / (fs::path(cloud).filename().string() + "-photographs");
+    for (const PlacedPhotograph& photograph : placedPhotographs(cloud, frame, theCase.site, placed, findings)) {
+        const std::string path = (beside / photograph.name).string();
+        const std::string_view content(reinterpret_cast<const char*>(photograph.bytes.data()), photograph.bytes.size());
+        if (contentOf(path) != content) {
+            writeIn(path, content);
+        }
+        const PhotographFile file = readPhotograph(path);
+        findings.append(file.findings);
+        const std::optional<std::string> id = addPhotograph(theCase, casePath, path, file.facts, file.sha256);
+        if (!id) {
+            ++added.known;
+            continue;
+        }
+        added.ids.push_back(*id);
+        Photograph& last = theCase.photographs.back();
+        last.camera = photograph.camera;
+        last.camera.width = file.facts.width;
+        last.camera.height = file.facts.height;
+        last.pairs = photograph.pairs;
+        last.note = "camera as " + fs::path(cloud).filename().string() + " states it";
+    }
+    return added;
 }
 
 }  // namespace rubble::io

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/base/finding.h"
 #include "core/scenario/case.h"
 
 namespace rubble::io {
@@ -12,5 +14,17 @@ namespace rubble::io {
 /// @param casePath  the file that inputs are relative to
 std::optional<std::string> addPhotograph(Case& theCase, const std::string& casePath, const std::string& path,
                                          const PhotoFacts& facts, const std::string& sha256);
+
+/// Photographs of a case that lie in a cloud.
+struct AddedPhotographs {
+    std::vector<std::string> ids;  ///< of those that were added
+    std::size_t known = 0;         ///< that the case had already
+};
+
+/// Adds the pictures of a cloud that have a pinhole and a pose (placedPhotographs()) as photographs with that camera. Their files
+/// are written into a folder beside the case, named after the cloud. Throws as placedPhotographs(), WorldError.
+/// @param frame  of the case as it is open
+AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePath, const std::string& cloud, const Frame& frame,
+                                       Findings& findings);
 
 }  // namespace rubble::io

@@ -21,6 +21,7 @@
 #include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/evidence/surveys/point_box.h"
 #include "widgets/evidence/surveys/removal_box.h"
 
 namespace rubble::widgets {
@@ -96,6 +97,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_cell(new NumberField(tr("Cells of the survey comparison"))),
       m_least(new NumberField(tr("Least height of debris"))),
       m_place(new SurveyPlace),
+      m_points(new PointBox),
       m_removals(new RemovalBox),
       m_fit(new QComboBox),
       m_showsFallen(new QComboBox),
@@ -129,6 +131,7 @@ SurveyBox::SurveyBox(QWidget* parent)
     column->addWidget(m_add);
     column->addLayout(files);
     column->addWidget(m_place);
+    column->addWidget(m_points);
     buildFields();
     buildScope();
     buildResults();

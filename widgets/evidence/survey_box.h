@@ -21,6 +21,7 @@ namespace rubble::widgets {
 class FindingList;
 class Notice;
 class NumberField;
+class PointBox;
 class RemovalBox;
 
 /// Surveys of the real debris: which of them, how it is held against the simulated debris, and what comes of it.
@@ -58,6 +59,7 @@ public:
     SurveySettings settings() const;
     void setSettings(const SurveySettings& settings);
     SurveyPlace& place() { return *m_place; }
+    PointBox& points() { return *m_points; }
     RemovalBox& removals() { return *m_removals; }
 
 signals:
@@ -94,6 +96,7 @@ private:
     NumberField* m_cell;
     NumberField* m_least;
     SurveyPlace* m_place;
+    PointBox* m_points;
     RemovalBox* m_removals;
     QComboBox* m_fit;
     QComboBox* m_showsFallen;

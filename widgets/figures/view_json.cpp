@@ -42,6 +42,10 @@ constexpr std::array<Named<render::ColourBy>, 7> colourings{{{render::ColourBy::
                                                              {render::ColourBy::Cluster, "cluster"},
                                                              {render::ColourBy::Error, "error"},
                                                              {render::ColourBy::Island, "island"}}};
+constexpr std::array<Named<render::PointColour>, 4> pointColours{{{render::PointColour::Own, "own"},
+                                                                  {render::PointColour::Height, "height"},
+                                                                  {render::PointColour::Class, "class"},
+                                                                  {render::PointColour::Distance, "distance"}}};
 constexpr std::array<Named<render::Theme>, 3> themes{
     {{render::Theme::Light, "light"}, {render::Theme::Dark, "dark"}, {render::Theme::Print, "print"}}};
 
@@ -79,6 +83,14 @@ public:
                 refuse(m_source, named(key) + " is not a switch", "true or false");
             }
             value = v.toBool();
+        }
+    }
+    void read(const char* key, std::string& value) const {
+        if (const QJsonValue v = m_object.value(QLatin1String(key)); !v.isUndefined()) {
+            if (!v.isString()) {
+                refuse(m_source, named(key) + " is not a name", "a name, or nothing between two quotes");
+            }
+            value = v.toString().toStdString();
         }
     }
     void read(const char* key, Vec3& value) const {
@@ -431,6 +443,8 @@ std::string toJson(const render::View& view) {
                        {"ground_grid", view.groundGrid},
                        {"shading", view.shading},
                        {"shadows", view.shadows},
+                       {"cloud", QString::fromStdString(view.cloud)},
+                       {"point_colour", nameOf(pointColours, view.pointColour)},
                        {"axes", view.axes},
                        {"captions", view.captions},
                        {"legends", view.legends},
@@ -469,6 +483,8 @@ render::View viewFromJson(std::string_view json, std::string_view source) {
     reader.read("ground_grid", view.groundGrid);
     reader.read("shading", view.shading);
     reader.read("shadows", view.shadows);
+    reader.read("cloud", view.cloud);
+    reader.read("point_colour", view.pointColour, pointColours);
     reader.read("axes", view.axes);
     reader.read("captions", view.captions);
     reader.read("legends", view.legends);

@@ -133,6 +133,7 @@ PaneRenderer::PaneRenderer()
     m_renderer->AddActor(m_selectionActor);
     m_ground.addTo(*m_renderer);  // last: what the model covers is not shaded again
     m_site.addTo(*m_renderer);
+    m_cloud.addTo(*m_renderer);
     m_water.addTo(*m_renderer);
     m_grid.addTo(*m_renderer);
     m_outline.addTo(*m_renderer);
@@ -204,6 +205,12 @@ void PaneRenderer::setGround(bool visible, bool grid) {
     m_ground.setVisible(visible, grid);
     m_site.setVisible(visible);
     m_water.setVisible(visible);
+}
+
+void PaneRenderer::setPoints(const std::shared_ptr<const SitePoints>& points, bool visible, bool simple) {
+    constexpr std::uint64_t whileMoving = 300'000;
+    m_cloud.set(points);
+    m_cloud.show(visible, simple ? whileMoving : std::numeric_limits<std::uint64_t>::max());
 }
 
 void PaneRenderer::setClip(const std::optional<ClipPlane>& clip) {

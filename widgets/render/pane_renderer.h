@@ -9,6 +9,7 @@
 #include "widgets/render/panes.h"
 #include "widgets/render/site/grid_lines.h"
 #include "widgets/render/site/ground.h"
+#include "widgets/render/site/point_layer.h"
 #include "widgets/render/site/site_layer.h"
 #include "widgets/render/site/water_surface.h"
 
@@ -42,6 +43,8 @@ public:
                  const std::shared_ptr<const std::vector<SiteMesh>>& surroundings, const SiteSurface& ground, const Aabb& bounds,
                  const SceneColours& colours);
     void setGround(bool visible, bool grid);
+    /// As PointLayer. @param simple  fewer of them, while the picture moves
+    void setPoints(const std::shared_ptr<const SitePoints>& points, bool visible, bool simple);
     void setClip(const std::optional<ClipPlane>& clip);
     /// Darkens edges and hollows after the depth of the picture.
     void setShading(bool shaded);
@@ -73,6 +76,7 @@ private:
     vtkSmartPointer<vtkActor> m_selectionActor;
     Ground m_ground;
     SiteLayer m_site;
+    PointLayer m_cloud;
     WaterSurface m_water;
     GridLines m_grid;
     GridLines m_outline;

@@ -309,6 +309,12 @@ void Scene::setData(const SceneData& data) {
     if (data == m_impl->data) {
         return;
     }
+    SceneData other = m_impl->data;
+    other.points = data.points;
+    if (data == other) {
+        m_impl->data = std::move(other);  // nothing else is made anew for them
+        return;
+    }
     if (!sameStructure(data, m_impl->data)) {
         m_impl->drop(0);
     }
@@ -439,6 +445,7 @@ void Scene::Impl::update(bool simple) {
         renderer.setShading(view.shading);
         renderer.setShade(view.shadows && geometry ? &shades[indexOf(pane.content)] : nullptr, shownColours);
         renderer.setGround(view.ground && geometry, view.groundGrid);
+        renderer.setPoints(data.points, !view.cloud.empty() && geometry != nullptr, simple);
         renderer.place(pane, width, height);
         renderer.look(cameraOf(view, pane.content), bounds);
     }

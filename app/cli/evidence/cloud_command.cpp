@@ -1,5 +1,5 @@
 #include <array>
-#include <cctype>
+#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -16,12 +16,14 @@
 #include "app/cli/frame/output_file.h"
 #include "app/cli/frame/run_inputs.h"
 #include "core/base/csv_text.h"
+#include "core/base/elapsed.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/distance_files.h"
+#include "io/site/clouds/e57/placed_photographs.h"
 #include "io/site/clouds/point_writer.h"
 #include "io/site/survey_file.h"
 #include "io/site/surveys/survey_registration.h"
@@ -98,13 +100,8 @@ std::vector<std::string> writePhotographs(const Arguments& arguments, const io::
     const auto folder = arguments.value("--photographs");
     for (std::size_t p = 0; folder && p < cloud.head().photographs.size(); ++p) {
         const io::CloudPhotograph& photograph = cloud.head().photographs[p];
-        std::string name = std::to_string(p + 1) + (photograph.name.empty() ? "" : "-");
-        for (const char c : photograph.name.substr(0, 60)) {
-            const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-            name += plain ? c : '_';
-        }
         const std::vector<unsigned char> bytes = cloud.photograph(photograph);
-        paths.push_back(*folder + "/" + name + "." + photograph.kind);
+        paths.push_back(*folder + "/" + io::photographFileName(photograph, p));
         io::writeIn(paths.back(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
     return paths;
@@ -313,6 +310,10 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
 
 ExitCode tellCloud(const Arguments& arguments, Session& session) {
     if (arguments.has("--against")) {
+        if (arguments.has("--index")) {
+            throw UsageError({"cli.not_with_against", "{0} has no meaning with a second cloud", {"--index"}},
+                             {"cli.not_with_against.remedy", "Give it in a call of its own.", {}});
+        }
         return compareCloud(arguments, session);
     }
     for (const std::string_view option : distanceOptions) {
@@ -325,12 +326,24 @@ ExitCode tellCloud(const Arguments& arguments, Session& session) {
     checkCsvPath(arguments, inputs);
     const io::CloudRequest request = cloudRequestFrom(arguments);
     const std::unique_ptr<io::PointCloud> cloud = io::openCloud(arguments.operand(), request);
-    const io::CloudSummary summary = readAll(arguments, *cloud, session.execution());
+    std::optional<io::OpenedOctree> index;
+    const auto from = std::chrono::steady_clock::now();
+    if (arguments.has("--index")) {
+        index = io::openOctree(arguments.operand(), request, session.execution());
+    }
+    const double seconds = secondsSince(from);
+    const bool readAlready = index && index->summary && !arguments.has("--csv");
+    const io::CloudSummary summary = readAlready ? *index->summary : readAll(arguments, *cloud, session.execution());
     const std::vector<std::string> photographs = writePhotographs(arguments, *cloud);
     if (arguments.json()) {
-        printJson(session, cloudJson(*cloud, summary, photographs));
+        Json object = cloudJson(*cloud, summary, photographs);
+        object["octree"] = index ? octreeJson(*index, seconds) : Json();
+        printJson(session, object);
     } else {
         printCloud(session.out(), *cloud, summary);
+        if (index) {
+            printOctree(session.out(), *index, seconds);
+        }
     }
     return ExitCode::Ok;
 }
@@ -348,6 +361,9 @@ Command cloudCommand() {
         {{"--crs", "SYSTEM", false, "coordinate system of a cloud that names none: EPSG code, WKT or PROJ"},
          {"--columns", "LIST", false, "columns of a table without a heading, such as x,y,z,intensity,red,green,blue,class,skip"},
          {"--photographs", "FOLDER", false, "write the pictures that lie in an E57"},
+         {"--index", "", false,
+          "make an octree beside the cloud, or in the cache folder where that cannot be written to, for views by level of detail; "
+          "one that is there and of this file is kept"},
          {"--against", "CLOUD|RUN", false,
           "measure the distance from FILE to this cloud, or to the simulated site of a run, along the local normal (M3C2)"},
          {"--cores", "CLOUD", false,

@@ -250,4 +250,24 @@ void printCloud(std::ostream& out, const io::PointCloud& cloud, const io::CloudS
     printFindings(out, summary.findings);
 }
 
+Json octreeJson(const io::OpenedOctree& index, double seconds) {
+    const io::CloudOctree& octree = *index.octree;
+    return {{"path", octree.path()},          {"made", index.made},        {"points", octree.head().points},
+            {"nodes", octree.nodes().size()}, {"levels", octree.levels()}, {"coarsest_spacing_m", octree.spacing(0)},
+            {"bytes", octree.bytes()},        {"seconds", seconds}};
+}
+
+void printOctree(std::ostream& out, const io::OpenedOctree& index, double seconds) {
+    const io::CloudOctree& octree = *index.octree;
+    printHeading(out, "Octree");
+    FactList facts;
+    facts.add("file", octree.path());
+    facts.add("state", std::string(index.made ? "made" : "kept from before, opened") + " in " + englishNumber(seconds) + " s");
+    facts.add("points", countText(octree.head().points) + " in " + countText(octree.nodes().size()) + " nodes of " +
+                            std::to_string(octree.levels()) + " levels");
+    facts.add("spacing", englishNumber(octree.spacing(0)) + " m on the coarsest level, halved from each to the next");
+    facts.add("size", countText(octree.bytes()) + " bytes");
+    facts.print(out);
+}
+
 }  // namespace rubble::cli

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/case/case_file.h"
+#include "io/case/case_photographs.h"
 #include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/site/clouds/height_source.h"
@@ -211,6 +212,8 @@ std::vector<Option> evidenceChangeOptions() {
             {"--taken", "TIME", false, "when it was taken, by the clock of the site, such as 2021-06-25T16:30"},
             {"--before", "on|off", false, "it was taken before the collapse and shows no debris"},
             {"--instant", "SECONDS", false, "instant that it shows on the file's clock, or end (default: end)"},
+            {"--photographs-of", "CLOUD", false,
+             "add the pictures of an E57 that have a pinhole and a pose as photographs with that camera"},
             {"--removed", "FILE", false, "polygons of places whose debris was taken away"},
             {"--since", "TIME", false, "from when on it was gone"}};
 }
@@ -224,6 +227,17 @@ void changeEvidence(Case& theCase, const Arguments& arguments, Session& session,
     checkEvidenceOptions(arguments);
     if (arguments.has("--survey")) {
         changeSurvey(theCase, arguments, session, findings);
+    }
+    if (const auto cloud = arguments.value("--photographs-of")) {
+        const io::OpenedCase opened = openSubject(arguments, session);
+        const io::AddedPhotographs added =
+            io::addPhotographsOfCloud(theCase, arguments.operand(), *cloud, opened.inputs.frame, findings);
+        if (added.ids.empty() && added.known == 0) {
+            throw UsageError({"cli.no_placed_photographs", "{0} holds no picture with a pinhole and a pose", {*cloud}},
+                             {"cli.no_placed_photographs.remedy",
+                              "Write them out with rubble-cli cloud --photographs, add them, and place them by pairs of points.",
+                              {}});
+        }
     }
     if (arguments.has("--removed")) {
         addRemoval(theCase, arguments, session, findings);

@@ -12,6 +12,7 @@
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/evidence_list.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/evidence/surveys/stated_survey.h"
@@ -100,7 +101,7 @@ private:
             return;
         }
         const CameraMatch match = matchCamera(photograph->pairs, photograph->camera, m_execution);
-        row.within = match.placeRadius;
+        row.within = cameraStated(*photograph) ? unknown : match.placeRadius;
         const bool drawn = std::any_of(photograph->masks.begin(), photograph->masks.end(),
                                        [](const PhotoMask& mask) { return mask.kind == MaskClass::Debris; });
         if (m_run != nullptr && drawn) {

@@ -7,6 +7,7 @@
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/panel_deck.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/evidence_list.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/evidence_table.h"
@@ -61,7 +62,8 @@ void EvidenceListDisplay::keepNewest() {
     const int chosen = m_photographs.chosen();
     if (chosen >= 0 && chosen < static_cast<int>(theCase.photographs.size())) {
         const Photograph& photograph = theCase.photographs[static_cast<std::size_t>(chosen)];
-        const double within = m_photographs.match() ? m_photographs.match()->placeRadius : unknown;
+        const bool judged = m_photographs.match() && !cameraStated(photograph);
+        const double within = judged ? m_photographs.match()->placeRadius : unknown;
         const auto compared = m_photographs.comparison();
         double overlap = unknown;
         if (compared != nullptr && !m_photographs.comparisonStale()) {

@@ -83,6 +83,7 @@ render::SceneData SceneDisplay::data() const {
                           record != nullptr ? record->outcome.get() : nullptr);
     scene.orthophoto = m_ground != nullptr ? m_ground : m_computation.terrain().orthophoto;
     scene.surroundings = m_computation.terrain().surroundings;
+    scene.points = m_points;
     return scene;
 }
 
@@ -140,6 +141,8 @@ void SceneDisplay::lookAtAll() {
     view.colourMap = before.colourMap;
     view.style = before.style;
     view.axes = before.axes;
+    view.cloud = before.cloud;
+    view.pointColour = before.pointColour;
     view.groundGrid = before.groundGrid;
     view.shading = before.shading;
     view.shadows = before.shadows;
@@ -162,6 +165,15 @@ void SceneDisplay::setLoose(std::shared_ptr<const LooseStructure> loose) {
 void SceneDisplay::setGround(std::shared_ptr<const Orthophoto> ground) {
     m_ground = std::move(ground);
     show();
+}
+
+void SceneDisplay::setPoints(std::shared_ptr<const render::SitePoints> points) {
+    // Not told as a change: nothing but the picture depends on them.
+    m_points = std::move(points);
+    if (m_shown.points != m_points) {
+        m_shown.points = m_points;
+        m_area.views().setData(m_shown);
+    }
 }
 
 render::Style SceneDisplay::preferredStyle() const {

@@ -47,6 +47,8 @@ public:
     void setLoose(std::shared_ptr<const LooseStructure> loose);
     /// What lies on the ground in place of the orthophoto; null: nothing.
     void setGround(std::shared_ptr<const Orthophoto> ground);
+    /// Points of a cloud; null: none.
+    void setPoints(std::shared_ptr<const render::SitePoints> points);
     /// The colours of the theme that is in force.
     void useTheme();
 
@@ -77,6 +79,7 @@ private:
     std::shared_ptr<const LooseStructure> m_loose;
     std::weak_ptr<const FeResult> m_looseOf;
     std::shared_ptr<const Orthophoto> m_ground;
+    std::shared_ptr<const render::SitePoints> m_points;
     render::SceneData m_shown;
 };
 

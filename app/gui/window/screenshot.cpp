@@ -9,6 +9,7 @@
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/new_case.h"
 #include "app/gui/evidence/causes_display.h"
+#include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/evidence/evidence_studies.h"
 #include "app/gui/evidence/survey_display.h"
@@ -80,6 +81,7 @@ void Screenshot::look() {
     }
     // What the photographs show, islands and studies are made in the background.
     if (!m_window.rooms().evidence->settled() || m_window.rooms().islands->busy() || m_window.rooms().survey->busy() ||
+        m_window.rooms().cloudPoints->busy() ||
         m_window.rooms().studies->work().running()) {
         return;
     }

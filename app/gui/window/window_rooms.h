@@ -9,6 +9,7 @@
 #include "app/gui/accuracy/grid_display.h"
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/project_display.h"
+#include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/evidence/evidence_list_display.h"
 #include "app/gui/evidence/evidence_studies.h"
@@ -89,6 +90,7 @@ struct WindowRooms {
     std::unique_ptr<EvidenceStudies> studies;
     std::unique_ptr<EvidenceDisplay> evidence;
     std::unique_ptr<SurveyDisplay> survey;
+    std::unique_ptr<CloudPoints> cloudPoints;
     std::unique_ptr<EvidenceListDisplay> evidenceList;
     std::unique_ptr<Inspection> inspection;
     std::unique_ptr<MapDisplay> map;

@@ -79,6 +79,24 @@ TEST_F(CloudCommand, TakesColumnsOutPhotographsAndSaysWhatIsNoCloud) {
     EXPECT_THAT(none.err, HasSubstr("is no point cloud that can be read"));
 }
 
+TEST_F(CloudCommand, MakesAnOctreeOnce) {
+    const std::string scan = m_folder / "scan.laz";
+    std::filesystem::copy_file(m_scan, scan);
+    const Outcome made = cli({"cloud", scan, "--index", "--json"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_EQ(made.json()["points"], 1065);
+    const nlohmann::json octree = made.json()["octree"];
+    EXPECT_TRUE(octree["made"].get<bool>());
+    EXPECT_EQ(octree["path"], scan + ".octree");
+    EXPECT_EQ(octree["points"], 1065);
+    EXPECT_EQ(octree["bytes"], std::filesystem::file_size(scan + ".octree"));
+    const Outcome kept = cli({"cloud", scan, "--index"});
+    EXPECT_EQ(kept.exitCode, 0) << kept.err;
+    EXPECT_THAT(kept.out, HasSubstr("kept from before, opened in"));
+    EXPECT_TRUE(cli({"cloud", scan, "--json"}).json()["octree"].is_null());
+    EXPECT_EQ(cli({"cloud", scan, "--index", "--against", scan}).exitCode, 2);
+}
+
 TEST_F(CloudCommand, MeasuresTheDistanceBetweenTwoClouds) {
     const std::string folder = sourcePath("tests/data/clouds/m3c2/autzen-bmx-");
     const std::vector<std::string> words{"cloud",   folder + "2010.las",        "--against", folder + "2023.las",

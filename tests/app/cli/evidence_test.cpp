@@ -8,6 +8,7 @@
 
 #include "io/case/case_file.h"
 #include "tests/support/command_run.h"
+#include "tests/support/places.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
 
@@ -232,6 +233,14 @@ TEST_F(EvidenceOfCase, RefusesWhatCannotBeMeant) {
     EXPECT_EQ(cli({"evidence", m_case, "--removed", m_cloud}).exitCode, 2) << "since when";
     EXPECT_TRUE(io::loadCase(m_case).inputs.size() == 1u) << "the case stays as it was";
     EXPECT_EQ(cli({"cloud", m_cloud, "--against", m_cloud, "--case", m_case}).exitCode, 2) << "two clouds have no case";
+}
+
+TEST_F(EvidenceOfCase, PicturesWithoutAPinholeAndAPoseAreNotTakenAsPhotographs) {
+    const std::string cloud = sourcePath("tests/data/clouds/tiny_pc_and_images.e57");
+    const Outcome none = cli({"evidence", m_case, "--photographs-of", cloud});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_THAT(none.err, HasSubstr("holds no picture with a pinhole and a pose"));
+    EXPECT_TRUE(io::loadCase(m_case).photographs.empty());
 }
 
 }  // namespace

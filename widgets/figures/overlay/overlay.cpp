@@ -9,6 +9,7 @@
 #include "widgets/figures/draw.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/point_colours.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/figures/translated.h"
 #include "widgets/render/basics/camera.h"
@@ -121,6 +122,45 @@ void addErrors(Overlay& overlay, const render::View& view, const render::PaneSta
     }
 }
 
+/// What the points of a cloud are, and what their colours say.
+void addPoints(std::vector<LegendEntry>& legend, const render::SitePoints& points) {
+    using Scale = render::SitePoints::Scale;
+    const QString name = QString::fromStdString(points.name);
+    const bool distances = points.scale == Scale::Distance;
+    legend.push_back({QColor(), (distances ? tr("distances from %1: %2 of %3 places") : tr("%1: %2 of %3 points"))
+                                    .arg(name, countText(points.shown), countText(points.all))});
+    if (points.scale == Scale::Height || points.scale == Scale::Intensity) {
+        for (const double share : {0.0, 0.5, 1.0}) {
+            const double value = points.low + share * (points.high - points.low);
+            legend.push_back({colourOf(scaleColour(points.scale, share)),
+                              points.scale == Scale::Height ? lengthText(value) : tr("intensity %1").arg(numberText(value))});
+        }
+    }
+    for (std::size_t c = 0; points.scale == Scale::Class && c < std::min(points.classes.size(), longestLegend); ++c) {
+        legend.push_back({colourOf(points.classes[c].second), tr("class %1").arg(points.classes[c].first)});
+    }
+    if (!distances) {
+        return;
+    }
+    if (points.high > 0.0) {
+        legend.push_back({colourOf(distanceColour(1.0)), tr("simulated site above, up to %1").arg(lengthText(points.high))});
+    }
+    if (points.low < 0.0) {
+        legend.push_back({colourOf(distanceColour(-1.0)), tr("below, up to %1").arg(lengthText(-points.low))});
+    }
+    if (std::isfinite(points.detection)) {
+        const QString level = lengthText(points.detection);
+        legend.push_back({colourOf(withinDetection), points.registered
+                                                         ? tr("within the level of detection, %1 in the median").arg(level)
+                                                         : tr("within the level of detection, %1 in the median, without the "
+                                                              "error of the registration, which is not known")
+                                                               .arg(level)});
+    }
+    if (points.unknown > 0) {
+        legend.push_back({colourOf(detectionUnknown), tr("level of detection not known · %1").arg(countText(points.unknown))});
+    }
+}
+
 void addFragments(Overlay& overlay, const render::View& view, const render::Scene& scene, const render::SceneData& data,
                   const render::PaneStatus& status, const render::SceneColours& colours) {
     const Palette& p = palette(view.theme);
@@ -224,6 +264,9 @@ Overlay overlayOf(const render::View& view, const render::Scene& scene, const re
         }
         if (byIsland) {
             addIslands(overlay.legend, p, status, sceneColours(view.theme));
+        }
+        if (data.points != nullptr && !view.cloud.empty()) {
+            addPoints(overlay.legend, *data.points);
         }
         if (view.clip) {
             overlay.legend.push_back({QColor(), tr("cut open")});

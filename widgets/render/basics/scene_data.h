@@ -16,6 +16,7 @@
 #include "core/scenario/scenario.h"
 #include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
+#include "widgets/render/basics/site_points.h"
 
 namespace rubble::render {
 
@@ -34,6 +35,7 @@ struct SceneData {
     std::optional<double> waterLevel;                           ///< m, drawn in the fragments pane; unset: no water
     std::shared_ptr<const Orthophoto> orthophoto;               ///< draped over the ground; null: none
     std::shared_ptr<const std::vector<SiteMesh>> surroundings;  ///< null: none
+    std::shared_ptr<const SitePoints> points;                   ///< of a cloud, as the view needs them; null: none
     std::set<std::string> givenMaterials;  ///< components whose material somebody named; of others it is guessed
 
     /// Ground, terrain, water and named materials as a run has them: what was off in it is not shown. Before a run's outcome is

@@ -30,6 +30,10 @@ enum class ColourMap : std::uint8_t { Standard, Viridis, Cividis, Grey };
 /// How surfaces look: plain greys with fragments picked out, or every element in the look of its material, dead or alive.
 enum class Style : std::uint8_t { Analysis, Presentation };
 
+/// What the colour of a point of a cloud says: what the file has (colour, else intensity, else height), its height, its class, or
+/// how far the simulated site lies from it.
+enum class PointColour : std::uint8_t { Own, Height, Class, Distance };
+
 /// Camera in the case's local frame.
 struct Camera {
     Vec3 position = Vec3(0, -100, 30);
@@ -76,6 +80,8 @@ struct View {
     bool groundGrid = true;
     bool shading = false;  ///< edges and hollows darker, after the depth of the picture
     bool shadows = true;   ///< the sun's shadow on the ground, which is darker beneath what lies on it
+    std::string cloud;     ///< id of the input whose points are drawn; empty: none
+    PointColour pointColour = PointColour::Own;
     bool axes = true;
     bool captions = true;
     bool legends = true;

@@ -1,0 +1,535 @@
+#include "app/gui/evidence/cloud_points.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/gui/evidence/evidence_work.h"
+#include "app/gui/evidence/survey_display.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/panel_deck.h"
+#include "app/gui/stage/scene_display.h"
+#include "app/gui/stage/view_area.h"
+#include "core/base/error.h"
+#include "core/evidence/evidence_list.h"
+#include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/case/case_photographs.h"
+#include "io/site/clouds/e57/placed_photographs.h"
+#include "io/site/clouds/octree/octree_choice.h"
+#include "io/site/site_place.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/surveys/point_box.h"
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/point_colours.h"
+#include "widgets/render/site/point_sight.h"
+
+namespace rubble {
+
+namespace {
+
+using Scale = render::SitePoints::Scale;
+
+constexpr double fallenFrom = 1.0;  // m that live structure has moved by
+
+/// What stands behind a colour that is asked for, as far as the cloud has it.
+Scale scaleOf(render::PointColour colour, const io::OctreeHead& head) {
+    if (colour == render::PointColour::Class && head.columns.classes) {
+        return Scale::Class;
+    }
+    if (colour == render::PointColour::Own && head.columns.colour) {
+        return Scale::Own;
+    }
+    return colour == render::PointColour::Own && head.columns.intensity ? Scale::Intensity : Scale::Height;
+}
+
+/// Heights between which nearly all points lie, m.
+std::pair<double, double> heightsOf(const io::CloudBlock& block) {
+    std::vector<double> heights;
+    for (const Vec3& place : block.places) {
+        heights.push_back(place.z());
+    }
+    std::sort(heights.begin(), heights.end());
+    if (heights.empty()) {
+        return {0.0, 1.0};
+    }
+    const std::size_t beyond = heights.size() / 50;
+    return {heights[beyond], heights[heights.size() - 1 - beyond]};
+}
+
+double shareOf(double value, double low, double high) {
+    return high > low ? (value - low) / (high - low) : 0.0;
+}
+
+void putPoint(render::SitePoints::Patch& patch, const Vec3& place, const render::Rgb& colour) {
+    for (int axis = 0; axis < 3; ++axis) {
+        patch.places.push_back(static_cast<float>(place[axis]));
+    }
+    patch.rgb.insert(patch.rgb.end(), {colour.r, colour.g, colour.b});
+}
+
+std::shared_ptr<const render::SitePoints::Patch> patchOf(const io::CloudBlock& block, Scale scale, PointsWork::Opened& opened) {
+    const io::OctreeHead& head = opened.octree->octree().head();
+    auto patch = std::make_shared<render::SitePoints::Patch>();
+    patch->places.reserve(3 * block.size());
+    patch->rgb.reserve(3 * block.size());
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        render::Rgb colour;
+        if (scale == Scale::Own) {
+            const auto& own = block.colours[i];
+            colour = {static_cast<std::uint8_t>(own[0]), static_cast<std::uint8_t>(own[1]), static_cast<std::uint8_t>(own[2])};
+        } else if (scale == Scale::Class) {
+            colour = figures::classColour(block.classes[i]);
+            opened.classes[block.classes[i]] = colour;
+        } else if (scale == Scale::Intensity) {
+            colour = figures::scaleColour(scale, shareOf(block.intensity[i], head.intensityLeast, head.intensityMost));
+        } else {
+            colour = figures::scaleColour(scale, shareOf(block.places[i].z(), opened.heights.first, opened.heights.second));
+        }
+        putPoint(*patch, block.places[i], colour);
+    }
+    return patch;
+}
+
+/// What a look at a cloud needs of it; what is there already is not read again.
+std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, const PointsWork::Look& look,
+                                                    const std::string& name, bool& whole, const Execution& execution) {
+    const io::CloudOctree& octree = opened.octree->octree();
+    if (look.colour != opened.colour) {
+        opened.colour = look.colour;
+        opened.read.clear();
+        opened.classes.clear();
+    }
+    const std::vector<Aabb>& boxes = opened.octree->boxes();
+    const io::OctreeChoice choice = io::chooseNodes(
+        octree.nodes(),
+        [&](std::size_t n) {
+            double most = 0.0;
+            for (const auto& [pane, camera] : look.panes) {
+                most = std::max(most, render::pixelsOf(camera, pane, boxes[n], octree.spacing(octree.nodes()[n].level)));
+            }
+            return most;
+        },
+        pointsBudget);
+    whole = choice.whole;
+    auto points = std::make_shared<render::SitePoints>();
+    points->name = name;
+    points->all = octree.head().points;
+    points->scale = scaleOf(look.colour, octree.head());
+    points->low = points->scale == Scale::Intensity ? static_cast<double>(octree.head().intensityLeast) : opened.heights.first;
+    points->high = points->scale == Scale::Intensity ? static_cast<double>(octree.head().intensityMost) : opened.heights.second;
+    std::map<std::size_t, std::shared_ptr<const render::SitePoints::Patch>> used;
+    for (const std::size_t n : choice.nodes) {
+        execution.check();
+        std::shared_ptr<const render::SitePoints::Patch>& patch = opened.read[n];
+        if (patch == nullptr) {
+            patch = patchOf(opened.octree->read(n), points->scale, opened);
+        }
+        used[n] = patch;
+        points->patches.push_back(patch);
+        points->shown += patch->rgb.size() / 3;
+    }
+    points->classes.assign(opened.classes.begin(), opened.classes.end());
+    opened.read = std::move(used);
+    return points;
+}
+
+/// Distances as points: those that differ in colour, the others grey.
+std::shared_ptr<const render::SitePoints> pointsOf(const PointsWork::Distances& distances, const std::string& name) {
+    const io::CloudComparison& made = distances.made.compared;
+    auto points = std::make_shared<render::SitePoints>();
+    points->name = name;
+    points->scale = Scale::Distance;
+    points->all = made.cores.size();
+    points->registered = made.settings.registrationError.has_value();
+    std::vector<double> levels;
+    for (const CoreDistance& core : made.distances) {
+        if (core.significant()) {
+            points->low = std::min(points->low, core.distance);
+            points->high = std::max(points->high, core.distance);
+            ++points->significant;
+        }
+        if (core.state == CoreState::Measured && std::isfinite(core.detection)) {
+            levels.push_back(core.detection);
+        }
+    }
+    const double most = std::max(points->high, -points->low);
+    points->detection = unknown;
+    if (!levels.empty()) {
+        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+        std::nth_element(levels.begin(), middle, levels.end());
+        points->detection = *middle;
+    }
+    auto patch = std::make_shared<render::SitePoints::Patch>();
+    for (std::size_t k = 0; k < made.distances.size(); ++k) {
+        const CoreDistance& core = made.distances[k];
+        if (core.state != CoreState::Measured) {
+            continue;
+        }
+        const bool judged = std::isfinite(core.detection);
+        points->unknown += judged ? 0 : 1;
+        const render::Rgb even = judged ? figures::withinDetection : figures::detectionUnknown;
+        putPoint(*patch, distances.cores[k], core.significant() ? figures::distanceColour(core.distance / most) : even);
+    }
+    points->shown = patch->rgb.size() / 3;
+    points->patches.push_back(std::move(patch));
+    return points;
+}
+
+}  // namespace
+
+bool PointsWork::Measured::operator==(const Measured& other) const {
+    const auto parts = [](const Measured& m) {
+        return std::tie(m.cloud, m.survey, m.run, m.settings.normalRadius, m.settings.projectionRadius, m.settings.depth,
+                        m.settings.registrationError);
+    };
+    return parts(*this) == parts(other);
+}
+
+PointsWork::PointsWork(QObject* parent) : QObject(parent) {
+    connect(&worker, &Worker::progressed, this, [this](Worker::Kind kind, const Progress& progress) {
+        if (kind == Worker::Kind::Open) {
+            fraction = progress.fraction;
+            emit changed();
+        }
+    });
+}
+
+void PointsWork::close() {
+    worker.cancel();
+    cloud.reset();
+    opened = nullptr;
+    failure.reset();
+    points = nullptr;
+}
+
+void PointsWork::open(const Cloud& wanted) {
+    close();
+    cloud = wanted;
+    fraction = 0.0;
+    auto made = std::make_shared<Opened>();
+    worker.start({Worker::Kind::Open,
+                  [made, wanted](const Execution& execution) {
+                      made->octree =
+                          std::make_unique<io::PlacedOctree>(wanted.path, wanted.frame, wanted.site, wanted.placed, execution);
+                      made->heights = heightsOf(made->octree->read(0));
+                  },
+                  [this, made, wanted](const std::exception_ptr& thrown) {
+                      if (!cloud || !(*cloud == wanted)) {
+                          return;
+                      }
+                      failure = failureOf(thrown);
+                      if (thrown == nullptr) {
+                          opened = made;
+                      }
+                      emit changed();
+                  }});
+    emit changed();
+}
+
+void PointsWork::look(const Look& from) {
+    const std::string name = QFileInfo(QString::fromStdString(cloud->path)).fileName().toStdString();
+    auto made = std::make_shared<std::pair<std::shared_ptr<const render::SitePoints>, bool>>();
+    worker.startNext({Worker::Kind::Study,
+                      [made, from, name, seen = opened](const Execution& execution) {
+                          made->first = pointsFor(*seen, from, name, made->second, execution);
+                      },
+                      [this, made, seen = opened](const std::exception_ptr& thrown) {
+                          if (seen != opened) {
+                              return;
+                          }
+                          failure = failureOf(thrown);
+                          if (thrown == nullptr) {
+                              points = made->first;
+                              whole = made->second;
+                          }
+                          emit changed();
+                      }});
+}
+
+CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene, SurveyDisplay& surveys, ViewArea& area,
+                         QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_deck(deck),
+      m_scene(scene),
+      m_surveys(surveys),
+      m_area(area),
+      m_work(session.part<PointsWork>()) {
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(120);
+    connect(&m_pause, &QTimer::timeout, this, &CloudPoints::ask);
+    widgets::PointBox& box = deck.evidence().survey().points();
+    connect(&box, &widgets::PointBox::shownChosen, this, &CloudPoints::setShown);
+    connect(&box, &widgets::PointBox::colourChosen, this, &CloudPoints::setColour);
+    connect(&box, &widgets::PointBox::photographsRequested, this, &CloudPoints::addPhotographs);
+    connect(&box, &widgets::PointBox::measureRequested, this, &CloudPoints::measure);
+    connect(&box, &widgets::PointBox::cancelRequested, this, [this] { m_work.measuring.cancel(); });
+    connect(&m_work, &PointsWork::changed, this, &CloudPoints::refresh);
+    connect(&surveys, &SurveyDisplay::changed, this, &CloudPoints::refresh);
+    connect(&scene, &SceneDisplay::viewSet, this, &CloudPoints::refresh);
+    connect(&scene, &SceneDisplay::changed, this, &CloudPoints::refresh);
+    connect(&area.views(), &widgets::ViewWidget::shown, this, &CloudPoints::follow);
+    connect(&m_document, &Document::replaced, this, [this] {
+        m_work.distances.drop();
+        m_work.close();
+        refresh();
+    });
+    refresh();
+}
+
+CloudPoints::~CloudPoints() = default;
+
+bool CloudPoints::busy() const {
+    return m_pause.isActive() || m_work.worker.busy() || m_work.distances.running();
+}
+
+bool CloudPoints::isCloud(const CaseInput& input) const {
+    const std::vector<EvidenceRow> rows = evidenceOf(m_document.theCase());
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const EvidenceRow& row) { return row.id == input.id && row.form == EvidenceForm::Cloud; });
+}
+
+std::optional<PointsWork::Cloud> CloudPoints::cloudOf(const std::string& id) const {
+    const Inputs& inputs = m_computation.inputs();
+    for (const CaseInput& input : m_document.theCase().inputs) {
+        if (input.id == id && inputs.fe != nullptr && input.role == InputRole::Survey && isCloud(input)) {
+            return PointsWork::Cloud{id, io::inputPath(m_document.base().toStdString(), input), inputs.frame,
+                                     m_document.theCase().site, input.registration};
+        }
+    }
+    return std::nullopt;
+}
+
+void CloudPoints::setShown(bool shown) {
+    const CaseInput* survey = m_surveys.current();
+    render::View view = m_area.views().view();
+    view.cloud = shown && survey != nullptr ? survey->id : std::string();
+    m_scene.setView(view);
+}
+
+void CloudPoints::setColour(render::PointColour colour) {
+    render::View view = m_area.views().view();
+    view.pointColour = colour;
+    m_scene.setView(view);
+}
+
+void CloudPoints::refresh() {
+    const render::View& view = m_area.views().view();
+    const std::optional<PointsWork::Cloud> wanted = view.cloud.empty() ? std::nullopt : cloudOf(view.cloud);
+    if (!wanted && m_work.cloud) {
+        m_work.close();
+        m_asked.reset();
+    } else if (wanted && !(m_work.cloud && *m_work.cloud == *wanted)) {
+        m_asked.reset();
+        m_work.open(*wanted);  // comes back here
+        return;
+    }
+    publish();
+    follow();
+    showBox();
+}
+
+void CloudPoints::follow() {
+    const render::View& view = m_area.views().view();
+    const bool other = !m_asked || m_asked->second != m_area.views().size() || m_asked->first.layout != view.layout ||
+                       m_asked->first.cameras != view.cameras || m_asked->first.camerasLinked != view.camerasLinked ||
+                       m_asked->first.pointColour != view.pointColour;
+    if (m_work.opened != nullptr && !m_work.failure && other && !m_pause.isActive()) {
+        m_pause.start();
+    }
+}
+
+void CloudPoints::ask() {
+    if (m_work.opened == nullptr) {
+        return;
+    }
+    const render::View& view = m_area.views().view();
+    m_asked = {view, m_area.views().size()};
+    const QSize size = m_area.views().size() * m_area.views().devicePixelRatioF();
+    PointsWork::Look look;
+    look.colour = view.pointColour;
+    for (const render::Pane& pane : render::panesOf(view.layout, size.width(), size.height())) {
+        look.panes.emplace_back(pane, render::cameraOf(view, pane.content));
+    }
+    m_work.look(look);
+}
+
+void CloudPoints::publish() {
+    const render::View& view = m_area.views().view();
+    const std::shared_ptr<const PointsWork::Distances>& made = m_work.distances.result();
+    const bool distances = view.pointColour == render::PointColour::Distance && made != nullptr && m_work.cloud &&
+                           m_work.distances.answered().cloud == *m_work.cloud;
+    m_scene.setPoints(distances ? made->points : m_work.points);
+}
+
+std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {
+    const CaseInput* survey = m_surveys.current();
+    const RunRecord* record = m_computation.currentRun();
+    if (survey == nullptr || record == nullptr) {
+        return std::nullopt;
+    }
+    const std::optional<PointsWork::Cloud> cloud = cloudOf(survey->id);
+    if (!cloud) {
+        return std::nullopt;
+    }
+    return PointsWork::Measured{*cloud, *survey, record->reader.get(), m_deck.evidence().survey().points().settings()};
+}
+
+void CloudPoints::measure() {
+    const std::optional<PointsWork::Measured> order = measuredNow();
+    if (!order || !EvidenceWork::whyNoDebris(m_computation.currentRun()).isEmpty() || m_work.distances.running()) {
+        return;
+    }
+    m_work.distances.ask(*order);
+    auto made = std::make_shared<PointsWork::Distances>();
+    const std::string name = QFileInfo(QString::fromStdString(order->cloud.path)).fileName().toStdString();
+    m_work.measuring.start({Worker::Kind::Study,
+                            [made, order = *order, name,
+                             run = EvidenceRun(m_computation.inputs(), m_computation.currentRun())](const Execution& execution) {
+                                MappedRun mapped = run.mapped();
+                                const SiteSurface ground = groundOf(mapped);
+                                // The ground is added where the rays go, with all of its nodes.
+                                mapped.terrain = nullptr;
+                                SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
+                                io::RunDistanceRequest request;
+                                request.cloud = order.cloud.path;
+                                request.frame = order.cloud.frame;
+                                request.site = order.cloud.site;
+                                request.placed = order.cloud.placed;
+                                request.scope = order.survey.scope;
+                                request.settings = order.settings;
+                                if (!request.settings.registrationError && !request.placed) {
+                                    request.settings.registrationError = order.survey.offsetError;
+                                }
+                                made->made = io::compareCloudWithSite(request, std::move(shape), ground, {}, execution);
+                                const io::SitePlace place(order.cloud.frame, order.cloud.site);
+                                for (const Vec3& core : made->made.compared.cores) {
+                                    made->cores.push_back(place.toLocal(core));
+                                }
+                                made->points = pointsOf(*made, name);
+                            },
+                            [work = &m_work, made](const std::exception_ptr& thrown) {
+                                if (thrown == nullptr) {
+                                    work->distances.take(made);
+                                }
+                                const auto failure = failureOf(thrown);
+                                work->distances.end(failure ? &*failure : nullptr);
+                                emit work->changed();
+                            }});
+    render::View view = m_area.views().view();
+    view.cloud = order->survey.id;
+    view.pointColour = render::PointColour::Distance;
+    m_scene.setView(view);
+    refresh();
+}
+
+int CloudPoints::photographsOf(const CaseInput& survey) {
+    const std::string path = io::inputPath(m_document.base().toStdString(), survey);
+    if (m_pictures.first != path) {
+        m_pictures = {path, 0};
+        try {
+            // Only an E57 holds any; its head is read in no time.
+            if (io::hasEnding(path, ".e57")) {
+                const std::vector<io::CloudPhotograph> all = io::openCloud(path)->head().photographs;
+                m_pictures.second = static_cast<int>(std::count_if(all.begin(), all.end(), io::hasPlace));
+            }
+        } catch (const Error&) {
+            m_pictures.second = 0;  // what is wrong with it is said where its points are shown or compared
+        }
+    }
+    const std::string folder = QFileInfo(QString::fromStdString(path)).fileName().toStdString() + "-photographs/";
+    const std::vector<CaseInput>& inputs = m_document.theCase().inputs;
+    const auto known = std::count_if(inputs.begin(), inputs.end(), [&](const CaseInput& input) {
+        return input.role == InputRole::Photograph && input.path.find(folder) != std::string::npos;
+    });
+    return std::max(0, m_pictures.second - static_cast<int>(known));
+}
+
+void CloudPoints::addPhotographs() {
+    const CaseInput* survey = m_surveys.current();
+    const Inputs& inputs = m_computation.inputs();
+    if (survey == nullptr || inputs.fe == nullptr) {
+        return;
+    }
+    Case theCase = m_document.theCase();
+    Findings findings;
+    try {
+        const std::string base = m_document.base().toStdString();
+        const io::AddedPhotographs added =
+            io::addPhotographsOfCloud(theCase, base, io::inputPath(base, *survey), inputs.frame, findings);
+        if (!added.ids.empty()) {
+            m_document.setPhotographs(std::move(theCase.photographs), std::move(theCase.inputs),
+                                      [count = added.ids.size()] { return tr("%1 photographs of the cloud added").arg(count); });
+        }
+        m_session.tell(tr("Photographs added with the camera that the cloud states: %1").arg(added.ids.size()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.tell(failure->inOneLine());
+    }
+}
+
+QString CloudPoints::statusText() const {
+    if (m_work.opened == nullptr) {
+        return m_work.failure ? QString() : tr("The octree is made or opened, %1 %").arg(std::lround(100.0 * m_work.fraction));
+    }
+    const io::PlacedOctree& placed = *m_work.opened->octree;
+    const io::CloudOctree& octree = placed.octree();
+    QString text = m_work.points != nullptr
+                       ? tr("%1 of %2 points are drawn.")
+                             .arg(figures::countText(m_work.points->shown), figures::countText(octree.head().points))
+                       : QString();
+    if (!m_work.whole) {
+        text += u' ' + tr("Finer ones were left out: no more than %1 are.").arg(figures::countText(pointsBudget));
+    }
+    const QString megabytes = figures::countText((octree.bytes() + 999'999) / 1'000'000);
+    const QString path = QString::fromStdString(octree.path());
+    return text + u' ' +
+           (placed.made() ? tr("The octree was made: %1, %2 MB.") : tr("The octree: %1, %2 MB.")).arg(path, megabytes);
+}
+
+QString CloudPoints::measuredText() const {
+    if (m_work.distances.running()) {
+        return tr("Distances are being measured.");
+    }
+    if (m_work.distances.failure()) {
+        return m_work.distances.failure()->inOneLine();
+    }
+    const std::shared_ptr<const PointsWork::Distances>& made = m_work.distances.result();
+    const CaseInput* survey = m_surveys.current();
+    if (made == nullptr || survey == nullptr || m_work.distances.answered().survey.id != survey->id) {
+        return {};
+    }
+    const render::SitePoints& points = *made->points;
+    const QString text = tr("%1 of %2 distances differ by more than the level of detection.")
+                             .arg(figures::countText(points.significant), figures::countText(points.shown));
+    const auto now = measuredNow();
+    return now && m_work.distances.stale(*now) ? text + u' ' + tr("They are of another run or other settings.") : text;
+}
+
+void CloudPoints::showBox() {
+    widgets::PointBox::Content content;
+    const CaseInput* survey = m_surveys.current();
+    const render::View& view = m_area.views().view();
+    if (survey != nullptr && isCloud(*survey)) {
+        content.cloud = true;
+        content.shown = view.cloud == survey->id;
+        content.colour = view.pointColour;
+        if (content.shown && m_work.cloud) {
+            content.status = statusText();
+            content.complaint = m_work.failure ? m_work.failure->inOneLine() : QString();
+            content.findings = m_work.opened != nullptr ? m_work.opened->octree->findings() : Findings();
+        }
+        content.photographs = photographsOf(*survey);
+        content.noMeasuring = EvidenceWork::whyNoDebris(m_computation.currentRun());
+        content.measuring = m_work.distances.running();
+        content.measured = measuredText();
+    }
+    m_deck.evidence().survey().points().setContent(content);
+}
+
+}  // namespace rubble

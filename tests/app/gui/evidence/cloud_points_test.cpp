@@ -1,0 +1,128 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPushButton>
+#include <cmath>
+#include <filesystem>
+
+#include "app/gui/case/file_commands.h"
+#include "app/gui/evidence/cloud_points.h"
+#include "app/gui/evidence/survey_display.h"
+#include "app/gui/stage/panel_deck.h"
+#include "app/gui/stage/view_area.h"
+#include "io/site/clouds/point_writer.h"
+#include "tests/app/gui/workbench.h"
+#include "tests/support/temporary_folder.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/surveys/point_box.h"
+#include "widgets/views/view_widget.h"
+
+namespace rubble {
+
+namespace {
+
+class PointsOfACloud : public FreshWorkbench {
+protected:
+    /// A level surface of points every 0.4 m around the arch, red at its left end and blue at its right one.
+    QString scan(double height) {
+        constexpr std::size_t side = 200;
+        io::WrittenCloud cloud;
+        cloud.points = side * side;
+        cloud.box = Aabb(Vec3(-40.0, -40.0, height), Vec3(40.0, 40.0, height));
+        const std::string path = m_folder / "scan.las";
+        io::writePoints(path, cloud, [&](std::size_t k, io::WrittenPoint& point) {
+            const auto x = static_cast<double>(k % side);
+            point.place = Vec3(0.4 * x - 39.8, 0.4 * static_cast<double>(k / side) - 39.8, height);
+            point.colour = {static_cast<std::uint8_t>(255.0 - x), 0, static_cast<std::uint8_t>(x)};
+            point.kind = k % 2 == 0 ? 2 : 6;
+        });
+        return QString::fromStdString(path);
+    }
+    CloudPoints& points() { return *window->rooms().cloudPoints; }
+    widgets::PointBox& box() { return window->rooms().deck->evidence().survey().points(); }
+    widgets::ViewWidget& views() { return window->area().views(); }
+    const render::SitePoints* drawn() { return views().data().points.get(); }
+    void open() {
+        openArch();
+        ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+        window->rooms().survey->add(scan(5.0));
+    }
+    void settle() {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !points().busy(); }, patience));
+        QTest::qWait(50);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !points().busy(); }, patience));
+    }
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(PointsOfACloud, AreDrawnFromAnOctreeBesideIt) {
+    open();
+    views().setAnimated(false);
+    EXPECT_TRUE(box().isVisibleTo(&window->rooms().deck->evidence()));
+    const QImage before = views().grab().toImage();
+    box().findChild<QCheckBox*>()->click();
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    EXPECT_EQ(drawn()->all, 40'000U);
+    EXPECT_GT(drawn()->shown, 1'000U);
+    EXPECT_LE(drawn()->shown, 40'000U);
+    EXPECT_EQ(drawn()->scale, render::SitePoints::Scale::Own);
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "scan.las.octree"));
+    EXPECT_NE(views().grab().toImage(), before);
+    // By class the same places have other colours, and both classes stand in the legend.
+    box().findChild<QComboBox*>()->setCurrentIndex(2);
+    settle();
+    EXPECT_EQ(drawn()->scale, render::SitePoints::Scale::Class);
+    ASSERT_EQ(drawn()->classes.size(), 2U);
+    EXPECT_EQ(drawn()->classes[0].first, 2);
+    EXPECT_EQ(drawn()->classes[1].first, 6);
+    box().findChild<QCheckBox*>()->click();
+    EXPECT_EQ(drawn(), nullptr);
+    EXPECT_EQ(views().grab().toImage(), before) << "as it was";
+}
+
+TEST_F(PointsOfACloud, LieWhereTheCaseMovesThem) {
+    open();
+    points().setShown(true);
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    EXPECT_NEAR(drawn()->patches.front()->places[2], 5.0, 1e-3);
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
+    inputs.back().registration = Registration{};
+    inputs.back().registration->shift = Vec3(0.0, 0.0, 2.5);
+    session->document().setSurveys(std::move(inputs), [] { return QStringLiteral("moved"); });
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    EXPECT_NEAR(drawn()->patches.front()->places[2], 7.5, 1e-3);
+}
+
+TEST_F(PointsOfACloud, AreColouredByWhatDiffersFromTheRunBeyondTheLevelOfDetection) {
+    open();
+    EXPECT_FALSE(box().findChildren<QPushButton*>().empty());
+    makeCheap();
+    simulateToEnd();
+    window->rooms().survey->refresh();
+    box().setSettings({2.0, 1.0, 4.0, 0.05, false});
+    points().measure();
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    const render::SitePoints& told = *drawn();
+    EXPECT_EQ(told.scale, render::SitePoints::Scale::Distance);
+    EXPECT_EQ(views().view().pointColour, render::PointColour::Distance);
+    EXPECT_TRUE(told.registered);
+    EXPECT_GE(told.detection, 0.05);
+    EXPECT_GT(told.shown, 0U);
+    EXPECT_LE(told.significant + told.unknown, told.shown);
+    EXPECT_EQ(told.patches.front()->rgb.size(), told.patches.front()->places.size());
+    // Grey is what is not significant: as many as are neither red nor blue.
+    const std::vector<std::uint8_t>& rgb = told.patches.front()->rgb;
+    std::uint64_t grey = 0;
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+        grey += rgb[i] == 160 && rgb[i + 1] == 160 && rgb[i + 2] == 160 ? 1 : 0;
+    }
+    EXPECT_EQ(grey + told.significant + told.unknown, told.shown);
+}
+
+}  // namespace
+
+}  // namespace rubble

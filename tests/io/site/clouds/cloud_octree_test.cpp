@@ -1,0 +1,245 @@
+#include "io/site/clouds/octree/cloud_octree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <set>
+
+#include "core/base/error.h"
+#include "io/site/clouds/octree/octree_choice.h"
+#include "io/site/clouds/octree/point_sorter.h"
+#include "tests/io/site/clouds/made_clouds.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rubble::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A hilly surface of 200 m x 100 m with a tower of dense points, in millimetres about a far offset.
+MadeLas hills(std::size_t points) {
+    MadeLas las;
+    las.minor = 2;
+    las.format = 2;
+    las.scale = Vec3::Constant(0.001);
+    las.offset = Vec3(431'000.0, 5'412'000.0, 100.0);
+    std::mt19937 random(7);  // NOLINT: the same points each time
+    std::uniform_int_distribution<std::int32_t> along(0, 200'000);
+    for (std::size_t i = 0; i < points; ++i) {
+        const bool tower = i % 4 == 0;
+        const std::int32_t x = tower ? 50'000 + along(random) / 200 : along(random);
+        const std::int32_t y = tower ? 50'000 + along(random) / 200 : along(random) / 2;
+        const std::int32_t z = tower ? along(random) / 10 : (x / 50 + y / 80) % 5'000;
+        MadePoint point;
+        point.place = {x, y, z};
+        point.intensity = static_cast<std::uint16_t>(i);
+        point.kind = tower ? 6 : 2;
+        point.colour = {static_cast<std::uint16_t>(i), 40'000, 65'535};
+        las.points.push_back(point);
+    }
+    las.points.back() = las.points.front();  // a point twice is two points
+    return las;
+}
+
+using Place = std::array<std::int64_t, 3>;
+
+/// Millimetres about the first corner, in which the points of hills() are whole.
+Place placeOf(const Vec3& place) {
+    const Vec3 from = place - Vec3(431'000.0, 5'412'000.0, 100.0);
+    return {std::llround(from.x() * 1000.0), std::llround(from.y() * 1000.0), std::llround(from.z() * 1000.0)};
+}
+
+std::multiset<Place> placesOf(const CloudOctree& octree) {
+    std::multiset<Place> all;
+    for (std::size_t n = 0; n < octree.nodes().size(); ++n) {
+        for (const Vec3& place : octree.read(n).places) {
+            all.insert(placeOf(place));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+class CloudOctreeTest : public ::testing::Test {
+protected:
+    std::string lay(std::size_t points) { return layCloud(m_folder / "hills.las", hills(points).bytes()); }
+    TemporaryFolder m_folder;
+};
+
+TEST_F(CloudOctreeTest, HoldsEachPointOnceExactToAThousandthOfAMillimetre) {
+    const std::string path = lay(120'000);
+    const OpenedOctree opened = openOctree(path, {}, Execution());
+    EXPECT_TRUE(opened.made);
+    EXPECT_EQ(opened.octree->path(), path + ".octree");
+    EXPECT_EQ(opened.octree->head().points, 120'000U);
+    EXPECT_GE(opened.octree->levels(), 3);
+
+    const WholeCloud whole = readCloud(path);
+    std::multiset<Place> expected;
+    std::map<Place, std::tuple<float, std::uint16_t, std::uint16_t>> facts;
+    for (std::size_t i = 0; i < whole.points.size(); ++i) {
+        expected.insert(placeOf(whole.points.places[i]));
+        facts[placeOf(whole.points.places[i])] = {whole.points.intensity[i], whole.points.classes[i], whole.points.colours[i][0]};
+    }
+    EXPECT_EQ(placesOf(*opened.octree), expected);
+    const CloudBlock root = opened.octree->read(0);
+    ASSERT_FALSE(root.places.empty());
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < root.size(); ++i) {
+        const Place place = placeOf(root.places[i]);
+        const Vec3 exact =
+            Vec3(431'000.0, 5'412'000.0, 100.0) +
+            0.001 * Vec3(static_cast<double>(place[0]), static_cast<double>(place[1]), static_cast<double>(place[2]));
+        EXPECT_LT((root.places[i] - exact).cwiseAbs().maxCoeff(), 1e-6);
+        const auto& [intensity, kind, red] = facts.at(place);
+        same +=
+            root.intensity[i] == intensity && root.classes[i] == kind && root.colours[i][0] == std::lround(255.0 * red / 65535.0)
+                ? 1
+                : 0;
+    }
+    EXPECT_GE(same + 10, root.size());  // points at one place may be told apart by nothing else
+}
+
+TEST_F(CloudOctreeTest, ANodeHasOnePointInEachOfItsCellsAndLiesBelowItsParent) {
+    const std::shared_ptr<const CloudOctree> octree = openOctree(lay(120'000), {}, Execution()).octree;
+    const std::vector<OctreeNode>& nodes = octree->nodes();
+    std::set<std::size_t> parents;
+    for (const OctreeNode& node : nodes) {
+        if (node.parent) {
+            parents.insert(*node.parent);
+            EXPECT_LT(nodes[*node.parent].level, node.level);
+            EXPECT_LT(nodes[*node.parent].box.exteriorDistance(node.box.center()), 1e-9);
+            EXPECT_LT(node.box.sizes().x(), nodes[*node.parent].box.sizes().x());
+        }
+    }
+    std::size_t inner = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const CloudBlock block = octree->read(n);
+        std::set<Place> cells;
+        for (const Vec3& place : block.places) {
+            EXPECT_TRUE(nodes[n].box.contains(place));
+            const Vec3 cell = (place - nodes[n].box.min()) / octree->spacing(nodes[n].level);
+            cells.insert(
+                {std::llround(std::floor(cell.x())), std::llround(std::floor(cell.y())), std::llround(std::floor(cell.z()))});
+        }
+        if (parents.contains(n)) {
+            ++inner;
+            EXPECT_EQ(cells.size(), block.size());
+        } else {
+            EXPECT_LE(block.size(), octreeLeafPoints);
+        }
+    }
+    EXPECT_GT(inner, 1U);
+}
+
+TEST_F(CloudOctreeTest, IsKeptUntilTheCloudChanges) {
+    const std::string path = lay(3'000);
+    EXPECT_EQ(keptOctree(path), nullptr);
+    EXPECT_TRUE(openOctree(path, {}, Execution()).made);
+    EXPECT_FALSE(openOctree(path, {}, Execution()).made);
+    // Read in another way it is another cloud.
+    EXPECT_EQ(keptOctree(path, {"EPSG:25832", {}}), nullptr);
+    // A copy has another time and the same content.
+    fs::last_write_time(path, fs::last_write_time(path) + std::chrono::hours(1));
+    EXPECT_NE(keptOctree(path), nullptr);
+    // As long, of the same time but for a second, another content.
+    const auto time = fs::last_write_time(path);
+    std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(1'000).put('\x55');
+    fs::last_write_time(path, time + std::chrono::seconds(1));
+    EXPECT_EQ(keptOctree(path), nullptr);
+    EXPECT_TRUE(openOctree(path, {}, Execution()).made);
+}
+
+TEST_F(CloudOctreeTest, OneThatWasCutShortOrDamagedIsMadeAnew) {
+    const std::string path = lay(30'000);
+    const std::string kept = openOctree(path, {}, Execution()).octree->path();
+    const auto size = fs::file_size(kept);
+    for (const std::uintmax_t left : {size - 1, size / 2, std::uintmax_t{3}}) {
+        fs::resize_file(kept, left);
+        EXPECT_THROW(CloudOctree{kept}, ParseError);
+        EXPECT_EQ(keptOctree(path), nullptr);
+        const OpenedOctree again = openOctree(path, {}, Execution());
+        EXPECT_TRUE(again.made);
+        EXPECT_EQ(placesOf(*again.octree).size(), 30'000U);
+    }
+    // A byte of a node: the table stands, the node says so.
+    std::fstream(kept, std::ios::in | std::ios::out | std::ios::binary).seekp(20).put('\x55');
+    const CloudOctree octree(kept);
+    const auto readAll = [&] { placesOf(octree); };
+    EXPECT_THROW(readAll(), ParseError);
+}
+
+TEST_F(CloudOctreeTest, PointsInRunsOnDiskComeInTheSameOrder) {
+    std::mt19937_64 random(3);  // NOLINT: the same points each time
+    PointSorter few(m_folder / "few", 1'000);
+    PointSorter one(m_folder / "one");
+    for (int i = 0; i < 10'500; ++i) {
+        OctreePoint point;
+        point.key = random() >> 40U;
+        point.rest = static_cast<std::uint32_t>(random());
+        few.add(point);
+        one.add(point);
+    }
+    const auto keysOf = [](PointSorter& sorter) {
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+        sorter.forEach(Execution(), [&](const OctreePoint& point) { keys.emplace_back(point.key, point.rest); });
+        return keys;
+    };
+    const auto expected = keysOf(one);
+    EXPECT_EQ(expected.size(), 10'500U);
+    EXPECT_TRUE(std::is_sorted(expected.begin(), expected.end()));
+    EXPECT_EQ(keysOf(few), expected);
+    EXPECT_TRUE(fs::is_empty(m_folder.path()));
+}
+
+TEST_F(CloudOctreeTest, ManyPointsAtOnePlaceArePartsOfOneNode) {
+    MadeLas las = hills(2'000);
+    las.points.resize(600'000, las.points.front());
+    const OpenedOctree opened = openOctree(layCloud(m_folder / "one.las", las.bytes()), {}, Execution());
+    std::uint64_t points = 0;
+    for (const OctreeNode& node : opened.octree->nodes()) {
+        points += node.points;
+        EXPECT_LE(node.points, std::uint32_t{1} << 18U);
+    }
+    EXPECT_EQ(points, 600'000U);
+}
+
+TEST_F(CloudOctreeTest, AViewKeepsItsBudgetAndComesWithTheParents) {
+    const std::shared_ptr<const CloudOctree> octree = openOctree(lay(120'000), {}, Execution()).octree;
+    const std::vector<OctreeNode>& nodes = octree->nodes();
+    const auto near = [&](std::size_t n) { return 1000.0 * octree->spacing(nodes[n].level); };
+    for (const std::uint64_t budget : {std::uint64_t{10'000}, std::uint64_t{60'000}, std::uint64_t{200'000}}) {
+        const OctreeChoice choice = chooseNodes(nodes, near, budget, 0.001);
+        EXPECT_LE(choice.points, budget);
+        EXPECT_EQ(choice.whole, budget > 120'000);
+        std::set<std::size_t> there;
+        std::uint64_t points = 0;
+        for (const std::size_t n : choice.nodes) {
+            EXPECT_TRUE(!nodes[n].parent || there.contains(*nodes[n].parent));
+            there.insert(n);
+            points += nodes[n].points;
+        }
+        EXPECT_EQ(points, choice.points);
+    }
+    EXPECT_EQ(chooseNodes(nodes, near, 200'000, 0.001).points, 120'000U);
+    // From afar the coarsest level is enough, out of sight nothing is.
+    EXPECT_EQ(chooseNodes(nodes, [](std::size_t) { return 0.5; }, 200'000).nodes, std::vector<std::size_t>{0});
+    EXPECT_TRUE(chooseNodes(nodes, [](std::size_t) { return 0.0; }, 200'000).nodes.empty());
+}
+
+TEST_F(CloudOctreeTest, ACloudWithoutPointsHasNone) {
+    EXPECT_THROW(openOctree(layCloud(m_folder / "none.las", hills(1).bytes()), {"no system", {}}, Execution()), Error);
+    MadeLas withheld = hills(1);
+    withheld.points.front().withheld = true;
+    const std::string path = layCloud(m_folder / "withheld.las", withheld.bytes());
+    EXPECT_THROW(openOctree(path, {}, Execution()), ParseError);
+    EXPECT_FALSE(fs::exists(path + ".octree"));
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,145 @@
+#include "widgets/evidence/surveys/point_box.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
+
+namespace rubble::widgets {
+
+PointBox::PointBox(QWidget* parent)
+    : QWidget(parent),
+      m_shown(new QCheckBox(tr("Points in the views"))),
+      m_colour(new QComboBox),
+      m_status(new QLabel),
+      m_complaint(new Notice),
+      m_findings(new FindingList),
+      m_normal(new NumberField(tr("Normal scale"))),
+      m_projection(new NumberField(tr("Projection scale"))),
+      m_depth(new NumberField(tr("Depth of the cylinder"))),
+      m_registration(new NumberField(tr("Registration error"))),
+      m_photographs(new QPushButton),
+      m_measure(new QPushButton(tr("Measure distances"))),
+      m_cancel(new QPushButton(tr("Cancel"))),
+      m_said(new QLabel) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_shown->setToolTip(
+        tr("Draws the points of this cloud where it lies in the case. They are read from an octree in levels of detail, which is "
+           "made once beside the cloud"));
+    m_colour->addItem(tr("colours of the file"));
+    m_colour->addItem(tr("by height"));
+    m_colour->addItem(tr("by class"));
+    m_colour->addItem(tr("by distance to the run"));
+    m_colour->setAccessibleName(tr("What the colours of the points say"));
+    m_colour->setToolTip(
+        tr("Colours of the file, else intensity, else height; height; class; or the measured distance to the simulated site"));
+    m_colour->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_colour->setMinimumContentsLength(8);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_shown);
+    row->addWidget(m_colour, 1);
+    column->addLayout(row);
+    m_status->setWordWrap(true);
+    column->addWidget(m_status);
+    m_photographs->setToolTip(tr(
+        "Adds the pictures in this cloud that have a pinhole and a pose as photographs with that camera; their files are written "
+        "beside the case"));
+    column->addWidget(m_photographs);
+    connect(m_photographs, &QPushButton::clicked, this, &PointBox::photographsRequested);
+    column->addWidget(m_complaint);
+    column->addWidget(m_findings);
+    buildMeasuring();
+    connect(m_shown, &QCheckBox::toggled, this, [this](bool shown) {
+        if (!m_showing) {
+            emit shownChosen(shown);
+        }
+    });
+    connect(m_colour, &QComboBox::currentIndexChanged, this, [this](int colour) {
+        if (!m_showing) {
+            emit colourChosen(static_cast<render::PointColour>(colour));
+        }
+    });
+    connect(m_measure, &QPushButton::clicked, this, &PointBox::measureRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &PointBox::cancelRequested);
+    setContent({});
+}
+
+void PointBox::buildMeasuring() {
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(8);
+    form->setVerticalSpacing(4);
+    for (NumberField* field : {m_normal, m_projection, m_depth}) {
+        field->setRange(0.001, 1000.0);
+    }
+    m_registration->setRange(0.0, 100.0);
+    m_registration->setEmptyMeans(tr("as known"));
+    m_normal->setToolTip(tr("Radius within which points of the cloud give the local normal, m: several times their spacing"));
+    m_projection->setToolTip(tr(
+        "Radius of the cylinder along the normal in which cloud and site are averaged, m: 20 points or more should fall into it"));
+    m_depth->setToolTip(tr("Of the cylinder to each side, m: more than the largest distance"));
+    m_registration->setToolTip(
+        tr("By which the cloud may be out of place, m. Left empty it is that of its registration or its offset error"));
+    form->addRow(tr("Normal scale, m"), m_normal);
+    form->addRow(tr("Projection scale, m"), m_projection);
+    form->addRow(tr("Depth, m"), m_depth);
+    form->addRow(tr("Registration error, m"), m_registration);
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addLayout(form);
+    m_measure->setToolTip(
+        tr("Measures from points of the cloud to the simulated site along the local normal (M3C2) and colours those that differ by "
+           "more than the level of detection at 95 %"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_measure);
+    row->addWidget(m_cancel);
+    row->addStretch(1);
+    column->addLayout(row);
+    m_said->setWordWrap(true);
+    column->addWidget(m_said);
+    setSettings({1.0, 0.5, 3.0, {}, false});
+}
+
+CloudDistanceSettings PointBox::settings() const {
+    CloudDistanceSettings settings;
+    settings.normalRadius = m_normal->number().value_or(1.0);
+    settings.projectionRadius = m_projection->number().value_or(0.5);
+    settings.depth = m_depth->number().value_or(3.0);
+    settings.registrationError = m_registration->number();
+    return settings;
+}
+
+void PointBox::setSettings(const CloudDistanceSettings& settings) {
+    m_normal->setNumber(settings.normalRadius);
+    m_projection->setNumber(settings.projectionRadius);
+    m_depth->setNumber(settings.depth);
+    m_registration->setNumber(settings.registrationError);
+}
+
+void PointBox::setContent(const Content& content) {
+    m_showing = true;
+    m_content = content;
+    setVisible(content.cloud);
+    m_shown->setChecked(content.shown);
+    m_colour->setCurrentIndex(static_cast<int>(content.colour));
+    m_status->setText(content.status);
+    m_status->setVisible(!content.status.isEmpty());
+    m_photographs->setText(tr("Add its photographs: %1").arg(content.photographs));
+    m_photographs->setVisible(content.photographs > 0);
+    m_complaint->set(Notice::Kind::Error, content.complaint);
+    m_findings->set(content.findings);
+    m_measure->setEnabled(content.noMeasuring.isEmpty() && !content.measuring);
+    m_cancel->setVisible(content.measuring);
+    const QString said = content.measured.isEmpty() ? content.noMeasuring : content.measured;
+    m_said->setText(said);
+    m_said->setVisible(!said.isEmpty());
+    m_showing = false;
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/base/finding.h"
+#include "core/evidence/clouds/cloud_distance.h"
+#include "widgets/render/basics/view.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace rubble::widgets {
+
+class FindingList;
+class Notice;
+class NumberField;
+
+/// The points of a surveyed cloud in the views: whether they are drawn, what their colours say, how many are there, and the
+/// distances from them to the simulated site (M3C2).
+class PointBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PointBox(QWidget* parent = nullptr);
+
+    struct Content {
+        bool cloud = false;  ///< the chosen survey is a cloud; else nothing of this is there
+        bool shown = false;
+        render::PointColour colour = render::PointColour::Own;
+        int photographs = 0;  ///< in the cloud with their cameras, that the case has not
+        QString status;       ///< how many are drawn, where the octree lies; or what is being done
+        QString complaint;    ///< what went wrong
+        Findings findings;
+        QString noMeasuring;  ///< why no distances can be measured; empty: they can
+        bool measuring = false;
+        QString measured;  ///< what came of it
+    };
+    void setContent(const Content& content);
+    /// What the fields ask for.
+    CloudDistanceSettings settings() const;
+    void setSettings(const CloudDistanceSettings& settings);
+
+signals:
+    void shownChosen(bool shown);
+    void colourChosen(rubble::render::PointColour colour);
+    void photographsRequested();
+    void measureRequested();
+    void cancelRequested();
+
+private:
+    void buildMeasuring();
+
+    Content m_content;
+    bool m_showing = false;
+    QCheckBox* m_shown;
+    QComboBox* m_colour;
+    QLabel* m_status;
+    Notice* m_complaint;
+    FindingList* m_findings;
+    NumberField* m_normal;
+    NumberField* m_projection;
+    NumberField* m_depth;
+    NumberField* m_registration;
+    QPushButton* m_photographs;
+    QPushButton* m_measure;
+    QPushButton* m_cancel;
+    QLabel* m_said;
+};
+
+}  // namespace rubble::widgets

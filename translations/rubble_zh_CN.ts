@@ -1128,6 +1128,22 @@
         <source>The runs that are kept of all cases, with their sizes: open or remove them</source>
         <translation>所有案例保留的计算及其大小：可打开或移除</translation>
     </message>
+    <message>
+        <source>Measure distances to the cloud</source>
+        <translation>量取到点云的距离</translation>
+    </message>
+    <message>
+        <source>Colour the points of the chosen cloud by how far the simulated site lies from them</source>
+        <translation>按模拟现场与所选点云各点的距离为点着色</translation>
+    </message>
+    <message>
+        <source>Points of the cloud</source>
+        <translation>点云的点</translation>
+    </message>
+    <message>
+        <source>Draw the points of the surveyed cloud that is chosen in the Evidence panel</source>
+        <translation>画出“证据”面板中所选测量点云的点</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -11651,6 +11667,42 @@
         <source>The run {0} was made in a case that says how {1} is read</source>
         <translation>计算 {0} 是在规定了如何读取 {1} 的案例中得出的</translation>
     </message>
+    <message>
+        <source>Delete it: it is made anew from the cloud when it is needed.</source>
+        <translation>请删除：需要时由点云重新生成。</translation>
+    </message>
+    <message>
+        <source>Give a cloud that has points, and check what was left out and why.</source>
+        <translation>请给出有点的点云，并查看略去了什么、为什么。</translation>
+    </message>
+    <message>
+        <source>Laying points into levels</source>
+        <translation>正在把点分层</translation>
+    </message>
+    <message>
+        <source>No point is left of {0}</source>
+        <translation>{0} 中没有剩下任何点</translation>
+    </message>
+    <message>
+        <source>pictures without a pinhole and a pose were left out</source>
+        <translation>没有针孔相机和位姿的图片已略去</translation>
+    </message>
+    <message>
+        <source>pose of the cloud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the camera is the one that the cloud states for its picture: how well it is known nobody said, and no spread here holds it</source>
+        <translation>相机取自点云对其图片的说明：无人说明其准确程度，此处的任何离散都不包含它</translation>
+    </message>
+    <message>
+        <source>write them out with rubble-cli cloud --photographs and place them by pairs of points</source>
+        <translation>用 rubble-cli cloud --photographs 写出，并用点对放置</translation>
+    </message>
+    <message>
+        <source>{0} is no octree of a cloud, or damaged</source>
+        <translation>{0} 不是点云的八叉树，或已损坏</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -12878,6 +12930,53 @@
     <message>
         <source>Debris came within %1 of this place so long after the first debris that came down anywhere, give or take %2 s</source>
         <translation>自任何地方首次落下堆积物起经过这段时间后，堆积物到达距此处 %1 以内，误差 %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CloudPoints</name>
+    <message>
+        <source>%1 photographs of the cloud added</source>
+        <translation>已添加点云的 %1 张照片</translation>
+    </message>
+    <message>
+        <source>Photographs added with the camera that the cloud states: %1</source>
+        <translation>按点云所述相机添加的照片：%1</translation>
+    </message>
+    <message>
+        <source>The octree is made or opened, %1 %</source>
+        <translation>正在生成或打开八叉树，%1 %</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points are drawn.</source>
+        <translation>画出 %2 个点中的 %1 个。</translation>
+    </message>
+    <message>
+        <source>Finer ones were left out: no more than %1 are.</source>
+        <translation>略去了更细的点：最多画 %1 个。</translation>
+    </message>
+    <message>
+        <source>The octree was made: %1, %2 MB.</source>
+        <translation>已生成八叉树：%1，%2 MB。</translation>
+    </message>
+    <message>
+        <source>The octree: %1, %2 MB.</source>
+        <translation>八叉树：%1，%2 MB。</translation>
+    </message>
+    <message>
+        <source>Distances are being measured.</source>
+        <translation>正在量取距离。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 distances differ by more than the level of detection.</source>
+        <translation>%2 个距离中有 %1 个超过检测限。</translation>
+    </message>
+    <message>
+        <source>Fragments that no point looks at: %1 of %2.</source>
+        <translation>没有点看到的碎块：%2 个中的 %1 个。</translation>
+    </message>
+    <message>
+        <source>They are of another run or other settings.</source>
+        <translation>它们属于另一次计算或其他设置。</translation>
     </message>
 </context>
 <context>
@@ -14774,6 +14873,42 @@
     <message>
         <source>%1 (assumed)</source>
         <translation>%1（假定）</translation>
+    </message>
+    <message>
+        <source>distances from %1: %2 of %3 places</source>
+        <translation>到 %1 的距离：%3 处中的 %2 处</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 points</source>
+        <translation>%1：%3 个点中的 %2 个</translation>
+    </message>
+    <message>
+        <source>intensity %1</source>
+        <translation>强度 %1</translation>
+    </message>
+    <message>
+        <source>class %1</source>
+        <translation>类别 %1</translation>
+    </message>
+    <message>
+        <source>simulated site above, up to %1</source>
+        <translation>模拟现场在上，至 %1</translation>
+    </message>
+    <message>
+        <source>below, up to %1</source>
+        <translation>在下，至 %1</translation>
+    </message>
+    <message>
+        <source>within the level of detection, %1 in the median</source>
+        <translation>在检测限之内，中位数 %1</translation>
+    </message>
+    <message>
+        <source>within the level of detection, %1 in the median, without the error of the registration, which is not known</source>
+        <translation>在检测限之内，中位数 %1，未计入未知的配准误差</translation>
+    </message>
+    <message>
+        <source>level of detection not known · %1</source>
+        <translation>检测限未知 · %1</translation>
     </message>
 </context>
 <context>
@@ -21426,6 +21561,113 @@ What the file fits: %2.</source>
     <message>
         <source>The accuracy of the places of the case is in it.</source>
         <translation>案例中位置的精度已计入其中。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::PointBox</name>
+    <message>
+        <source>Points in the views</source>
+        <translation>在视图中显示点</translation>
+    </message>
+    <message>
+        <source>Normal scale</source>
+        <translation>法向尺度</translation>
+    </message>
+    <message>
+        <source>Projection scale</source>
+        <translation>投影尺度</translation>
+    </message>
+    <message>
+        <source>Depth of the cylinder</source>
+        <translation>圆柱的深度</translation>
+    </message>
+    <message>
+        <source>Registration error</source>
+        <translation>配准误差</translation>
+    </message>
+    <message>
+        <source>Measure distances</source>
+        <translation>量取距离</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>Draws the points of this cloud where it lies in the case. They are read from an octree in levels of detail, which is made once beside the cloud</source>
+        <translation>在案例中点云所在之处画出其各点。点按细节层次从八叉树读取，八叉树在点云旁生成一次</translation>
+    </message>
+    <message>
+        <source>colours of the file</source>
+        <translation>文件的颜色</translation>
+    </message>
+    <message>
+        <source>by height</source>
+        <translation>按高度</translation>
+    </message>
+    <message>
+        <source>by class</source>
+        <translation>按类别</translation>
+    </message>
+    <message>
+        <source>by distance to the run</source>
+        <translation>按到计算的距离</translation>
+    </message>
+    <message>
+        <source>What the colours of the points say</source>
+        <translation>点的颜色所表示的内容</translation>
+    </message>
+    <message>
+        <source>Colours of the file, else intensity, else height; height; class; or the measured distance to the simulated site</source>
+        <translation>文件的颜色，没有则为强度，再没有则为高度；高度；类别；或量得的到模拟现场的距离</translation>
+    </message>
+    <message>
+        <source>Adds the pictures in this cloud that have a pinhole and a pose as photographs with that camera; their files are written beside the case</source>
+        <translation>把此点云中带针孔相机和位姿的图片作为带该相机的照片加入；其文件写在案例旁</translation>
+    </message>
+    <message>
+        <source>as known</source>
+        <translation>按已知</translation>
+    </message>
+    <message>
+        <source>Radius within which points of the cloud give the local normal, m: several times their spacing</source>
+        <translation>点云各点给出局部法向的半径，m：点间距的数倍</translation>
+    </message>
+    <message>
+        <source>Radius of the cylinder along the normal in which cloud and site are averaged, m: 20 points or more should fall into it</source>
+        <translation>沿法向的圆柱的半径，点云和现场在其中取平均，m：其中应有 20 个或更多的点</translation>
+    </message>
+    <message>
+        <source>Of the cylinder to each side, m: more than the largest distance</source>
+        <translation>圆柱向每一侧的长度，m：大于最大的距离</translation>
+    </message>
+    <message>
+        <source>By which the cloud may be out of place, m. Left empty it is that of its registration or its offset error</source>
+        <translation>点云可能错开的量，m。留空则取其配准误差或偏移误差</translation>
+    </message>
+    <message>
+        <source>Normal scale, m</source>
+        <translation>法向尺度，m</translation>
+    </message>
+    <message>
+        <source>Projection scale, m</source>
+        <translation>投影尺度，m</translation>
+    </message>
+    <message>
+        <source>Depth, m</source>
+        <translation>深度，m</translation>
+    </message>
+    <message>
+        <source>Registration error, m</source>
+        <translation>配准误差，m</translation>
+    </message>
+    <message>
+        <source>Measures from points of the cloud to the simulated site along the local normal (M3C2) and colours those that differ by more than the level of detection at 95 %</source>
+        <translation>沿局部法向（M3C2）从点云的点量到模拟现场，并为差别超过 95 % 检测限的点着色</translation>
+    </message>
+    <message>
+        <source>Add its photographs: %1</source>
+        <translation>添加其中的照片：%1</translation>
     </message>
 </context>
 <context>

@@ -10,18 +10,8 @@ namespace rubble::cli {
 
 ScannedSite scannedSite(const io::RunReader& run, const Inputs& inputs, std::optional<double> time, double liveThreshold,
                         const Execution& execution) {
-    MappedRun mapped{inputs.fe.get(), &run, run.fragments(), run.result(), inputs.terrain, run.origin().scenario};
-    ScannedSite site;
-    site.ground = groundOf(mapped);
-    // The ground is added where the rays go, with all of its nodes.
-    mapped.terrain = nullptr;
-    site.shape = siteOfRun(mapped, time, liveThreshold, Vec3::Zero(), execution);
-    const Components components =
-        groupComponents(inputs.fe->mesh(), mapped.scenario.regrouping, mapped.scenario.components, mapped.scenario.assumptions);
-    for (const DebrisFragment& each : debrisAt(*mapped.fragments, components, run, site.shape.time).fragments) {
-        site.volumes.push_back(each.volume);
-    }
-    return site;
+    const MappedRun mapped{inputs.fe.get(), &run, run.fragments(), run.result(), inputs.terrain, run.origin().scenario};
+    return rubble::scannedSite(mapped, time, liveThreshold, execution);
 }
 
 Option scannerOption(std::string_view help) {

@@ -5,18 +5,12 @@
 
 #include "app/cli/frame/arguments.h"
 #include "app/cli/frame/json_output.h"
+#include "core/evidence/scanned_site.h"
 #include "core/pipeline/pipeline.h"
 #include "io/run/run_file.h"
 #include "io/site/clouds/run_distance.h"
 
 namespace rubble::cli {
-
-/// What a run says stands and lies on a site, as scanners meet it.
-struct ScannedSite {
-    SiteShape shape;  ///< without ground
-    SiteSurface ground;
-    std::vector<double> volumes;  ///< m3, [fragments]
-};
 
 /// The site of a run at an instant; unset: at its end. @param liveThreshold  m, farther than this live structure has fallen
 /// Throws as siteOfRun().

@@ -8,11 +8,14 @@
 #include "app/gui/evidence/evidence_work.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/session/session.h"
+#include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/scene_display.h"
 #include "app/gui/stage/view_area.h"
 #include "core/base/error.h"
 #include "core/evidence/evidence_list.h"
+#include "core/evidence/scanned_site.h"
+#include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/case_photographs.h"
@@ -250,7 +253,7 @@ void PointsWork::look(const Look& from) {
 }
 
 CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene, SurveyDisplay& surveys, ViewArea& area,
-                         QObject* parent)
+                         Actions& actions, QObject* parent)
     : QObject(parent),
       m_session(session),
       m_document(session.document()),
@@ -259,6 +262,7 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
       m_scene(scene),
       m_surveys(surveys),
       m_area(area),
+      m_actions(actions),
       m_work(session.part<PointsWork>()) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(120);
@@ -269,6 +273,8 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&box, &widgets::PointBox::photographsRequested, this, &CloudPoints::addPhotographs);
     connect(&box, &widgets::PointBox::measureRequested, this, &CloudPoints::measure);
     connect(&box, &widgets::PointBox::cancelRequested, this, [this] { m_work.measuring.cancel(); });
+    connect(&actions[ActionId::CloudPoints], &QAction::triggered, this, &CloudPoints::setShown);
+    connect(&actions[ActionId::MeasureCloud], &QAction::triggered, this, &CloudPoints::measure);
     connect(&m_work, &PointsWork::changed, this, &CloudPoints::refresh);
     connect(&surveys, &SurveyDisplay::changed, this, &CloudPoints::refresh);
     connect(&scene, &SceneDisplay::viewSet, this, &CloudPoints::refresh);
@@ -310,6 +316,9 @@ void CloudPoints::setShown(bool shown) {
     render::View view = m_area.views().view();
     view.cloud = shown && survey != nullptr ? survey->id : std::string();
     m_scene.setView(view);
+    if (!view.cloud.empty()) {
+        emit viewsRequested();
+    }
 }
 
 void CloudPoints::setColour(render::PointColour colour) {
@@ -377,7 +386,9 @@ std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {
     if (!cloud) {
         return std::nullopt;
     }
-    return PointsWork::Measured{*cloud, *survey, record->reader.get(), m_deck.evidence().survey().points().settings()};
+    PointsWork::Measured now{*cloud, *survey, record->reader.get(), m_deck.evidence().survey().points().settings(), {}};
+    now.survey.scope = scopeWhenTaken(m_document.theCase(), *survey, now.said);
+    return now;
 }
 
 void CloudPoints::measure() {
@@ -391,11 +402,8 @@ void CloudPoints::measure() {
     m_work.measuring.start({Worker::Kind::Study,
                             [made, order = *order, name,
                              run = EvidenceRun(m_computation.inputs(), m_computation.currentRun())](const Execution& execution) {
-                                MappedRun mapped = run.mapped();
-                                const SiteSurface ground = groundOf(mapped);
-                                // The ground is added where the rays go, with all of its nodes.
-                                mapped.terrain = nullptr;
-                                SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
+                                checkShowsDebris(order.survey);
+                                ScannedSite site = scannedSite(run.mapped(), order.survey.instant, fallenFrom, execution);
                                 io::RunDistanceRequest request;
                                 request.cloud = order.cloud.path;
                                 request.frame = order.cloud.frame;
@@ -406,7 +414,9 @@ void CloudPoints::measure() {
                                 if (!request.settings.registrationError && !request.placed) {
                                     request.settings.registrationError = order.survey.offsetError;
                                 }
-                                made->made = io::compareCloudWithSite(request, std::move(shape), ground, {}, execution);
+                                made->made =
+                                    io::compareCloudWithSite(request, std::move(site.shape), site.ground, site.volumes, execution);
+                                made->made.compared.findings.append(order.said);
                                 const io::SitePlace place(order.cloud.frame, order.cloud.site);
                                 for (const Vec3& core : made->made.compared.cores) {
                                     made->cores.push_back(place.toLocal(core));
@@ -425,6 +435,7 @@ void CloudPoints::measure() {
     view.cloud = order->survey.id;
     view.pointColour = render::PointColour::Distance;
     m_scene.setView(view);
+    emit viewsRequested();
     refresh();
 }
 
@@ -507,8 +518,15 @@ QString CloudPoints::measuredText() const {
     const render::SitePoints& points = *made->points;
     const QString text = tr("%1 of %2 distances differ by more than the level of detection.")
                              .arg(figures::countText(points.significant), figures::countText(points.shown));
+    const io::SightedDebris& debris = made->made.debris;
+    const QString seen = debris.unseen == 0
+                             ? QString()
+                             : u' ' + tr("Fragments that no point looks at: %1 of %2.")
+                                          .arg(figures::countText(static_cast<std::size_t>(debris.unseen)),
+                                               figures::countText(static_cast<std::size_t>(debris.unseen + debris.seen)));
     const auto now = measuredNow();
-    return now && m_work.distances.stale(*now) ? text + u' ' + tr("They are of another run or other settings.") : text;
+    return now && m_work.distances.stale(*now) ? text + seen + u' ' + tr("They are of another run or other settings.")
+                                               : text + seen;
 }
 
 void CloudPoints::showBox() {
@@ -528,8 +546,14 @@ void CloudPoints::showBox() {
         content.noMeasuring = EvidenceWork::whyNoDebris(m_computation.currentRun());
         content.measuring = m_work.distances.running();
         content.measured = measuredText();
+        if (const auto& made = m_work.distances.result(); made != nullptr && m_work.distances.answered().survey.id == survey->id) {
+            content.findings.append(made->made.compared.findings);
+        }
     }
     m_deck.evidence().survey().points().setContent(content);
+    m_actions[ActionId::CloudPoints].setEnabled(content.cloud && m_computation.inputs().fe != nullptr);
+    m_actions[ActionId::CloudPoints].setChecked(content.shown);
+    m_actions[ActionId::MeasureCloud].setEnabled(content.cloud && content.noMeasuring.isEmpty() && !content.measuring);
 }
 
 }  // namespace rubble

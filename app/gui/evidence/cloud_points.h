@@ -21,6 +21,7 @@
 
 namespace rubble {
 
+class Actions;
 class Computation;
 class Document;
 class PanelDeck;
@@ -62,9 +63,11 @@ public:
     /// What distances are measured of.
     struct Measured {
         Cloud cloud;
-        CaseInput survey;
+        CaseInput survey;  ///< its scope without what had been removed by then
         const void* run = nullptr;
         CloudDistanceSettings settings;
+        Findings said;  ///< of what the case says of the survey
+        /// What can be chosen is the same.
         bool operator==(const Measured& other) const;
     };
     struct Distances {
@@ -100,7 +103,7 @@ class CloudPoints : public QObject {
     Q_OBJECT
 
 public:
-    CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene, SurveyDisplay& surveys, ViewArea& area,
+    CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene, SurveyDisplay& surveys, ViewArea& area, Actions& actions,
                 QObject* parent = nullptr);
     ~CloudPoints() override;
 
@@ -112,6 +115,10 @@ public:
     void addPhotographs();
     bool busy() const;
     void refresh();
+
+signals:
+    /// Points were asked for: the views are to be seen.
+    void viewsRequested();
 
 private:
     void follow();
@@ -132,6 +139,7 @@ private:
     SceneDisplay& m_scene;
     SurveyDisplay& m_surveys;
     ViewArea& m_area;
+    Actions& m_actions;
     PointsWork& m_work;
     QTimer m_pause;  ///< from a move of the camera until points are asked for
     std::optional<std::pair<render::View, QSize>> m_asked;

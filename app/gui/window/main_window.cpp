@@ -31,6 +31,9 @@
 #include "widgets/basics/evidence_tabs.h"
 #include "widgets/basics/theme.h"
 #include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/evidence_table.h"
+#include "widgets/evidence/survey_box.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/views/status_line.h"
@@ -183,6 +186,15 @@ void MainWindow::connectActions() {
     on(ActionId::ResetLayout, [this] { m_layout->reset(); });
     connect(&m_rooms->deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showCentre);
     connect(&m_rooms->deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, &MainWindow::showCentre);
+    // Points of a cloud stand in the views, also while their panel is open; what else it shows brings its page back.
+    connect(m_rooms->cloudPoints.get(), &CloudPoints::viewsRequested, this, [this] {
+        m_centre->setCurrentWidget(m_area);
+        m_rooms->inspection->docks().setViewsInFront(true);
+    });
+    widgets::EvidencePanel& panel = m_rooms->deck->evidence();
+    connect(&panel, &widgets::EvidencePanel::photographChosen, this, &MainWindow::showCentre);
+    connect(&panel.list(), &widgets::EvidenceTable::chosen, this, &MainWindow::showCentre);
+    connect(&panel.survey(), &widgets::SurveyBox::compareRequested, this, &MainWindow::showCentre);
 }
 
 void MainWindow::open(const QString& path, bool simulate) {

@@ -54,7 +54,7 @@ const std::set<QString>& sameEverywhere() {
             "NAME true false Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf px viridis cividis JPEG TIFF "
             "HEIC "
             "PDF pdf HTML html MP glTF Blender SI ft lb report run ensemble compare GeoTIFF GeoPackage GeoJSON Shapefile ESRI OBJ "
-            "PLY ASME validate survey kPa dyn cm lbf kip psi ksi psf in dpi LS DYNA OpenRadioss "
+            "PLY M C E cloud photographs ASME validate survey kPa dyn cm lbf kip psi ksi psf in dpi LS DYNA OpenRadioss "
             "EN kN");
         for (const QString& word : plain.split(u' ')) {
             list.insert(word);

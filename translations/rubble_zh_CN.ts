@@ -11689,7 +11689,7 @@
     </message>
     <message>
         <source>pose of the cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>点云的位姿</translation>
     </message>
     <message>
         <source>the camera is the one that the cloud states for its picture: how well it is known nobody said, and no spread here holds it</source>
@@ -14875,10 +14875,6 @@
         <translation>%1（假定）</translation>
     </message>
     <message>
-        <source>distances from %1: %2 of %3 places</source>
-        <translation>到 %1 的距离：%3 处中的 %2 处</translation>
-    </message>
-    <message>
         <source>%1: %2 of %3 points</source>
         <translation>%1：%3 个点中的 %2 个</translation>
     </message>
@@ -14909,6 +14905,14 @@
     <message>
         <source>level of detection not known · %1</source>
         <translation>检测限未知 · %1</translation>
+    </message>
+    <message>
+        <source>from %1 to the site at t = %2: %3 of %4 places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z = %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21591,7 +21595,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>Draws the points of this cloud where it lies in the case. They are read from an octree in levels of detail, which is made once beside the cloud</source>

@@ -146,6 +146,7 @@ std::shared_ptr<const render::SitePoints> pointsOf(const PointsWork::Distances& 
     points->name = name;
     points->scale = Scale::Distance;
     points->all = made.cores.size();
+    points->time = distances.time;
     points->registered = made.settings.registrationError.has_value();
     std::vector<double> levels;
     for (const CoreDistance& core : made.distances) {
@@ -368,12 +369,15 @@ void CloudPoints::ask() {
     m_work.look(look);
 }
 
+bool CloudPoints::distancesShown() const {
+    const RunRecord* record = m_computation.currentRun();
+    const PointsWork::Measured& of = m_work.distances.answered();
+    return m_area.views().view().pointColour == render::PointColour::Distance && m_work.distances.result() != nullptr &&
+           m_work.cloud && of.cloud == *m_work.cloud && record != nullptr && of.run == record->reader.get();
+}
+
 void CloudPoints::publish() {
-    const render::View& view = m_area.views().view();
-    const std::shared_ptr<const PointsWork::Distances>& made = m_work.distances.result();
-    const bool distances = view.pointColour == render::PointColour::Distance && made != nullptr && m_work.cloud &&
-                           m_work.distances.answered().cloud == *m_work.cloud;
-    m_scene.setPoints(distances ? made->points : m_work.points);
+    m_scene.setPoints(distancesShown() ? m_work.distances.result()->points : m_work.points);
 }
 
 std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {
@@ -404,6 +408,7 @@ void CloudPoints::measure() {
                              run = EvidenceRun(m_computation.inputs(), m_computation.currentRun())](const Execution& execution) {
                                 checkShowsDebris(order.survey);
                                 ScannedSite site = scannedSite(run.mapped(), order.survey.instant, fallenFrom, execution);
+                                made->time = site.shape.time;
                                 io::RunDistanceRequest request;
                                 request.cloud = order.cloud.path;
                                 request.frame = order.cloud.frame;
@@ -490,11 +495,17 @@ QString CloudPoints::statusText() const {
     }
     const io::PlacedOctree& placed = *m_work.opened->octree;
     const io::CloudOctree& octree = placed.octree();
-    QString text = m_work.points != nullptr
-                       ? tr("%1 of %2 points are drawn.")
-                             .arg(figures::countText(m_work.points->shown), figures::countText(octree.head().points))
-                       : QString();
-    if (!m_work.whole) {
+    QString text;
+    if (distancesShown()) {
+        text = tr("Places of which the distance was measured are drawn.");
+    } else if (m_work.points != nullptr) {
+        text = tr("%1 of %2 points are drawn.")
+                   .arg(figures::countText(m_work.points->shown), figures::countText(octree.head().points));
+    }
+    if (!distancesShown() && m_area.views().view().pointColour == render::PointColour::Distance) {
+        text += u' ' + tr("No distances to this run were measured: colours say the height.");
+    }
+    if (!distancesShown() && !m_work.whole) {
         text += u' ' + tr("Finer ones were left out: no more than %1 are.").arg(figures::countText(pointsBudget));
     }
     const QString megabytes = figures::countText((octree.bytes() + 999'999) / 1'000'000);

@@ -73,6 +73,7 @@ public:
     struct Distances {
         io::RunDistance made;
         std::vector<Vec3> cores;  ///< m, local
+        double time = 0.0;        ///< s, on the file's clock, of the site
         /// Made when they are first drawn.
         std::shared_ptr<const render::SitePoints> points;
     };
@@ -123,6 +124,8 @@ signals:
 private:
     void follow();
     void ask();
+    /// Distances to the run at hand are drawn in place of the points.
+    bool distancesShown() const;
     void publish();
     void showBox();
     bool isCloud(const CaseInput& input) const;

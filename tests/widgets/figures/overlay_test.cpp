@@ -224,6 +224,47 @@ TEST_F(Legends, TellThatAMovingViewIsSimplified) {
     EXPECT_EQ(told(), 0);
 }
 
+TEST_F(Legends, PointsOfACloudSayHowManyTheyAreAndWhatTheirColoursSay) {
+    auto points = std::make_shared<render::SitePoints>();
+    points->name = "scan.las";
+    points->shown = 1'500;
+    points->all = 2'000'000;
+    points->scale = render::SitePoints::Scale::Height;
+    points->low = 10.0;
+    points->high = 30.0;
+    const auto lines = [&] {
+        render::SceneData data = m_scene.data();
+        data.points = points;
+        m_scene.setData(data);
+        QStringList texts;
+        for (const LegendEntry& entry : overlayFor(render::ColourBy::Highlight).legend) {
+            texts << entry.text;
+        }
+        return texts;
+    };
+    EXPECT_FALSE(lines().contains(QStringLiteral("scan.las: 1,500 of 2,000,000 points"))) << "the view does not draw them";
+    m_view.cloud = "survey-1";
+    EXPECT_TRUE(lines().contains(QStringLiteral("scan.las: 1,500 of 2,000,000 points")));
+    EXPECT_TRUE(lines().contains(QStringLiteral("z = 20 m")));
+    points = std::make_shared<render::SitePoints>(*points);
+    points->scale = render::SitePoints::Scale::Distance;
+    points->low = -0.5;
+    points->high = 1.25;
+    points->detection = 0.0421;
+    points->unknown = 7;
+    points->time = 3.0;
+    QStringList told = lines();
+    EXPECT_TRUE(told.contains(QStringLiteral("from scan.las to the site at t = 3.00 s: 1,500 of 2,000,000 places")));
+    EXPECT_TRUE(told.contains(QStringLiteral("simulated site above, up to 1.3 m")));
+    EXPECT_TRUE(told.contains(QStringLiteral("below, up to 0.5 m")));
+    EXPECT_TRUE(told.contains(QStringLiteral("level of detection not known · 7")));
+    EXPECT_TRUE(told.contains(QStringLiteral(
+        "within the level of detection, 0.043 m in the median, without the error of the registration, which is not known")));
+    points = std::make_shared<render::SitePoints>(*points);
+    points->registered = true;
+    EXPECT_TRUE(lines().contains(QStringLiteral("within the level of detection, 0.043 m in the median")));
+}
+
 TEST_F(Legends, ALegendThatNeedsLinesStandsInTheStripThatIsKeptForIt) {
     ensureGuiApplication();
     // A pane as narrow as one of two beside each other at 1280 x 800.

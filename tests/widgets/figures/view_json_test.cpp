@@ -35,6 +35,8 @@ render::View randomView(std::mt19937& engine) {
     view.groundGrid = pick(2) == 1;
     view.shading = pick(2) == 1;
     view.shadows = pick(2) == 1;
+    view.cloud = pick(2) == 1 ? "survey-1" : "";
+    view.pointColour = static_cast<render::PointColour>(pick(4));
     view.axes = pick(2) == 1;
     view.captions = pick(2) == 1;
     view.legends = pick(2) == 1;

@@ -123,17 +123,22 @@ void addErrors(Overlay& overlay, const render::View& view, const render::PaneSta
 }
 
 /// What the points of a cloud are, and what their colours say.
-void addPoints(std::vector<LegendEntry>& legend, const render::SitePoints& points) {
+void addPoints(std::vector<LegendEntry>& legend, const render::SitePoints& points, double timeOrigin) {
     using Scale = render::SitePoints::Scale;
     const QString name = QString::fromStdString(points.name);
     const bool distances = points.scale == Scale::Distance;
-    legend.push_back({QColor(), (distances ? tr("distances from %1: %2 of %3 places") : tr("%1: %2 of %3 points"))
-                                    .arg(name, countText(points.shown), countText(points.all))});
+    const QString shown = countText(points.shown);
+    const QString all = countText(points.all);
+    legend.push_back(
+        {QColor(),
+         distances ? tr("from %1 to the site at t = %2: %3 of %4 places").arg(name, timeText(points.time - timeOrigin), shown, all)
+                   : tr("%1: %2 of %3 points").arg(name, shown, all)});
     if (points.scale == Scale::Height || points.scale == Scale::Intensity) {
         for (const double share : {0.0, 0.5, 1.0}) {
             const double value = points.low + share * (points.high - points.low);
-            legend.push_back({colourOf(scaleColour(points.scale, share)),
-                              points.scale == Scale::Height ? lengthText(value) : tr("intensity %1").arg(numberText(value))});
+            legend.push_back({colourOf(scaleColour(points.scale, share)), points.scale == Scale::Height
+                                                                              ? tr("z = %1").arg(lengthText(value))
+                                                                              : tr("intensity %1").arg(numberText(value))});
         }
     }
     for (std::size_t c = 0; points.scale == Scale::Class && c < std::min(points.classes.size(), longestLegend); ++c) {
@@ -143,13 +148,14 @@ void addPoints(std::vector<LegendEntry>& legend, const render::SitePoints& point
         return;
     }
     if (points.high > 0.0) {
-        legend.push_back({colourOf(distanceColour(1.0)), tr("simulated site above, up to %1").arg(lengthText(points.high))});
+        legend.push_back(
+            {colourOf(distanceColour(1.0)), tr("simulated site above, up to %1").arg(lengthText(twoDigitsUp(points.high)))});
     }
     if (points.low < 0.0) {
-        legend.push_back({colourOf(distanceColour(-1.0)), tr("below, up to %1").arg(lengthText(-points.low))});
+        legend.push_back({colourOf(distanceColour(-1.0)), tr("below, up to %1").arg(lengthText(twoDigitsUp(-points.low)))});
     }
     if (std::isfinite(points.detection)) {
-        const QString level = lengthText(points.detection);
+        const QString level = lengthText(points.detection > 0.0 ? twoDigitsUp(points.detection) : 0.0);
         legend.push_back({colourOf(withinDetection), points.registered
                                                          ? tr("within the level of detection, %1 in the median").arg(level)
                                                          : tr("within the level of detection, %1 in the median, without the "
@@ -266,7 +272,7 @@ Overlay overlayOf(const render::View& view, const render::Scene& scene, const re
             addIslands(overlay.legend, p, status, sceneColours(view.theme));
         }
         if (data.points != nullptr && !view.cloud.empty()) {
-            addPoints(overlay.legend, *data.points);
+            addPoints(overlay.legend, *data.points, view.timeOrigin);
         }
         if (view.clip) {
             overlay.legend.push_back({QColor(), tr("cut open")});

@@ -28,6 +28,7 @@ struct SitePoints {
     double low = 0.0;                          ///< of heights [m], intensities or distances [m]
     double high = 0.0;                         ///< the same
     std::vector<std::pair<int, Rgb>> classes;  ///< that were met, with their colours
+    double time = 0.0;                         ///< s, on the file's clock: distances are to the site as it is then
     double detection = 0.0;                    ///< m, level of detection at 95 % in the median; NaN: not known
     bool registered = false;                   ///< it holds the error of the registration
     std::uint64_t significant = 0;             ///< distances beyond their level of detection

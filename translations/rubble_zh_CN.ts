@@ -12978,6 +12978,14 @@
         <source>They are of another run or other settings.</source>
         <translation>它们属于另一次计算或其他设置。</translation>
     </message>
+    <message>
+        <source>Places of which the distance was measured are drawn.</source>
+        <translation>画出量得距离之处。</translation>
+    </message>
+    <message>
+        <source>No distances to this run were measured: colours say the height.</source>
+        <translation>尚未量取到此次计算的距离：颜色表示高度。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Computation</name>
@@ -14908,11 +14916,11 @@
     </message>
     <message>
         <source>from %1 to the site at t = %2: %3 of %4 places</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 到 t = %2 时的现场：%4 处中的 %3 处</translation>
     </message>
     <message>
         <source>z = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = %1</translation>
     </message>
 </context>
 <context>

@@ -111,7 +111,8 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
         [&](std::size_t n) {
             double most = 0.0;
             for (const auto& [pane, camera] : look.panes) {
-                most = std::max(most, render::pixelsOf(camera, pane, boxes[n], octree.spacing(octree.nodes()[n].level)));
+                most = std::max(
+                    most, render::pixelsOf(camera, pane.aspect(), pane.height, boxes[n], octree.spacing(octree.nodes()[n].level)));
             }
             return most;
         },

@@ -72,21 +72,11 @@ private:
             return Vec3::UnitZ();
         }
         const Vec3 none = Vec3::Constant(unknown);
-        m_first.within(core, m_settings.normalRadius, m_found);
-        if (m_found.size() < 3) {
+        const BallMoments moments = m_first.moments(core, m_settings.normalRadius);
+        if (moments.points < 3) {
             return none;
         }
-        Vec3 mean = Vec3::Zero();
-        for (const std::uint32_t i : m_found) {
-            mean += m_first.places()[i] - core;
-        }
-        mean /= static_cast<double>(m_found.size());
-        Mat3 spread = Mat3::Zero();
-        for (const std::uint32_t i : m_found) {
-            const Vec3 off = m_first.places()[i] - core - mean;
-            spread += off * off.transpose();
-        }
-        const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
+        const Eigen::SelfAdjointEigenSolver<Mat3> axes(moments.spread);
         // Points on a line have planes all around it.
         constexpr double least = 1e-12;
         if (axes.info() != Eigen::Success || !(axes.eigenvalues()[1] > least * axes.eigenvalues()[2])) {
@@ -117,7 +107,6 @@ private:
     const PointIndex& m_first;
     const PointIndex& m_second;
     const CloudDistanceSettings& m_settings;
-    std::vector<std::uint32_t> m_found;
     std::vector<double> m_offsets;  ///< m, along the normal
 };
 

@@ -90,6 +90,33 @@ private:
     const Visit& m_visit;
 };
 
+/// Sums of products of whole numbers of 30 bits, each in two halves, so that 2^31 of them fit.
+class ProductSums {
+public:
+    void add(const std::array<std::int64_t, 3>& steps) {
+        std::size_t k = 0;
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t column = row; column < 3; ++column, ++k) {
+                const std::int64_t product = steps[row] * steps[column];
+                m_low[k] += product & 0xFFFF'FFFF;
+                m_high[k] += product >> 32;
+            }
+        }
+    }
+    Mat3 total() const {
+        const auto sum = [&](std::size_t k) {
+            return std::ldexp(static_cast<double>(m_high[k]), 32) + static_cast<double>(m_low[k]);
+        };
+        Mat3 made;
+        made << sum(0), sum(1), sum(2), sum(1), sum(3), sum(4), sum(2), sum(4), sum(5);
+        return made;
+    }
+
+private:
+    std::array<std::int64_t, 6> m_low{};
+    std::array<std::int64_t, 6> m_high{};
+};
+
 }  // namespace
 
 struct PointIndex::Tree {
@@ -172,6 +199,40 @@ void PointIndex::within(const Vec3& centre, double radius, std::vector<std::uint
     });
     // The tree has an order of its own; sums of reals then do not depend on it.
     sortFound(found);
+}
+
+BallMoments PointIndex::moments(const Vec3& centre, double radius) const {
+    constexpr int bits = 30;
+    const std::vector<Vec3>& places = m_tree->list.places;
+    const double scale = std::ldexp(1.0, bits - 1 - std::ilogb(radius));
+    std::int64_t count = 0;
+    std::array<std::int64_t, 3> sums{};
+    ProductSums products;
+    m_tree->visitBall(centre, radius, [&](std::uint32_t i) {
+        const Vec3 from = places[i] - centre;
+        if (from.squaredNorm() > radius * radius) {
+            return;
+        }
+        const std::array<std::int64_t, 3> steps{static_cast<std::int64_t>(from.x() * scale),
+                                                static_cast<std::int64_t>(from.y() * scale),
+                                                static_cast<std::int64_t>(from.z() * scale)};
+        ++count;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            sums[axis] += steps[axis];
+        }
+        products.add(steps);
+    });
+    BallMoments made;
+    made.points = static_cast<std::uint32_t>(count);
+    if (count == 0) {
+        return made;
+    }
+    const Vec3 sum(static_cast<double>(sums[0]), static_cast<double>(sums[1]), static_cast<double>(sums[2]));
+    made.mean = sum / static_cast<double>(count);
+    made.spread = products.total() - made.mean * sum.transpose();
+    made.mean /= scale;
+    made.spread /= scale * scale;
+    return made;
 }
 
 void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,

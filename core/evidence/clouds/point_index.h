@@ -31,6 +31,13 @@ private:
     std::unordered_set<std::array<std::int64_t, 3>, Hash> m_taken;
 };
 
+/// Where the points of a ball lie, and how they spread.
+struct BallMoments {
+    std::uint32_t points = 0;
+    Vec3 mean = Vec3::Zero();    ///< from the middle of the ball
+    Mat3 spread = Mat3::Zero();  ///< sum of the products of what they are off the mean
+};
+
 /// Points that are found by their place. May be asked by several threads at once.
 class PointIndex {
 public:
@@ -42,6 +49,9 @@ public:
     const std::vector<Vec3>& places() const;
     /// The points within a radius of a place, its rim included, in the order of the cloud.
     void within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const;
+    /// Of the points within a radius of a place, its rim included. Places count in steps of 2^-29 of the radius or finer, so that
+    /// sums are those of whole numbers and no order of the points matters.
+    BallMoments moments(const Vec3& centre, double radius) const;
     /// How far along a line from a place the points within a cylinder about it lie, its ends and mantle included. Their order
     /// depends on which other points there are.
     /// @param axis  of length 1; @param halfLength  to each side

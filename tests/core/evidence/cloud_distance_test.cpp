@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -179,6 +180,43 @@ TEST(PointIndex, FindsWhatLiesInACylinderHoweverLong) {
         EXPECT_EQ(found, expected) << half;
         EXPECT_GT(found.size(), 0u);
     }
+}
+
+TEST(PointIndex, MomentsOfABallAreThoseOfItsPointsInWhateverOrder) {
+    std::mt19937_64 random(11);  // NOLINT: the same points each time
+    std::uniform_real_distribution<double> along(-2.0, 2.0);
+    std::vector<Vec3> places;
+    for (int i = 0; i < 20'000; ++i) {
+        const double x = along(random);
+        const double y = along(random);
+        places.emplace_back(x, y, 0.3 * x - 0.1 * y + 0.001 * along(random));
+    }
+    const Vec3 centre(0.4, -0.3, 0.1);
+    constexpr double radius = 0.75;
+    std::vector<Vec3> inside;
+    for (const Vec3& place : places) {
+        if ((place - centre).norm() <= radius) {
+            inside.push_back(place - centre);
+        }
+    }
+    const BallMoments made = PointIndex(places).moments(centre, radius);
+    ASSERT_EQ(made.points, inside.size());
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& off : inside) {
+        mean += off / static_cast<double>(inside.size());
+    }
+    Mat3 spread = Mat3::Zero();
+    for (const Vec3& off : inside) {
+        spread += (off - mean) * (off - mean).transpose();
+    }
+    constexpr double step = 1e-8 * radius;
+    EXPECT_LT((made.mean - mean).norm(), step);
+    EXPECT_LT((made.spread - spread).cwiseAbs().maxCoeff(), step * static_cast<double>(inside.size()));
+    std::shuffle(places.begin(), places.end(), random);
+    const BallMoments shuffled = PointIndex(places).moments(centre, radius);
+    EXPECT_EQ(shuffled.mean, made.mean);
+    EXPECT_EQ(shuffled.spread, made.spread);
+    EXPECT_EQ(PointIndex(places).moments(Vec3(50.0, 0.0, 0.0), radius).points, 0U);
 }
 
 TEST(PointIndex, OrderKeepsEveryPlaceAndPutsNeighboursTogether) {

@@ -17,26 +17,24 @@ TEST(PointSight, ALengthTakesAsManyPixelsAsWhereItsBoxIsNearest) {
     Camera camera;
     camera.position = Vec3(0.0, -100.0, 0.0);
     camera.focalPoint = Vec3::Zero();
-    const Pane pane{PaneContent::Fragments, 0, 0, 800, 600};
     const double tangent = std::tan(15.0 * std::numbers::pi / 180.0);
-    EXPECT_NEAR(pixelsOf(camera, pane, boxAbout(Vec3::Zero(), 10.0), 0.5), 0.5 * 600.0 / (2.0 * tangent * 90.0), 1e-9);
+    EXPECT_NEAR(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3::Zero(), 10.0), 0.5), 0.5 * 600.0 / (2.0 * tangent * 90.0), 1e-9);
     camera.parallel = true;
     camera.parallelScale = 30.0;
-    EXPECT_NEAR(pixelsOf(camera, pane, boxAbout(Vec3::Zero(), 10.0), 0.5), 0.5 * 600.0 / 60.0, 1e-9);
+    EXPECT_NEAR(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3::Zero(), 10.0), 0.5), 0.5 * 600.0 / 60.0, 1e-9);
 }
 
 TEST(PointSight, WhatLiesBesideOrBehindTakesNone) {
     Camera camera;
     camera.position = Vec3(0.0, -100.0, 0.0);
     camera.focalPoint = Vec3::Zero();
-    const Pane pane{PaneContent::Fragments, 0, 0, 800, 600};
-    EXPECT_EQ(pixelsOf(camera, pane, boxAbout(Vec3(0.0, -200.0, 0.0), 10.0), 1.0), 0.0);
-    EXPECT_EQ(pixelsOf(camera, pane, boxAbout(Vec3(80.0, 0.0, 0.0), 10.0), 1.0), 0.0);
-    EXPECT_EQ(pixelsOf(camera, pane, boxAbout(Vec3(0.0, 0.0, 60.0), 10.0), 1.0), 0.0);
-    EXPECT_GT(pixelsOf(camera, pane, boxAbout(Vec3(40.0, 0.0, 0.0), 10.0), 1.0), 0.0) << "it reaches into the picture";
+    EXPECT_EQ(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3(0.0, -200.0, 0.0), 10.0), 1.0), 0.0);
+    EXPECT_EQ(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3(80.0, 0.0, 0.0), 10.0), 1.0), 0.0);
+    EXPECT_EQ(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3(0.0, 0.0, 60.0), 10.0), 1.0), 0.0);
+    EXPECT_GT(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3(40.0, 0.0, 0.0), 10.0), 1.0), 0.0) << "it reaches into the picture";
     // The camera stands in it.
-    EXPECT_GT(pixelsOf(camera, pane, boxAbout(Vec3(0.0, -100.0, 0.0), 10.0), 1.0), 1e4);
-    EXPECT_EQ(pixelsOf(camera, pane, Aabb(), 1.0), 0.0);
+    EXPECT_GT(pixelsOf(camera, 4.0 / 3.0, 600, boxAbout(Vec3(0.0, -100.0, 0.0), 10.0), 1.0), 1e4);
+    EXPECT_EQ(pixelsOf(camera, 4.0 / 3.0, 600, Aabb(), 1.0), 0.0);
 }
 
 }  // namespace

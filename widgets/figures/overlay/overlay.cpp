@@ -136,9 +136,9 @@ void addPoints(std::vector<LegendEntry>& legend, const render::SitePoints& point
     if (points.scale == Scale::Height || points.scale == Scale::Intensity) {
         for (const double share : {0.0, 0.5, 1.0}) {
             const double value = points.low + share * (points.high - points.low);
-            legend.push_back({colourOf(scaleColour(points.scale, share)), points.scale == Scale::Height
-                                                                              ? tr("z = %1").arg(lengthText(value))
-                                                                              : tr("intensity %1").arg(numberText(value))});
+            legend.push_back({colourOf(scaleColour(points.scale, share)),
+                              points.scale == Scale::Height ? tr("z = %1").arg(lengthText(std::round(100.0 * value) / 100.0 + 0.0))
+                                                            : tr("intensity %1").arg(numberText(value))});
         }
     }
     for (std::size_t c = 0; points.scale == Scale::Class && c < std::min(points.classes.size(), longestLegend); ++c) {

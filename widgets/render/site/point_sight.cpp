@@ -6,8 +6,8 @@
 
 namespace rubble::render {
 
-double pixelsOf(const Camera& camera, const Pane& pane, const Aabb& box, double length) {
-    if (box.isEmpty() || pane.height <= 0) {
+double pixelsOf(const Camera& camera, double aspect, int height, const Aabb& box, double length) {
+    if (box.isEmpty() || height <= 0) {
         return 0.0;
     }
     const Vec3 ahead = (camera.focalPoint - camera.position).normalized();
@@ -20,17 +20,17 @@ double pixelsOf(const Camera& camera, const Pane& pane, const Aabb& box, double 
     const double z = middle.dot(ahead);
     if (camera.parallel) {
         const double half = camera.parallelScale;
-        const bool inside = x <= half * pane.aspect() + radius && y <= half + radius;
-        return inside ? length * pane.height / (2.0 * half) : 0.0;
+        const bool inside = x <= half * aspect + radius && y <= half + radius;
+        return inside ? length * height / (2.0 * half) : 0.0;
     }
     const double tangent = std::tan(0.5 * camera.viewAngle * std::numbers::pi / 180.0);
     // Of the ball about the box against the four sides of the view.
     const auto beside = [&](double off, double slope) { return off - z * slope > radius * std::sqrt(1.0 + slope * slope); };
-    if (z < -radius || beside(x, tangent * pane.aspect()) || beside(y, tangent)) {
+    if (z < -radius || beside(x, tangent * aspect) || beside(y, tangent)) {
         return 0.0;
     }
     const double away = std::max(1e-3, box.exteriorDistance(camera.position));
-    return length * pane.height / (2.0 * tangent * away);
+    return length * height / (2.0 * tangent * away);
 }
 
 }  // namespace rubble::render

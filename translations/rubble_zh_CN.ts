@@ -11703,6 +11703,26 @@
         <source>{0} is no octree of a cloud, or damaged</source>
         <translation>{0} 不是点云的八叉树，或已损坏</translation>
     </message>
+    <message>
+        <source>Match its camera by points in the window.</source>
+        <translation>请在窗口中用点来匹配其相机。</translation>
+    </message>
+    <message>
+        <source>Try again once it is complete.</source>
+        <translation>待其完整后重试。</translation>
+    </message>
+    <message>
+        <source>as the cloud states it for its picture: how well place and turn are known nobody said</source>
+        <translation>按点云为其图像所述：位置与转角的精度无人说明</translation>
+    </message>
+    <message>
+        <source>{0} changed while its octree was made</source>
+        <translation>制作八叉树期间 {0} 已改变</translation>
+    </message>
+    <message>
+        <source>{0} x {1} pixels, upright, where the cloud states the camera of {2} x {3}: the photograph is added without it</source>
+        <translation>照片转正后为 {0} × {1} 像素，而点云所述相机为 {2} × {3} 像素：添加照片时不采用该相机</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -72,11 +72,6 @@ std::vector<Caution> runCautions(const RunStanding& run) {
     return list;
 }
 
-bool cameraStated(const Photograph& photograph) {
-    return !photograph.pairs.empty() && std::all_of(photograph.pairs.begin(), photograph.pairs.end(),
-                                                    [](const PointPair& pair) { return pair.name.starts_with(statedPairName); });
-}
-
 std::vector<Caution> photographCautions(const Photograph& photograph, const CameraMatch* match, const RunStanding* run) {
     std::vector<Caution> list;
     if (match != nullptr && match->verdict == MatchVerdict::Poor) {

@@ -44,11 +44,6 @@ RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bo
 /// The gravest first; the number of bodies stands at the end.
 std::vector<Caution> runCautions(const RunStanding& run);
 
-/// How names of pairs begin that were made from the camera that a cloud states for its picture, not clicked by somebody.
-inline constexpr std::string_view statedPairName = "pose of the cloud";
-/// Whether the camera of a photograph is one that was stated: then its residuals say nothing of how well it is known.
-bool cameraStated(const Photograph& photograph);
-
 /// Of a photograph that the debris of a run is held against.
 /// @param match  null: none was found
 /// @param run    null: no debris is held against it

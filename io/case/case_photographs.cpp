@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/error.h"
+#include "core/base/hash.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/site/clouds/e57/placed_photographs.h"
@@ -48,12 +50,27 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
     AddedPhotographs added;
     const fs::path beside = fs::absolute(casePath).parent_path() / (fs::path(cloud).filename().string() + "-photographs");
     for (const PlacedPhotograph& photograph : placedPhotographs(cloud, frame, theCase.site, placed, findings)) {
-        const std::string path = (beside / photograph.name).string();
         const std::string_view content(reinterpret_cast<const char*>(photograph.bytes.data()), photograph.bytes.size());
-        if (contentOf(path) != content) {
+        std::string path = (beside / photograph.name).string();
+        if (const auto there = contentOf(path); there && *there != content) {
+            // Of another cloud of this name, or changed since: another photograph of the case may be that one.
+            path = (beside / (Hasher().text(content).finish().hex().substr(0, 8) + "-" + photograph.name)).string();
+        }
+        const bool written = contentOf(path) != content;
+        if (written) {
             writeIn(path, content);
         }
-        const PhotographFile file = readPhotograph(path);
+        PhotographFile file;
+        try {
+            file = readPhotograph(path);
+        } catch (const ParseError& error) {
+            // The others may be whole.
+            findings.add(error.message(), error.remedy(), photograph.name);
+            if (written) {
+                fs::remove(path, ignored);
+            }
+            continue;
+        }
         findings.append(file.findings);
         const std::optional<std::string> id = addPhotograph(theCase, casePath, path, file.facts, file.sha256);
         if (!id) {
@@ -62,9 +79,15 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
         }
         added.ids.push_back(*id);
         Photograph& last = theCase.photographs.back();
+        if (file.facts.width != photograph.camera.width || file.facts.height != photograph.camera.height) {
+            findings.add(
+                {"cloud.photograph_size",
+                 "{0} x {1} pixels, upright, where the cloud states the camera of {2} x {3}: the photograph is added without it",
+                 {file.facts.width, file.facts.height, photograph.camera.width, photograph.camera.height}},
+                {"cloud.photograph_size.remedy", "Match its camera by points in the window.", {}}, photograph.name);
+            continue;
+        }
         last.camera = photograph.camera;
-        last.camera.width = file.facts.width;
-        last.camera.height = file.facts.height;
         last.pairs = photograph.pairs;
         last.note = "camera as " + fs::path(cloud).filename().string() + " states it";
     }

@@ -283,7 +283,7 @@ std::vector<ReportPhoto> photographsOfCase(const MappedRun& run, const Case& the
             photo.width = picture.width;
             photo.height = picture.height;
             photo.rgb = std::move(picture.rgb);
-            photo.match = matchCamera(drawn->pairs, drawn->camera, execution);
+            photo.match = matchPhotograph(*drawn, execution);
             photo.comparison = compareRunWithPhoto(run, *drawn, *photo.match, {}, execution);
         });
         photo.cautions = photographCautions(*drawn, photo.match ? &*photo.match : nullptr, &standing);

@@ -74,7 +74,7 @@ std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& 
             continue;
         }
         try {
-            usable.push_back({name, photograph, matchCamera(photograph.pairs, photograph.camera, execution)});
+            usable.push_back({name, photograph, matchPhotograph(photograph, execution)});
         } catch (const UsageError& error) {
             findings.add(error.message(), error.remedy(), name);
         }

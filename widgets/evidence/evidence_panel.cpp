@@ -403,6 +403,10 @@ void EvidencePanel::showCamera() {
     // One pixel at the middle of the points, and the turn, bound what an edge there is worth.
     const double edge = std::hypot(match.sigma * match.distance / match.camera.focal, match.turnRadius * match.distance);
     const QString worth = tr("An edge %1 away is certain to about %2.").arg(shownLength(match.distance, 2), shownLength(edge, 2));
+    if (cameraStated(m_content.photograph)) {
+        m_verdict->set(Notice::Kind::Finding, sentenceOf(photographCautions(m_content.photograph, &match, nullptr)), QString());
+        return;
+    }
     switch (match.verdict) {
         case MatchVerdict::Good:
             m_verdict->set(Notice::Kind::Note, tr("Good match."), worth);

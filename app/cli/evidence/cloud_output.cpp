@@ -252,9 +252,15 @@ void printCloud(std::ostream& out, const io::PointCloud& cloud, const io::CloudS
 
 Json octreeJson(const io::OpenedOctree& index, double seconds) {
     const io::CloudOctree& octree = *index.octree;
-    return {{"path", octree.path()},          {"made", index.made},        {"points", octree.head().points},
-            {"nodes", octree.nodes().size()}, {"levels", octree.levels()}, {"coarsest_spacing_m", octree.spacing(0)},
-            {"bytes", octree.bytes()},        {"seconds", seconds}};
+    return {{"path", octree.path()},
+            {"made", index.made},
+            {"points", octree.head().points},
+            {"nodes", octree.nodes().size()},
+            {"levels", octree.levels()},
+            {"coarsest_spacing_m", octree.spacing(0)},
+            {"bytes", octree.bytes()},
+            {"place_step_m", octree.placeStep()},
+            {"seconds", seconds}};
 }
 
 void printOctree(std::ostream& out, const io::OpenedOctree& index, double seconds) {
@@ -266,6 +272,7 @@ void printOctree(std::ostream& out, const io::OpenedOctree& index, double second
     facts.add("points", countText(octree.head().points) + " in " + countText(octree.nodes().size()) + " nodes of " +
                             std::to_string(octree.levels()) + " levels");
     facts.add("spacing", englishNumber(octree.spacing(0)) + " m on the coarsest level, halved from each to the next");
+    facts.add("places", "kept to " + englishNumber(octree.placeStep()) + " m");
     facts.add("size", countText(octree.bytes()) + " bytes");
     facts.print(out);
 }

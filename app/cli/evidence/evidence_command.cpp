@@ -100,8 +100,8 @@ private:
         if (photograph == m_case.photographs.end() || photograph->pairs.empty()) {
             return;
         }
-        const CameraMatch match = matchCamera(photograph->pairs, photograph->camera, m_execution);
-        row.within = cameraStated(*photograph) ? unknown : match.placeRadius;
+        const CameraMatch match = matchPhotograph(*photograph, m_execution);
+        row.within = match.placeRadius;
         const bool drawn = std::any_of(photograph->masks.begin(), photograph->masks.end(),
                                        [](const PhotoMask& mask) { return mask.kind == MaskClass::Debris; });
         if (m_run != nullptr && drawn) {

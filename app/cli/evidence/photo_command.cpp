@@ -100,7 +100,7 @@ Seen look(const Case& theCase, const Photograph& photograph, const std::string& 
         find(error);
     }
     try {
-        seen.match = matchCamera(photograph.pairs, photograph.camera, execution);
+        seen.match = matchPhotograph(photograph, execution);
         for (const Finding& finding : seen.match->findings.list()) {
             findings.add(finding.what, finding.remedy, input.path, finding.count);
         }

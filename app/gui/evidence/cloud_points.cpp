@@ -22,6 +22,7 @@
 #include "io/site/clouds/e57/placed_photographs.h"
 #include "io/site/clouds/octree/octree_choice.h"
 #include "io/site/site_place.h"
+#include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/surveys/point_box.h"
@@ -274,7 +275,7 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&box, &widgets::PointBox::colourChosen, this, &CloudPoints::setColour);
     connect(&box, &widgets::PointBox::photographsRequested, this, &CloudPoints::addPhotographs);
     connect(&box, &widgets::PointBox::measureRequested, this, &CloudPoints::measure);
-    connect(&box, &widgets::PointBox::cancelRequested, this, [this] { m_work.measuring.cancel(); });
+    connect(&box, &widgets::PointBox::cancelRequested, this, &CloudPoints::stopMeasuring);
     connect(&actions[ActionId::CloudPoints], &QAction::triggered, this, &CloudPoints::setShown);
     connect(&actions[ActionId::MeasureCloud], &QAction::triggered, this, &CloudPoints::measure);
     connect(&m_work, &PointsWork::changed, this, &CloudPoints::refresh);
@@ -283,14 +284,27 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&scene, &SceneDisplay::changed, this, &CloudPoints::refresh);
     connect(&area.views(), &widgets::ViewWidget::shown, this, &CloudPoints::follow);
     connect(&m_document, &Document::replaced, this, [this] {
+        stopMeasuring();
         m_work.distances.drop();
         m_work.close();
+        // Ids of surveys are alike in all cases: its own first cloud is another one.
+        render::View view = m_area.views().view();
+        view.cloud.clear();
+        m_scene.setView(view);
         refresh();
     });
     refresh();
 }
 
 CloudPoints::~CloudPoints() = default;
+
+void CloudPoints::stopMeasuring() {
+    m_work.making = nullptr;
+    m_work.measuring.cancel();
+    if (!m_work.measuring.busy()) {
+        m_work.distances.end();  // one that had not begun never ends by itself
+    }
+}
 
 bool CloudPoints::busy() const {
     return m_pause.isActive() || m_work.worker.busy() || m_work.distances.running();
@@ -374,7 +388,7 @@ bool CloudPoints::distancesShown() const {
     const RunRecord* record = m_computation.currentRun();
     const PointsWork::Measured& of = m_work.distances.answered();
     return m_area.views().view().pointColour == render::PointColour::Distance && m_work.distances.result() != nullptr &&
-           m_work.cloud && of.cloud == *m_work.cloud && record != nullptr && of.run == record->reader.get();
+           m_work.cloud && of.cloud == *m_work.cloud && record != nullptr && of.run == record->reader;
 }
 
 void CloudPoints::publish() {
@@ -391,7 +405,7 @@ std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {
     if (!cloud) {
         return std::nullopt;
     }
-    PointsWork::Measured now{*cloud, *survey, record->reader.get(), m_deck.evidence().survey().points().settings(), {}};
+    PointsWork::Measured now{*cloud, *survey, record->reader, m_deck.evidence().survey().points().settings(), {}};
     now.survey.scope = scopeWhenTaken(m_document.theCase(), *survey, now.said);
     return now;
 }
@@ -403,6 +417,7 @@ void CloudPoints::measure() {
     }
     m_work.distances.ask(*order);
     auto made = std::make_shared<PointsWork::Distances>();
+    m_work.making = made;
     const std::string name = QFileInfo(QString::fromStdString(order->cloud.path)).fileName().toStdString();
     m_work.measuring.start({Worker::Kind::Study,
                             [made, order = *order, name,
@@ -417,7 +432,7 @@ void CloudPoints::measure() {
                                 request.placed = order.cloud.placed;
                                 request.scope = order.survey.scope;
                                 request.settings = order.settings;
-                                if (!request.settings.registrationError && !request.placed) {
+                                if (!request.settings.registrationError) {
                                     request.settings.registrationError = order.survey.offsetError;
                                 }
                                 made->made =
@@ -430,7 +445,7 @@ void CloudPoints::measure() {
                                 made->points = pointsOf(*made, name);
                             },
                             [work = &m_work, made](const std::exception_ptr& thrown) {
-                                if (thrown == nullptr) {
+                                if (thrown == nullptr && made == work->making) {
                                     work->distances.take(made);
                                 }
                                 const auto failure = failureOf(thrown);
@@ -483,7 +498,11 @@ void CloudPoints::addPhotographs() {
             m_document.setPhotographs(std::move(theCase.photographs), std::move(theCase.inputs),
                                       [count = added.ids.size()] { return tr("%1 photographs of the cloud added").arg(count); });
         }
-        m_session.tell(tr("Photographs added with the camera that the cloud states: %1").arg(added.ids.size()));
+        QString told = tr("Photographs added with the camera that the cloud states: %1").arg(added.ids.size());
+        if (!findings.empty()) {
+            told += QStringLiteral(" · ") + widgets::worded(findings.list().front().what);
+        }
+        m_session.tell(told);
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_session.tell(failure->inOneLine());

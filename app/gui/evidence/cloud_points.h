@@ -64,7 +64,7 @@ public:
     struct Measured {
         Cloud cloud;
         CaseInput survey;  ///< its scope without what had been removed by then
-        const void* run = nullptr;
+        std::shared_ptr<const void> run;
         CloudDistanceSettings settings;
         Findings said;  ///< of what the case says of the survey
         /// What can be chosen is the same.
@@ -91,6 +91,7 @@ public:
     bool whole = true;  ///< nothing was left out for the budget
     double fraction = 0.0;
     Answer<Measured, Distances> distances;
+    std::shared_ptr<const Distances> making;  ///< what is measured is for this; null: for nobody any more
     Worker worker;
     Worker measuring;
 
@@ -122,6 +123,7 @@ signals:
     void viewsRequested();
 
 private:
+    void stopMeasuring();
     void follow();
     void ask();
     /// Distances to the run at hand are drawn in place of the points.

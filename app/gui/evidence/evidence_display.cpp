@@ -341,7 +341,7 @@ void EvidenceDisplay::matchCurrent() {
     m_kept.match.reset();
     m_kept.noMatch.reset();
     try {
-        m_kept.match = matchCamera(photograph->pairs, photograph->camera, Execution());
+        m_kept.match = matchPhotograph(*photograph, Execution());
     } catch (...) {
         m_kept.noMatch = failureOf(std::current_exception());
     }

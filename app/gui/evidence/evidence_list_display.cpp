@@ -62,8 +62,7 @@ void EvidenceListDisplay::keepNewest() {
     const int chosen = m_photographs.chosen();
     if (chosen >= 0 && chosen < static_cast<int>(theCase.photographs.size())) {
         const Photograph& photograph = theCase.photographs[static_cast<std::size_t>(chosen)];
-        const bool judged = m_photographs.match() && !cameraStated(photograph);
-        const double within = judged ? m_photographs.match()->placeRadius : unknown;
+        const double within = m_photographs.match() ? m_photographs.match()->placeRadius : unknown;
         const auto compared = m_photographs.comparison();
         double overlap = unknown;
         if (compared != nullptr && !m_photographs.comparisonStale()) {

@@ -72,7 +72,12 @@ void RunControl::cancel() {
 
 void RunControl::takeSettings() {
     if (const RunRecord* record = m_computation.currentRun()) {
-        m_document.edit([] { return tr("take the settings of the run"); }, record->scenario);
+        Scenario scenario = record->scenario;
+        if (record->live) {
+            // It ran at the rate of the screen.
+            scenario.simulation.frameRate = m_document.scenario().simulation.frameRate;
+        }
+        m_document.edit([] { return tr("take the settings of the run"); }, scenario);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/base/error.h"
@@ -340,6 +341,21 @@ CameraMatch matchCamera(const std::vector<PointPair>& given, const CameraKnowled
     }
     takeVerdict(match, task);
     match.camera.place += middle;
+    return match;
+}
+
+bool cameraStated(const Photograph& photograph) {
+    return std::any_of(photograph.pairs.begin(), photograph.pairs.end(),
+                       [](const PointPair& pair) { return pair.name.starts_with(statedPairName); });
+}
+
+CameraMatch matchPhotograph(const Photograph& photograph, const Execution& execution) {
+    CameraMatch match = matchCamera(photograph.pairs, photograph.camera, execution);
+    if (cameraStated(photograph)) {
+        match.placeRadius = match.turnRadius = std::numeric_limits<double>::quiet_NaN();
+        match.words = {
+            "camera.stated", "as the cloud states it for its picture: how well place and turn are known nobody said", {}};
+    }
     return match;
 }
 

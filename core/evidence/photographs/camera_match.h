@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/base/execution.h"
@@ -50,5 +51,13 @@ struct CameraMatch {
 /// one line, points in one plane with a free focal length, pairs that no camera agrees with, sets that leave the pose or the focal
 /// length open, and two poses that fit alike; Cancelled.
 CameraMatch matchCamera(const std::vector<PointPair>& pairs, const CameraKnowledge& known, const Execution& execution);
+
+/// How names of pairs begin that were made from the camera that a cloud states for its picture, not clicked by somebody.
+inline constexpr std::string_view statedPairName = "pose of the cloud";
+/// Whether the camera of a photograph is one that was stated: then its residuals say nothing of how well it is known.
+bool cameraStated(const Photograph& photograph);
+
+/// The camera of a photograph by its pairs. Of a stated one the radii of place and turn are not known (NaN).
+CameraMatch matchPhotograph(const Photograph& photograph, const Execution& execution);
 
 }  // namespace rubble

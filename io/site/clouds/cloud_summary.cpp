@@ -42,11 +42,12 @@ public:
         for (const Vec3& place : block.places) {
             m_summary.bounds.extend(place);
         }
-        if (!block.intensity.empty()) {
-            const auto [least, most] = std::minmax_element(block.intensity.begin(), block.intensity.end());
-            m_summary.intensityLeast = m_intensity ? std::min(m_summary.intensityLeast, *least) : *least;
-            m_summary.intensityMost = m_intensity ? std::max(m_summary.intensityMost, *most) : *most;
-            m_intensity = true;
+        for (const auto intensity : block.intensity) {
+            if (std::isfinite(intensity)) {
+                m_summary.intensityLeast = m_intensity ? std::min(m_summary.intensityLeast, intensity) : intensity;
+                m_summary.intensityMost = m_intensity ? std::max(m_summary.intensityMost, intensity) : intensity;
+                m_intensity = true;
+            }
         }
         for (const auto& colour : block.colours) {
             m_summary.colourMost = std::max({m_summary.colourMost, colour[0], colour[1], colour[2]});

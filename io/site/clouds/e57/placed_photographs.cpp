@@ -19,11 +19,12 @@ std::vector<PointPair> raysOf(const CloudPhotograph& picture, double metres) {
     constexpr std::array<double, 3> depths{8.0, 20.0, 13.0};  // m
     std::vector<PointPair> pairs;
     for (std::size_t k = 0; k < 9; ++k) {
-        const double u = (0.1 + 0.4 * static_cast<double>(k % 3)) * static_cast<double>(picture.width);
-        const double v = (0.1 + 0.4 * static_cast<double>(k / 3)) * static_cast<double>(picture.height);
+        const std::size_t column = k % 3, row = k / 3;
+        const double u = (0.1 + 0.4 * static_cast<double>(column)) * static_cast<double>(picture.width);
+        const double v = (0.1 + 0.4 * static_cast<double>(row)) * static_cast<double>(picture.height);
         // It looks along -z with y up; pictures count downwards.
         const Vec3 along((u - picture.principal.x()) / picture.focal, -(v - picture.principal.y()) / picture.focal, -1.0);
-        const double depth = depths[(k + k / 3) % depths.size()] / metres;
+        const double depth = depths[(k + row) % depths.size()] / metres;
         const Pose& pose = picture.pose;
         PointPair pair{std::string(statedPairName), {u, v}, pose * (depth * along)};
         pair.name.append(1, ' ').append(std::to_string(k + 1));

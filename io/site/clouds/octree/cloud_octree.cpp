@@ -53,9 +53,9 @@ CloudOctree::CloudOctree(const std::string& path) : m_file(path) {
     std::uint64_t points = 0;
     for (std::size_t n = 0; n < foot.nodes; ++n) {
         const auto row = littleAt<OctreeRow>(&bytes[n * sizeof(OctreeRow)]);
-        const std::uint64_t end = row.start + row.points * m_head.columns.pointBytes();
-        const bool sound = row.level <= octreeDeepest && row.start >= octreeStart && end <= foot.table &&
-                           row.prefix < std::uint64_t{1} << (3 * row.level);
+        const std::uint64_t rowBytes = row.points * m_head.columns.pointBytes();
+        const bool sound = row.level <= octreeDeepest && row.start >= octreeStart && row.start <= foot.table &&
+                           rowBytes <= foot.table - row.start && row.prefix < std::uint64_t{1} << (3 * row.level);
         if (!sound) {
             failDamaged(path);
         }
@@ -76,6 +76,10 @@ CloudOctree::CloudOctree(const std::string& path) : m_file(path) {
 
 double CloudOctree::spacing(int level) const {
     return std::ldexp(m_head.cube.side(), -(level + octreeCellLevels));
+}
+
+double CloudOctree::placeStep() const {
+    return std::ldexp(m_head.cube.side(), -(octreeKeyLevels + octreeRestLevels));
 }
 
 CloudBlock CloudOctree::read(std::size_t node) const {

@@ -50,6 +50,8 @@ public:
     int levels() const { return m_nodes.empty() ? 0 : m_nodes.back().level + 1; }
     /// m, width of the cells of which a node of this level has one point each; a leaf may have more.
     double spacing(int level) const;
+    /// m, to which places are kept.
+    double placeStep() const;
     /// The points of a node in units of the file; colours in steps of 255. From any thread. Throws ParseError (damaged),
     /// WorldError.
     CloudBlock read(std::size_t node) const;

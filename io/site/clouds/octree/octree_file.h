@@ -12,7 +12,7 @@ namespace rubble::io {
 // The file of an octree: a mark, the points of the nodes one after another, the table of the nodes, and a foot. The foot comes
 // last, so a file that was cut short has none. Numbers lie little end first.
 
-inline constexpr std::array<char, 8> octreeMark{'R', 'B', 'O', 'C', 'T', '0', '0', '1'};
+inline constexpr std::array<char, 8> octreeMark{'R', 'B', 'O', 'C', 'T', '0', '0', '2'};
 /// Of the first points, bytes.
 inline constexpr std::uint64_t octreeStart = octreeMark.size();
 

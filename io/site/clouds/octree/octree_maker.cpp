@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <span>
 
 #include "core/base/error.h"
@@ -19,6 +20,11 @@ namespace rubble::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Number of a full colour of 8 bits.
+constexpr double bytesBrightest = 255.0;
+/// Bytes by which an octree of any version begins.
+constexpr std::size_t octreeName = 5;
 
 std::string besideCloud(const std::string& cloud) {
     return cloud + octreeEnding;
@@ -46,10 +52,24 @@ std::shared_ptr<const CloudOctree> currentAt(const std::string& path, const std:
     }
 }
 
+/// Nothing lies there that is not an octree of ours, and no link leads elsewhere.
+bool mayReplace(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::symlink_status(path, ignored);
+    if (!fs::exists(status)) {
+        return true;
+    }
+    std::array<char, octreeName> mark{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(mark.data(), mark.size());
+    // One that was cut short is ours as far as it goes.
+    return fs::is_regular_file(status) && std::equal(mark.begin(), mark.begin() + file.gcount(), octreeMark.begin());
+}
+
 /// Where one is to be written.
 std::string placeFor(const std::string& cloud) {
     const fs::path folder = fs::absolute(cloud).parent_path();
-    if (::access(folder.c_str(), W_OK) == 0) {
+    if (::access(folder.c_str(), W_OK) == 0 && mayReplace(besideCloud(cloud))) {
         return besideCloud(cloud);
     }
     std::string path = inCache(cloud);
@@ -63,16 +83,15 @@ struct Laid {
     std::uint64_t outside = 0;  ///< points beyond the cube
 };
 
-Laid layPoints(const std::string& path, const CloudRequest& request, const OctreeCube& cube, PointSorter& sorter,
+Laid layPoints(const std::string& path, const CloudRequest& request, const OctreeCube& cube, double brightest, PointSorter& sorter,
                const Execution& execution) {
     const std::unique_ptr<PointCloud> cloud = openCloud(path, request);
-    const double brightest = std::max(1.0, cloud->head().fullColour);
     Laid laid;
     laid.summary = summariseCloud(*cloud, execution, [&](const CloudBlock& block) {
         for (std::size_t i = 0; i < block.size() && laid.outside == 0; ++i) {
             OctreePoint point;
             laid.outside += cube.put(block.places[i], point) ? 0 : 1;
-            if (!block.intensity.empty()) {
+            if (!block.intensity.empty() && std::isfinite(block.intensity[i])) {
                 point.intensity = block.intensity[i];
             }
             for (std::size_t c = 0; c < 3 && !block.colours.empty(); ++c) {
@@ -103,6 +122,7 @@ public:
         m_units = head.units;
         m_columns = {head.columns.intensity, head.columns.colour, head.columns.classes};
         m_box = head.stated;
+        m_brightest = std::max(1.0, head.fullColour);
     }
 
     CloudSummary make(const std::string& path) {
@@ -126,11 +146,16 @@ private:
     bool layIn(const std::string& path) {
         m_cube = OctreeCube(m_box, m_units);
         PointSorter sorter(path);
-        m_laid = layPoints(m_cloud, m_request, m_cube, sorter, m_execution);
+        m_laid = layPoints(m_cloud, m_request, m_cube, m_brightest, sorter, m_execution);
         const Aabb& all = m_laid.summary.bounds;
         constexpr double loose = 4.0;  // a box so much too wide costs levels
         if (all.isEmpty() || m_laid.outside > 0 || OctreeCube(all, m_units).side() * loose < m_cube.side()) {
             return false;
+        }
+        const double colourMost = m_laid.summary.colourMost;
+        if (colourMost > 0.0 && colourMost <= bytesBrightest && m_brightest > bytesBrightest) {
+            m_brightest = bytesBrightest;  // 8 bits where the format has 16, as the summary says
+            return layIn(path);
         }
         writeAtomically(path, [&](std::ostream& out) { write(out, sorter); });
         return true;
@@ -154,6 +179,9 @@ private:
         foot.cloudBytes = m_stamp.bytes;
         foot.cloudTime = m_stamp.time;
         foot.cloudDigest = contentDigest(m_cloud).bytes;
+        if (const CloudStamp now = stampOf(m_cloud); now.bytes != m_stamp.bytes || now.time != m_stamp.time) {
+            refuseContent({"octree.changed", "{0} changed while its octree was made", {m_cloud}}, "Try again once it is complete.");
+        }
         foot.request = requestDigest(m_request).bytes;
         foot.columns = {m_columns.intensity, m_columns.colour, m_columns.classes};
         Hasher hasher;
@@ -175,6 +203,7 @@ private:
     OctreeColumns m_columns;
     Aabb m_box;
     OctreeCube m_cube;
+    double m_brightest = 1.0;  ///< number of a full colour
     Laid m_laid;
 };
 

@@ -41,7 +41,7 @@ struct PointSorter::Run {
         while (done < points.size() * pointBytes) {
             const ssize_t got =
                 ::pread(file, bytes + done, points.size() * pointBytes - done, static_cast<off_t>(at * pointBytes + done));
-            if (got <= 0 && errno != EINTR) {
+            if (got == 0 || (got < 0 && errno != EINTR)) {
                 failToWrite(path, systemReason(got < 0 ? errno : EIO));
             }
             done += got > 0 ? static_cast<std::size_t>(got) : 0;
@@ -94,7 +94,7 @@ void PointSorter::writeRun(const std::vector<OctreePoint>& points, std::uint64_t
     while (done < points.size() * pointBytes) {
         const ssize_t put =
             ::pwrite(m_file, bytes + done, points.size() * pointBytes - done, static_cast<off_t>(at * pointBytes + done));
-        if (put <= 0 && errno != EINTR) {
+        if (put == 0 || (put < 0 && errno != EINTR)) {
             failToWrite(m_beside, systemReason(put < 0 ? errno : ENOSPC));
         }
         done += put > 0 ? static_cast<std::size_t>(put) : 0;

@@ -96,6 +96,19 @@ TEST_F(PointsOfACloud, LieWhereTheCaseMovesThem) {
     EXPECT_NEAR(drawn()->patches.front()->places[2], 7.5, 1e-3);
 }
 
+TEST_F(PointsOfACloud, OfAnotherCaseAreNotDrawnUnasked) {
+    open();
+    points().setShown(true);
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    // Else it is asked whether to keep the changes.
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    openArch();
+    EXPECT_TRUE(views().view().cloud.empty());
+    settle();
+    EXPECT_EQ(drawn(), nullptr);
+}
+
 TEST_F(PointsOfACloud, AreColouredByWhatDiffersFromTheRunBeyondTheLevelOfDetection) {
     open();
     EXPECT_FALSE(box().findChildren<QPushButton*>().empty());

@@ -175,6 +175,40 @@ TEST_F(CloudOctreeTest, OneThatWasCutShortOrDamagedIsMadeAnew) {
     EXPECT_THROW(readAll(), ParseError);
 }
 
+TEST_F(CloudOctreeTest, NothingOfOthersIsReplaced) {
+    const std::string path = lay(3'000);
+    std::ofstream(path + ".octree") << "notes of somebody";
+    const std::string elsewhere = openOctree(path, {}, Execution()).octree->path();
+    EXPECT_NE(elsewhere, path + ".octree");
+    std::string kept;
+    std::getline(std::ifstream(path + ".octree"), kept);
+    EXPECT_EQ(kept, "notes of somebody");
+    fs::remove(elsewhere);
+    // Nor is what a link leads to.
+    fs::remove(path + ".octree");
+    std::ofstream(m_folder / "far") << "RBOCT002";
+    fs::create_symlink(m_folder / "far", path + ".octree");
+    EXPECT_EQ(openOctree(path, {}, Execution()).octree->path(), elsewhere);
+    EXPECT_EQ(fs::file_size(m_folder / "far"), 8U);
+    fs::remove(elsewhere);
+}
+
+TEST_F(CloudOctreeTest, ColoursOf8BitsAreAsBrightAsInTheFile) {
+    MadeLas las = hills(3'000);
+    for (MadePoint& point : las.points) {
+        point.colour = {200, 100, 50};
+    }
+    const OpenedOctree opened = openOctree(layCloud(m_folder / "dark.las", las.bytes()), {}, Execution());
+    const CloudBlock root = opened.octree->read(0);
+    ASSERT_FALSE(root.colours.empty());
+    EXPECT_EQ(root.colours.front(), (std::array<std::uint16_t, 3>{200, 100, 50}));
+}
+
+TEST_F(CloudOctreeTest, SaysHowExactlyPlacesAreKept) {
+    // 200 m wide, 2^31 steps.
+    EXPECT_NEAR(openOctree(lay(3'000), {}, Execution()).octree->placeStep(), 200.0 / 2147483648.0, 1e-9);
+}
+
 TEST_F(CloudOctreeTest, PointsInRunsOnDiskComeInTheSameOrder) {
     std::mt19937_64 random(3);  // NOLINT: the same points each time
     PointSorter few(m_folder / "few", 1'000);

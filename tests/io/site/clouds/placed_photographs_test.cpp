@@ -2,9 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
 #include "core/evidence/cautions.h"
 #include "core/evidence/photographs/camera_match.h"
+#include "io/case/case_file.h"
+#include "io/case/case_photographs.h"
 #include "io/site/clouds/e57/e57_source.h"
+#include "io/site/photograph_file.h"
 #include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -15,9 +22,11 @@ namespace {
 
 /// An E57 with one point and two pinhole pictures; the first looks straight down from 10, 20, 50 with y up in it, the second has no
 /// pose.
-CloudBytes withPictures() {
+/// @param width    px, as the cloud states it
+/// @param which    which one of a small cloud it holds
+CloudBytes withPictures(const std::string& width = "100", std::size_t which = 1) {
     const std::string tiny = sourcePath("tests/data/clouds/tiny_pc_and_images.e57");
-    const CloudBytes png = photographOfE57(tiny, openCloud(tiny)->head().photographs[2]);
+    const CloudBytes png = photographOfE57(tiny, openCloud(tiny)->head().photographs[which]);
     MadeE57 made;
     const std::uint64_t points = made.addPoints({{8, {1}}, {8, {2}}, {8, {3}}}, 1);
     const std::uint64_t picture = made.addBlob(std::string(png.begin(), png.end()));
@@ -27,8 +36,8 @@ CloudBytes withPictures() {
     }
     const std::string pinhole =
         "<pinholeRepresentation type=\"Structure\"><pngImage type=\"Blob\" fileOffset=\"" + std::to_string(picture) +
-        "\" length=\"" + std::to_string(png.size()) +
-        "\"/><imageWidth type=\"Integer\">100</imageWidth><imageHeight type=\"Integer\">100</imageHeight>"
+        "\" length=\"" + std::to_string(png.size()) + "\"/><imageWidth type=\"Integer\">" + width +
+        "</imageWidth><imageHeight type=\"Integer\">100</imageHeight>"
         "<focalLength type=\"Float\">0.02</focalLength><pixelWidth type=\"Float\">0.0001</pixelWidth>"
         "<pixelHeight type=\"Float\">0.0001</pixelHeight><principalPointX type=\"Float\">48</principalPointX>"
         "<principalPointY type=\"Float\">53</principalPointY></pinholeRepresentation>";
@@ -68,8 +77,62 @@ TEST(PlacedPhotographs, AreMatchedToTheCameraThatTheCloudStates) {
     const std::vector<Caution> cautions = photographCautions(photograph, &match, nullptr);
     ASSERT_EQ(cautions.size(), 1U);
     EXPECT_EQ(cautions.front().key, "stated_camera");
+    // One pair of somebody beside those of the cloud tells no more of how well the camera is known.
+    photograph.camera = placed.front().camera;
     photograph.pairs.front().name = "crown of the arch";
-    EXPECT_FALSE(cameraStated(photograph)) << "somebody clicked a pair: it is a match";
+    EXPECT_TRUE(cameraStated(photograph));
+    const CameraMatch stated = matchPhotograph(photograph, Execution());
+    EXPECT_TRUE(std::isnan(stated.placeRadius));
+    EXPECT_TRUE(std::isnan(stated.turnRadius));
+    for (PointPair& pair : photograph.pairs) {
+        pair.name = "clicked";
+    }
+    EXPECT_FALSE(cameraStated(photograph));
+    EXPECT_TRUE(std::isfinite(matchPhotograph(photograph, Execution()).placeRadius));
+}
+
+TEST(PlacedPhotographs, NeverReplacePicturesOfAnotherCloud) {
+    const TemporaryFolder folder;
+    const std::string path = layCloud(folder / "scan.e57", withPictures());
+    const std::string other = folder / "scan.e57-photographs/1-from_above.png";
+    std::filesystem::create_directories(folder / "scan.e57-photographs");
+    std::ofstream(other) << "a picture of another cloud";
+    Case theCase;
+    Findings findings;
+    const AddedPhotographs added = addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings);
+    ASSERT_EQ(added.ids.size(), 1U);
+    ASSERT_EQ(theCase.inputs.size(), 1U);
+    EXPECT_NE(theCase.inputs.front().path, "scan.e57-photographs/1-from_above.png");
+    EXPECT_EQ(readPhotograph(inputPath(folder / "case.rubble", theCase.inputs.front())).sha256, theCase.inputs.front().sha256);
+    std::string kept;
+    std::getline(std::ifstream(other), kept);
+    EXPECT_EQ(kept, "a picture of another cloud");
+    // Once more adds nothing.
+    EXPECT_EQ(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings).known, 1);
+}
+
+TEST(PlacedPhotographs, OneThatCannotBeReadIsLeftOutAndSaid) {
+    // The pinhole picture of this file is all zeros.
+    const TemporaryFolder folder;
+    const std::string path = layCloud(folder / "scan.e57", withPictures("100", 2));
+    Case theCase;
+    Findings findings;
+    EXPECT_TRUE(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings).ids.empty());
+    EXPECT_TRUE(theCase.inputs.empty());
+    EXPECT_FALSE(std::filesystem::exists(folder / "scan.e57-photographs/1-from_above.png"));
+    EXPECT_FALSE(findings.list().empty());
+}
+
+TEST(PlacedPhotographs, ACameraOfAnotherSizeIsNotTaken) {
+    const TemporaryFolder folder;
+    const std::string path = layCloud(folder / "scan.e57", withPictures("120"));
+    Case theCase;
+    Findings findings;
+    addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings);
+    ASSERT_EQ(theCase.photographs.size(), 1U);
+    EXPECT_TRUE(theCase.photographs.front().pairs.empty());
+    EXPECT_EQ(theCase.photographs.front().camera.width, 100);
+    EXPECT_EQ(findings.count("cloud.photograph_size"), 1);
 }
 
 TEST(PlacedPhotographs, MoveWithTheirCloud) {

@@ -81,7 +81,8 @@ struct OpenedOctree {
 };
 
 /// The octree of a cloud, made if there is none of it as it is now: beside the cloud, or in the cache folder where its own cannot
-/// be written to. Reads the cloud once, twice where its head does not say its bounds, with about 300 MB whatever its size.
+/// be written to. Reads the cloud once, twice where its head does not say its bounds, with about 300 MB,
+/// beyond 1e9 points 200 MB more for each 1e9; then once more for its digest.
 /// Throws as openCloud() and PointCloud::next(), WorldError (no room), ParseError (no point is left).
 OpenedOctree openOctree(const std::string& cloud, const CloudRequest& request, const Execution& execution);
 

@@ -73,6 +73,14 @@ bool wholeTests() {
     return scope && std::string_view(scope) == "all";
 }
 
+bool sanitizedTests() {
+#ifdef __SANITIZE_ADDRESS__
+    return true;
+#else
+    return false;
+#endif
+}
+
 int runTests(int argc, char** argv) {
     const std::string file = takeFile(argc, argv);
     testing::InitGoogleTest(&argc, argv);

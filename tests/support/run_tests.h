@@ -13,6 +13,16 @@ T sizedTo(T everyDay, T whole) {
     return wholeTests() ? whole : everyDay;
 }
 
+/// Whether the address sanitizer watches, under which statistics take forty times as long. It looks for faults of memory, for which
+/// a few trials do; what the trials show is judged without it.
+bool sanitizedTests();
+
+/// One of three sizes of a test of statistics.
+template <class T>
+T sizedTo(T sanitized, T everyDay, T whole) {
+    return sanitizedTests() ? sanitized : sizedTo(everyDay, whole);
+}
+
 /// Runs the tests of this program, or with --file=PATH those of one source file, and returns the exit status of main(). A filter of
 /// GoogleTest's own (--gtest_filter) overrules both the file and the size.
 int runTests(int argc, char** argv);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/engine/soft/soft_lanes.h"
+#include "core/engine/soft/lanes/soft_lanes.h"
 
 namespace rubble {
 

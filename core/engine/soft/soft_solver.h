@@ -10,8 +10,8 @@
 
 #include "core/base/geometry.h"
 #include "core/engine/soft/contact_strips.h"
+#include "core/engine/soft/lanes/soft_lanes.h"
 #include "core/engine/soft/mass_split.h"
-#include "core/engine/soft/soft_lanes.h"
 #include "core/engine/world/worker_pool.h"
 
 namespace rubble {

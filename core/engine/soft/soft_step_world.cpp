@@ -2,24 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <numeric>
 
 #include "core/base/elapsed.h"
-#include "core/engine/soft/contact_wakes.h"
 #include "core/engine/world/constants.h"
-#include "core/engine/world/scene_rules.h"
 
 namespace rubble {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Quat turnedBy(const Quat& q, const Vec3& turn) {
-    const Vec3 half = 0.5 * turn;
-    return (Quat(1.0, half.x(), half.y(), half.z()) * q).normalized();
-}
 
 }  // namespace
 
@@ -30,9 +21,11 @@ SoftStepWorld::SoftStepWorld(const WorldSettings& settings)
       m_pairs(settings.bodyContacts, m_pool),
       m_finder(m_surface, settings.gravity, m_solids, m_pairs, m_pool),
       m_contacts(m_pool),
+      m_search({m_settings, m_solids, m_sleep, m_pairs, m_finder, m_contacts, m_pool}),
       m_rests(m_solids, m_finder, m_sleep, m_report),
-      m_assembly({m_settings, m_solids, m_sleep, m_contacts, m_rests, m_pool}),
-      m_results({m_settings, m_solids, m_sleep, m_contacts, m_rests, m_pool}, m_assembly),
+      m_assembly(assembledScene()),
+      m_results(assembledScene(), m_assembly),
+      m_bodyResults(assembledScene(), m_assembly, m_surface, m_finder),
       m_solver(m_pool) {
     m_finder.ground().material = settings.groundMaterial;
 }
@@ -116,11 +109,11 @@ void SoftStepWorld::freeze(Collider& body) {
 
 void SoftStepWorld::advance(double dt) {
     const auto from = Clock::now();
-    takeSlots(dt);
-    findContacts(dt);
+    m_search.setOff(dt);
+    m_search.find(dt, m_costs);
     takeContacts(dt);
     substeps(dt);
-    writeBack(dt);
+    m_bodyResults.take(m_solver, m_corrected, dt, m_report);
     settle(dt);
     m_costs.motion += secondsSince(from);
 }
@@ -128,109 +121,6 @@ void SoftStepWorld::advance(double dt) {
 BodyMotion SoftStepWorld::motionOf(const Collider& body) const {
     const SoftBody& solid = m_solids.of(body);
     return {throughAxes(solid.pose), solid.velocity, solid.spin};
-}
-
-/// What moves in this step gets a slot, a place and a box around its way.
-void SoftStepWorld::takeSlots(double dt) {
-    m_solids.clearSlots();
-    m_solids.listAwake(m_sleep.still());
-    m_pool.loop(m_solids.standing.size(), 64, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            setOff(m_solids.pieces[m_solids.standing[i]], dt);
-        }
-    });
-    m_solids.listMoving();
-    m_pool.loop(m_solids.awake.size(), 64, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            SoftBody& body = m_solids.bodies[m_solids.awake[i]];
-            // Until its first step a body is given out just as it came.
-            if (body.collider->newborn) {
-                body.pose = throughAxes(body.pose);
-            }
-            m_finder.place(body);
-            m_pairs.sweep(body.collider->number, m_finder.sweep(body, dt));
-            body.active = false;
-            body.drivers = 0;
-            body.collider->overlapping = false;
-            body.collider->penetration = body.collider->overlapLeft = 0.0;
-        }
-    });
-}
-
-/// How a piece moves in this step, to where it was told to.
-void SoftStepWorld::setOff(SoftBody& piece, double dt) {
-    piece.velocity = piece.spin = Vec3::Zero();
-    m_finder.stand(piece);
-    if (piece.collider->moving) {
-        const Pose& end = m_solids.goals[piece.collider->index];
-        piece.velocity = (end.position - piece.pose.position) / dt;
-        const Quat q = end.orientation * piece.pose.orientation.conjugate();
-        piece.spin = (q.w() < 0.0 ? -2.0 : 2.0) / dt * q.vec();
-    }
-    if (piece.collider->moving || piece.collider->newborn) {
-        m_finder.place(piece);
-        m_pairs.sweep(piece.collider->number, m_finder.sweep(piece, dt));
-    }
-}
-
-/// Takes the time of some work from that of motion to what it was for.
-template <class Work>
-void SoftStepWorld::timed(double& cost, Work work) {
-    const auto from = Clock::now();
-    work();
-    const double seconds = secondsSince(from);
-    cost += seconds;
-    m_costs.motion -= seconds;
-}
-
-void SoftStepWorld::findContacts(double dt) {
-    const auto from = Clock::now();
-    m_finder.begin();
-    std::vector<std::uint32_t> stirring;
-    stirring.reserve(m_solids.awake.size() + m_solids.standing.size());
-    for (const std::uint32_t i : m_solids.awake) {
-        stirring.push_back(m_solids.bodies[i].collider->number);
-    }
-    for (const std::uint32_t i : m_solids.standing) {
-        if (const Collider& piece = *m_solids.pieces[i].collider; piece.moving || piece.newborn) {
-            stirring.push_back(piece.number);
-        }
-    }
-    m_pairs.find(stirring);
-    const NearPairs& pairs = m_pairs.pairs();
-    const double broad = secondsSince(from);
-    const double count = static_cast<double>(pairs.structure.size() + pairs.fragments.size());
-    if (count > 0.0) {
-        m_costs.structureContact += broad * static_cast<double>(pairs.structure.size()) / count;
-        m_costs.fragmentContact += broad * static_cast<double>(pairs.fragments.size()) / count;
-        m_costs.motion -= broad;
-    }
-    timed(m_costs.groundContact, [&] { m_finder.collideWithGround(m_solids.awake, dt); });
-    timed(m_costs.structureContact, [&] { m_finder.collide(pairs.structure, dt); });
-    timed(m_costs.fragmentContact, [&] { m_finder.collide(pairs.fragments, dt); });
-    const auto woken = wokenByContacts(m_finder.parts(), m_solids, m_sleep, m_contacts.asleep(), m_pool);
-    if (!woken.empty()) {
-        findContactsOf(woken, dt);
-    }
-}
-
-/// Bodies that woke in this step take part in it from its start.
-void SoftStepWorld::findContactsOf(const std::vector<std::uint32_t>& woken, double dt) {
-    std::vector<std::uint32_t> numbers;
-    for (const std::uint32_t i : woken) {
-        SoftBody& body = m_solids.bodies[i];
-        thaw(*body.collider);
-        body.active = false;
-        body.drivers = 0;
-        numbers.push_back(body.collider->number);
-    }
-    m_solids.listAwake(m_sleep.still());
-    m_solids.listMoving();
-    // They were swept as bodies at rest.
-    const NearPairs pairs = m_pairs.ofWoken(numbers, m_settings.gravity * dt * dt, m_sleep);
-    timed(m_costs.structureContact, [&] { m_finder.collide(pairs.structure, dt); });
-    timed(m_costs.fragmentContact, [&] { m_finder.collide(pairs.fragments, dt); });
-    timed(m_costs.groundContact, [&] { m_finder.collideWithGround(woken, dt); });
 }
 
 void SoftStepWorld::takeContacts(double dt) {
@@ -297,66 +187,6 @@ void SoftStepWorld::shareSolveTime(double seconds) {
         m_costs.fragmentContact += seconds * m_assembly.points(ContactKind::Fragments) / all;
         m_costs.motion -= seconds;
     }
-}
-
-void SoftStepWorld::writeBack(double dt) {
-    std::vector<double> lifting(m_solids.awake.size());  // J
-    m_pool.loop(m_solids.awake.size(), 128, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            SoftBody& body = m_solids.bodies[m_solids.awake[i]];
-            const SolverBody& moved = m_solver.bodies[i];
-            body.pose = m_solver.poseOf(i);
-            body.velocity = moved.velocity;
-            body.spin = moved.spin;
-            body.active = moved.active;
-            body.supported = m_assembly.supported(i);
-            lifting[i] = correct(i, dt) + keepAboveGround(body, dt);
-        }
-    });
-    m_report.overlapWork = std::accumulate(lifting.begin(), lifting.end(), m_report.overlapWork);
-    m_pool.loop(m_solids.moving.size(), 128, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            SoftBody& piece = m_solids.pieces[m_solids.moving[i]];
-            piece.pose = m_solids.goals[m_solids.moving[i]];
-            m_finder.place(piece);
-        }
-    });
-}
-
-/// Moves and turns what lies in others from birth or is jammed in them, without a change of its speed. Returns the work [J] that it
-/// took.
-double SoftStepWorld::correct(std::size_t slot, double dt) {
-    if (!m_corrected) {
-        return 0.0;
-    }
-    SoftBody& body = m_solids.bodies[m_solids.awake[slot]];
-    auto [way, turned] = m_solver.correctionOf(slot);
-    const double length = way.norm() + turned.norm() * body.collider->radius;
-    const double most = correctionReach * m_settings.overlapSpeed * dt;
-    if (length > most) {
-        way *= most / length;
-        turned *= most / length;
-    }
-    body.pose.position += way;
-    body.collider->lifted += way.z();
-    body.pose.orientation = turnedBy(body.pose.orientation, turned);
-    m_solver.bodies[slot].moved += way;
-    m_solver.bodies[slot].turned += turned;
-    return m_settings.gravity * way.z() / body.inverseMass;
-}
-
-/// Returns the work [J] that it took.
-double SoftStepWorld::keepAboveGround(SoftBody& body, double dt) const {
-    Collider& collider = *body.collider;
-    const double sunk = m_surface.depth(body.pose.position);
-    collider.bornBelow = sunk > 0.0 && (collider.bornBelow || collider.newborn);
-    if (sunk <= 0.0) {
-        return 0.0;
-    }
-    const GroundRise rise = riseAboveGround(m_surface, body.pose.position, collider.bornBelow, dt);
-    body.pose.position += rise.share * rise.way;
-    body.velocity -= std::min(0.0, body.velocity.dot(rise.normal)) * rise.normal;
-    return m_settings.gravity * rise.share * rise.way.z() / body.inverseMass;
 }
 
 /// Freezes what came to rest and thaws what lost its support.

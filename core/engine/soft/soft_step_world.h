@@ -4,9 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/engine/soft/body_results.h"
 #include "core/engine/soft/contact_book.h"
 #include "core/engine/soft/contact_finder.h"
 #include "core/engine/soft/contact_results.h"
+#include "core/engine/soft/contact_search.h"
 #include "core/engine/soft/hooked_bodies.h"
 #include "core/engine/soft/pair_finder.h"
 #include "core/engine/soft/rest_offsets.h"
@@ -46,24 +48,16 @@ protected:
     void advance(double dt) override;
 
 private:
+    AssemblyScene assembledScene() { return {m_settings, m_solids, m_sleep, m_contacts, m_rests, m_pool}; }
     RigidState stateOf(BodyId body) const { return m_solids.of(bodyAt(body)).state(bodyAt(body)); }
-    void takeSlots(double dt);
-    void setOff(SoftBody& piece, double dt);
-    void findContacts(double dt);
-    void findContactsOf(const std::vector<std::uint32_t>& woken, double dt);
     void takeContacts(double dt);
     void substeps(double dt);
-    void writeBack(double dt);
-    double correct(std::size_t slot, double dt);
-    double keepAboveGround(SoftBody& body, double dt) const;
     void settle(double dt);
     void freeze(Collider& body);
     template <class Visit>
     void forEachTouching(Visit visit) const;
     template <class Visit>
     void forEachTouchingThawed(Visit visit) const;
-    template <class Work>
-    void timed(double& cost, Work work);
     void shareSolveTime(double seconds);
 
     // mutable: a loop changes nothing of the world.
@@ -73,9 +67,11 @@ private:
     PairFinder m_pairs;
     ContactFinder m_finder;
     ContactBook m_contacts;
+    ContactSearch m_search;
     RestOffsets m_rests;
     SolverAssembly m_assembly;
     ContactResults m_results;
+    BodyResults m_bodyResults;
     SoftSolver m_solver;
     HookedBodies m_hooked;
     bool m_corrected = false;      ///< bodies come apart by position in this step

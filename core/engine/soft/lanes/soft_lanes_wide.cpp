@@ -1,8 +1,8 @@
-#include "core/engine/soft/soft_lanes.h"
+#include "core/engine/soft/lanes/soft_lanes.h"
 
 #ifdef RUBBLE_WIDE_LANES
 #define RUBBLE_LANE_VARIANT wide_lanes
-#include "core/engine/soft/soft_lanes_passes.h"
+#include "core/engine/soft/lanes/soft_lanes_passes.h"
 #endif
 
 namespace rubble {

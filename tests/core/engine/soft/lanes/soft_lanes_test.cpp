@@ -1,4 +1,4 @@
-#include "core/engine/soft/soft_lanes.h"
+#include "core/engine/soft/lanes/soft_lanes.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>

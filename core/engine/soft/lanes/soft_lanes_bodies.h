@@ -2,7 +2,7 @@
 
 // Bodies of eight lanes for the passes: in and out, and how they move by themselves; included once for each variant
 // (soft_lanes_passes.h).
-#include "core/engine/soft/soft_lanes_numbers.h"
+#include "core/engine/soft/lanes/soft_lanes_numbers.h"
 
 namespace rubble::RUBBLE_LANE_VARIANT {
 

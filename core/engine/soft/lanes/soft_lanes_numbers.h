@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #endif
 
-#include "core/engine/soft/soft_lanes.h"
+#include "core/engine/soft/lanes/soft_lanes.h"
 
 namespace rubble::RUBBLE_LANE_VARIANT {
 

@@ -2,7 +2,7 @@
 
 // The passes themselves; included once for each variant, with RUBBLE_LANE_VARIANT as the name of its namespace. Nothing with
 // external linkage may be used here: the linker would keep one of the versions, made for the wrong processor.
-#include "core/engine/soft/soft_lanes_bodies.h"
+#include "core/engine/soft/lanes/soft_lanes_bodies.h"
 
 namespace rubble::RUBBLE_LANE_VARIANT {
 

@@ -1,9 +1,9 @@
-#include "core/engine/soft/soft_lanes.h"
+#include "core/engine/soft/lanes/soft_lanes.h"
 
 #include <functional>
 
 #define RUBBLE_LANE_VARIANT common_lanes
-#include "core/engine/soft/soft_lanes_passes.h"
+#include "core/engine/soft/lanes/soft_lanes_passes.h"
 
 namespace rubble {
 

@@ -16,8 +16,8 @@ namespace {
 
 /// Patches that one pair of parts may have.
 constexpr std::uint32_t patchesPerPart = 64;
-/// Parts of a shape that are told apart.
-constexpr std::uint32_t partsPerShape = 4096;
+/// Pairs of parts above which those are looked for first that come near the other shape.
+constexpr std::size_t partPairsMany = 1024;
 
 /// In the frame of its body.
 ConvexHull hullOfPart(const ConvexPart& part) {
@@ -34,6 +34,18 @@ ConvexHull hullOfPart(const ConvexPart& part) {
 bool apart(const PlacedBox& a, const PlacedBox& b, double margin) {
     const double reach = a.radius + b.radius + margin;
     return (a.centre - b.centre).squaredNorm() > reach * reach;
+}
+
+/// Parts that come near the box around another shape, in order.
+std::vector<std::uint32_t> partsNear(const PlacedBox* parts, std::size_t count, const Aabb& other, double margin) {
+    std::vector<std::uint32_t> near;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double reach = parts[i].radius + margin;
+        if (other.squaredExteriorDistance(parts[i].centre) <= reach * reach) {
+            near.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    return near;
 }
 
 void append(const ContactPatch& patch, std::uint32_t part, Collider& a, Collider& b, std::vector<FoundContact>& found) {
@@ -145,22 +157,35 @@ void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<Fou
     const BroadPhaseEntry& b = m_pairs.entry(pair.b);
     const double margin = marginOf(pair.a, pair.b, dt);
     const std::size_t partsA = a.collider->parts.size(), partsB = b.collider->parts.size();
-    assert(partsA <= std::numeric_limits<std::uint32_t>::max() / partsPerShape && partsB <= partsPerShape);
+    assert(partsA * partsB <= std::numeric_limits<std::uint32_t>::max());
+    const auto meet = [&](std::size_t i, std::size_t j) {
+        const PlacedBox& boxA = m_placed[a.part + i];
+        const PlacedBox& boxB = m_placed[b.part + j];
+        if (apart(boxA, boxB, margin)) {
+            return;
+        }
+        ContactPatch patch;
+        if (a.collider->parts[i].points.empty() && b.collider->parts[j].points.empty()) {
+            patch = collideBoxes(boxA, boxB, margin);
+        } else {
+            patch = collideHulls(placedHull(*a.collider, i), placedHull(*b.collider, j), margin);
+        }
+        leaveOutApart(patch, *a.collider, *b.collider, dt);
+        append(patch, static_cast<std::uint32_t>(i * partsB + j), *a.collider, *b.collider, found);
+    };
+    if (partsA * partsB > partPairsMany) {
+        const std::vector<std::uint32_t> nearA = partsNear(&m_placed[a.part], partsA, b.swept, margin);
+        const std::vector<std::uint32_t> nearB = partsNear(&m_placed[b.part], partsB, a.swept, margin);
+        for (const std::uint32_t i : nearA) {
+            for (const std::uint32_t j : nearB) {
+                meet(i, j);
+            }
+        }
+        return;
+    }
     for (std::size_t i = 0; i < partsA; ++i) {
         for (std::size_t j = 0; j < partsB; ++j) {
-            const PlacedBox& boxA = m_placed[a.part + i];
-            const PlacedBox& boxB = m_placed[b.part + j];
-            if (apart(boxA, boxB, margin)) {
-                continue;
-            }
-            ContactPatch patch;
-            if (a.collider->parts[i].points.empty() && b.collider->parts[j].points.empty()) {
-                patch = collideBoxes(boxA, boxB, margin);
-            } else {
-                patch = collideHulls(placedHull(*a.collider, i), placedHull(*b.collider, j), margin);
-            }
-            leaveOutApart(patch, *a.collider, *b.collider, dt);
-            append(patch, static_cast<std::uint32_t>(i * partsPerShape + j), *a.collider, *b.collider, found);
+            meet(i, j);
         }
     }
 }

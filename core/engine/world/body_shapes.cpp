@@ -111,14 +111,16 @@ OrientedBox boxIn(const Pose& frame, OrientedBox box) {
     return box;
 }
 
-CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings) {
+CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings, double finest) {
     // Thin bricks are made thicker before they are joined: the least thickness goes by an element's length, not a whole span's.
     std::vector<OrientedBox> thick;
     for (const OrientedBox& brick : bricks) {
         thick.push_back(boxPart(brick, settings).box);
     }
     CollisionShape parts;
-    for (const OrientedBox& box : joinedBricks(thick, {})) {
+    JoinLimits limits;
+    limits.finest = finest;
+    for (const OrientedBox& box : joinedBricks(thick, limits)) {
         parts.push_back({box, {}, 0.0});
     }
     return parts;
@@ -162,7 +164,7 @@ ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent) {
 }
 
 CollisionShape clusterShape(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame, ClusterShape kind,
-                            double boxBulking, const FragmentSettings& settings) {
+                            double boxBulking, const FragmentSettings& settings, double finest) {
     if (kind == ClusterShape::Compound || (kind == ClusterShape::OrientedBox && members.size() == 1)) {
         CollisionShape parts;
         for (const FragmentId f : members) {
@@ -175,7 +177,7 @@ CollisionShape clusterShape(const FragmentSet& fragments, std::span<const Fragme
         for (const FragmentId f : members) {
             bricks.push_back(boxIn(frame, brickOf(fragments.solid[at(f)], fragments.verticesOf(f))));
         }
-        return bricksShape(bricks, settings);
+        return bricksShape(bricks, settings, finest);
     }
     const std::vector<Vec3> points = verticesIn(fragments, members, frame);
     if (kind == ClusterShape::AxisBox) {

@@ -25,13 +25,15 @@ OrientedBox boxIn(const Pose& frame, OrientedBox box);
 
 /// Bricks (bricks.h), joined, as the parts of a collision shape.
 /// @param settings  least half extents
-CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings);
+/// @param finest    m, of the boxes (JoinLimits)
+CollisionShape bricksShape(std::span<const OrientedBox> bricks, const FragmentSettings& settings, double finest);
 
 /// Collision shape of a cluster in the frame of its body.
 /// @param boxBulking  a box is drawn in until it holds at most this many times its fragments' boxes (SimulationSettings)
 /// @param settings  least half extents, for flat and needle-like clusters
+/// @param finest    m, of bricks
 CollisionShape clusterShape(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame, ClusterShape kind,
-                            double boxBulking, const FragmentSettings& settings);
+                            double boxBulking, const FragmentSettings& settings, double finest = 0.0);
 
 /// The hull of points with at most a few dozen vertices, and how Bullet's solver rounds it; a box around
 /// them where they span no volume.

@@ -125,10 +125,12 @@ std::vector<std::uint32_t> neighboursOfBoth(const std::vector<Joined>& groups, s
     return both;
 }
 
-void findNeighbours(std::vector<Joined>& groups) {
+/// What touches; bricks finer than asked also look over gaps, for others of their kind.
+void findNeighbours(std::vector<Joined>& groups, double finest) {
     std::vector<Aabb> bounds;
     for (const Joined& group : groups) {
-        const Vec3 reach = group.axes.cwiseAbs() * group.box.halfExtents + Vec3::Constant(0.5 * jointWidth);
+        const bool fine = 2.0 * group.box.halfExtents.maxCoeff() <= finest;
+        const Vec3 reach = group.axes.cwiseAbs() * group.box.halfExtents + Vec3::Constant(fine ? 0.25 * finest : 0.5 * jointWidth);
         bounds.emplace_back(group.box.centre - reach, group.box.centre + reach);
     }
     std::vector<std::uint32_t> order(groups.size());
@@ -156,12 +158,14 @@ OrientedBox brickOf(ElementShape solid, std::span<const Vec3> corners) {
     return ofVolume(box, volume);
 }
 
-std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const JoinLimits& limits) {
+namespace {
+
+std::vector<OrientedBox> joinedOnce(std::span<const OrientedBox> bricks, const JoinLimits& limits) {
     std::vector<Joined> groups;
     for (const OrientedBox& brick : bricks) {
         groups.push_back(joinedOf(brick, brick.volume(), 1));
     }
-    findNeighbours(groups);
+    findNeighbours(groups, limits.finest);
     /// Two that could be one: the share that would be empty, then by number.
     using Candidate = std::tuple<double, std::uint32_t, std::uint32_t>;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
@@ -170,8 +174,9 @@ std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const
         if (a.bricks + b.bricks > limits.bricksMax) {
             return;
         }
-        const double empty = 1.0 - (a.volume + b.volume) / around(a, b).volume();
-        if (empty <= limits.slack) {
+        const OrientedBox box = around(a, b);
+        const double empty = 1.0 - (a.volume + b.volume) / box.volume();
+        if (empty <= (2.0 * box.halfExtents.maxCoeff() <= limits.finest ? limits.finestSlack : limits.slack)) {
             candidates.emplace(std::round(1e9 * empty) * 1e-9, std::min(i, j), std::max(i, j));
         }
     };
@@ -203,6 +208,23 @@ std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const
         if (!group.into) {
             boxes.push_back(ofVolume(group.box, group.volume));
         }
+    }
+    return boxes;
+}
+
+}  // namespace
+
+std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const JoinLimits& limits) {
+    std::vector<OrientedBox> boxes = joinedOnce(bricks, limits);
+    double longest = limits.finest;
+    for (const OrientedBox& box : boxes) {
+        longest = std::max(longest, 2.0 * box.halfExtents.maxCoeff());
+    }
+    // Too many: boxes of any emptiness, twice as long each time.
+    JoinLimits coarser{limits.slack, std::numeric_limits<std::size_t>::max(), longest, 1.0, limits.boxesMax};
+    while (boxes.size() > limits.boxesMax) {
+        boxes = joinedOnce(boxes, coarser);
+        coarser.finest *= 2.0;
     }
     return boxes;
 }

@@ -17,6 +17,9 @@ OrientedBox brickOf(ElementShape solid, std::span<const Vec3> corners);
 struct JoinLimits {
     double slack = 0.02;           ///< largest share of a joined box that no brick fills
     std::size_t bricksMax = 1000;  ///< in a joined box
+    double finest = 0.0;           ///< m: a box whose longest side is no longer may be emptier
+    double finestSlack = 0.5;      ///< largest share of such a box that no brick fills
+    std::size_t boxesMax = 65536;  ///< that come out: what is finest grows until they do
 };
 
 /// Bricks joined to larger boxes wherever two that touch nearly fill a box; every box has the volume of its bricks. The order of

@@ -76,7 +76,7 @@ std::optional<NewBody> soundBody(const RunDescription& description, const Cluste
     body.velocity = cluster.velocity;
     body.angularVelocity = cluster.angularVelocity;
     body.shape = clusterShape(shapes, inShapes, shapeFrame, shapeOfCluster(*description.fe, scenario, members.size()),
-                              scenario.simulation.boxBulking, scenario.fragments);
+                              scenario.simulation.boxBulking, scenario.fragments, finestBrick(description.sizing.get()));
     body.smallestSide = smallestSide(body.shape);
     fillOut(body);
     body.volume = volumeOf(description, members);

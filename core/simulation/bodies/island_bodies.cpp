@@ -12,6 +12,7 @@
 #include "core/engine/world/tight_box.h"
 #include "core/fragments/element_place.h"
 #include "core/fragments/element_solid.h"
+#include "core/simulation/bodies/cluster_shape.h"
 #include "core/simulation/bodies/element_nodes.h"
 
 namespace rubble {
@@ -35,12 +36,12 @@ bool finite(const Momenta& m) {
     return std::isfinite(m.mass) && m.linear.allFinite() && m.angular.allFinite() && std::isfinite(m.kineticEnergy);
 }
 
-void giveBricks(IslandBody& body, const FragmentSettings& settings) {
+void giveBricks(IslandBody& body, const RunDescription& description) {
     std::vector<OrientedBox> bricks;
     for (const IslandElement& part : body.parts) {
         bricks.push_back(boxIn(body.pose, brickOf(part.solid, part.vertices)));
     }
-    body.shape = bricksShape(bricks, settings);
+    body.shape = bricksShape(bricks, description.scenario.fragments, finestBrick(description.sizing.get()));
 }
 
 void giveCells(IslandBody& body, const RunDescription& description) {
@@ -121,7 +122,7 @@ bool giveBody(IslandBody& body, const RunDescription& description) {
     }
     body.shape.clear();
     if (shapeOfClusters(description.scenario) == ClusterShape::Bricks) {
-        giveBricks(body, description.scenario.fragments);
+        giveBricks(body, description);
     } else {
         giveCells(body, description);
     }

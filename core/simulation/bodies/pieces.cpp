@@ -82,12 +82,14 @@ std::optional<Pose> fittedMotion(const std::vector<std::uint32_t>& nodes, const 
 
 }  // namespace
 
-Pieces::Pieces(const FeResult& fe, const Components& components, const Activity& activity, const Scenario& scenario)
+Pieces::Pieces(const FeResult& fe, const Components& components, const Activity& activity, const Scenario& scenario,
+               double finestBrick)
     : m_fe(fe),
       m_components(components),
       m_activity(activity),
       m_kind(scenario.simulation.pieces),
       m_bricks(m_kind == PieceKind::GridBoxes && shapeOfClusters(scenario) == ClusterShape::Bricks),
+      m_finestBrick(finestBrick),
       m_leastHalfExtent(leastPieceHalfExtent) {
     makeGroups(scenario.simulation);
     if (m_kind == PieceKind::Surface) {
@@ -210,8 +212,10 @@ CollisionShape Pieces::bricksOf(const Group& group, const std::vector<Vec3>& nod
         const ElementShape solid = appendSolid(m_fe.mesh(), nodes, e, m_components.section[at(e)], points);
         bricks.push_back(brickOf(solid, points));
     }
+    JoinLimits limits;
+    limits.finest = m_finestBrick;
     CollisionShape parts;
-    for (const OrientedBox& box : joinedBricks(bricks, {})) {
+    for (const OrientedBox& box : joinedBricks(bricks, limits)) {
         ConvexPart& part = parts.emplace_back();
         part.box = box;
         part.box.centre -= group.centre;

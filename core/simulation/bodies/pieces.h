@@ -20,8 +20,10 @@ namespace rubble {
 /// cell are groups of their own.
 class Pieces {
 public:
-    /// @param activity  under the revival policy; must outlive the pieces
-    Pieces(const FeResult& fe, const Components& components, const Activity& activity, const Scenario& scenario);
+    /// @param activity     under the revival policy; must outlive the pieces
+    /// @param finestBrick  m, of pieces that are made of bricks (cluster_shape.h)
+    Pieces(const FeResult& fe, const Components& components, const Activity& activity, const Scenario& scenario,
+           double finestBrick = 0.0);
 
     /// Sets up the interval from state k to k + 1: takes out what lost elements, puts in what is left of it, fits the motion.
     void beginInterval(RigidWorld& world, std::size_t k);
@@ -79,7 +81,8 @@ private:
     const Components& m_components;
     const Activity& m_activity;
     PieceKind m_kind;
-    bool m_bricks;  ///< grid boxes are made of joined bricks
+    bool m_bricks;         ///< grid boxes are made of joined bricks
+    double m_finestBrick;  ///< m
     double m_leastHalfExtent;
     std::vector<Group> m_groups;
     std::vector<Group*> m_moving;

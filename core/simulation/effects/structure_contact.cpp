@@ -1,5 +1,6 @@
 #include "core/simulation/effects/structure_contact.h"
 
+#include "core/simulation/bodies/cluster_shape.h"
 #include "core/simulation/effects/stopwatch.h"
 
 namespace rubble {
@@ -17,7 +18,8 @@ Scenario withPieces(const RunDescription& description, bool on) {
 }  // namespace
 
 StructureContact::StructureContact(const RunDescription& description, const Activity& activity, bool on)
-    : m_pieces(*description.fe, *description.components, activity, withPieces(description, on)) {}
+    : m_pieces(*description.fe, *description.components, activity, withPieces(description, on),
+               finestBrick(description.sizing.get())) {}
 
 void StructureContact::beginInterval(RigidWorld& world, std::size_t k) {
     const Stopwatch watch(m_seconds);

@@ -71,6 +71,52 @@ TEST(Bricks, AreJoinedWhereTheyFillABox) {
     EXPECT_NEAR(volume, 28.0, 1e-9) << "every box has the volume of its bricks";
 }
 
+TEST(Bricks, OfAMeshFarFinerThanDebrisAreJoinedOverGaps) {
+    // A wall of 4 by 4 columns of ten slices each, of which every other one has gone.
+    std::vector<OrientedBox> bricks;
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < 40; k += 2) {
+            OrientedBox& slice = bricks.emplace_back();
+            slice.centre = Vec3(i, 0, 0.1 * k + 0.05);
+            slice.halfExtents = Vec3(0.5, 0.5, 0.05);
+        }
+    }
+    EXPECT_EQ(joinedBricks(bricks, {}).size(), 20u) << "rows, one by one";
+    JoinLimits limits;
+    limits.finest = 0.95;
+    EXPECT_EQ(joinedBricks(bricks, limits).size(), 20u) << "a slice is a metre long: none is shorter";
+    limits.finest = 1.0;
+    std::vector<OrientedBox> few = bricks;
+    std::erase_if(few, [](const OrientedBox& slice) { return slice.centre.x() > 0.5; });
+    const std::vector<OrientedBox> blocks = joinedBricks(few, limits);
+    EXPECT_LE(blocks.size(), 5u);
+    double volume = 0.0;
+    for (const OrientedBox& block : blocks) {
+        EXPECT_LE(block.halfExtents.maxCoeff(), 0.5 + 1e-12);
+        volume += block.volume();
+    }
+    EXPECT_NEAR(volume, 20 * 0.1, 1e-9) << "gaps give no volume";
+}
+
+TEST(Bricks, AreCoarserWhereThereWouldBeTooMany) {
+    std::vector<OrientedBox> scattered;
+    for (int i = 0; i < 300; ++i) {
+        OrientedBox& brick = scattered.emplace_back();
+        brick.centre = Vec3(3.0 * (i % 20), 5.0 * (i / 20), i % 7);
+        brick.halfExtents = Vec3(0.5, 0.4, 0.3);
+    }
+    EXPECT_EQ(joinedBricks(scattered, {}).size(), 300u);
+    JoinLimits limits;
+    limits.boxesMax = 50;
+    const std::vector<OrientedBox> boxes = joinedBricks(scattered, limits);
+    EXPECT_LE(boxes.size(), 50u);
+    double volume = 0.0;
+    for (const OrientedBox& box : boxes) {
+        volume += box.volume();
+    }
+    EXPECT_NEAR(volume, 300 * 0.48, 1e-9);
+}
+
 TEST(Bricks, NoneGiveNone) {
     EXPECT_TRUE(joinedBricks({}, {}).empty());
 }

@@ -14,6 +14,28 @@ namespace rubble::io {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Pictures that are taken away again unless all were added.
+struct WrittenPictures {
+    std::vector<std::string> paths;
+    bool kept = false;
+
+    WrittenPictures() = default;
+    WrittenPictures(const WrittenPictures&) = delete;
+    WrittenPictures& operator=(const WrittenPictures&) = delete;
+    ~WrittenPictures() {
+        std::error_code ignored;
+        for (const std::string& path : paths) {
+            if (!kept && fs::remove(path, ignored)) {
+                fs::remove(fs::path(path).parent_path(), ignored);  // once it is empty
+            }
+        }
+    }
+};
+
+}  // namespace
+
 std::optional<std::string> addPhotograph(Case& theCase, const std::string& casePath, const std::string& path,
                                          const PhotoFacts& facts, const std::string& sha256) {
     std::vector<CaseInput>& inputs = theCase.inputs;
@@ -39,7 +61,7 @@ std::optional<std::string> addPhotograph(Case& theCase, const std::string& caseP
 }
 
 AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePath, const std::string& cloud, const Frame& frame,
-                                       Findings& findings) {
+                                       Findings& findings, const Execution& execution) {
     std::optional<Registration> placed;
     std::error_code ignored;
     for (const CaseInput& input : theCase.inputs) {
@@ -49,7 +71,13 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
     }
     AddedPhotographs added;
     const fs::path beside = fs::absolute(casePath).parent_path() / (fs::path(cloud).filename().string() + "-photographs");
-    for (const PlacedPhotograph& photograph : placedPhotographs(cloud, frame, theCase.site, placed, findings)) {
+    const std::vector<PlacedPhotograph> pictures = placedPhotographs(cloud, frame, theCase.site, placed, findings, execution);
+    Case grown = theCase;
+    WrittenPictures made;
+    const Message adding{"cloud.photographs_adding", "Adding photographs of the cloud", {}};
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+        execution.report(adding, static_cast<double>(k) / static_cast<double>(pictures.size()));
+        const PlacedPhotograph& photograph = pictures[k];
         const std::string_view content(reinterpret_cast<const char*>(photograph.bytes.data()), photograph.bytes.size());
         std::string path = (beside / photograph.name).string();
         if (const auto there = contentOf(path); there && *there != content) {
@@ -59,6 +87,7 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
         const bool written = contentOf(path) != content;
         if (written) {
             writeIn(path, content);
+            made.paths.push_back(path);
         }
         PhotographFile file;
         try {
@@ -72,13 +101,13 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
             continue;
         }
         findings.append(file.findings);
-        const std::optional<std::string> id = addPhotograph(theCase, casePath, path, file.facts, file.sha256);
+        const std::optional<std::string> id = addPhotograph(grown, casePath, path, file.facts, file.sha256);
         if (!id) {
             ++added.known;
             continue;
         }
         added.ids.push_back(*id);
-        Photograph& last = theCase.photographs.back();
+        Photograph& last = grown.photographs.back();
         if (file.facts.width != photograph.camera.width || file.facts.height != photograph.camera.height) {
             findings.add(
                 {"cloud.photograph_size",
@@ -91,6 +120,9 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
         last.pairs = photograph.pairs;
         last.note = "camera as " + fs::path(cloud).filename().string() + " states it";
     }
+    execution.report(adding, 1.0);
+    theCase = std::move(grown);
+    made.kept = true;
     return added;
 }
 

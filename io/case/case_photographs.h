@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/scenario/case.h"
 
@@ -22,9 +23,10 @@ struct AddedPhotographs {
 };
 
 /// Adds the pictures of a cloud that have a pinhole and a pose (placedPhotographs()) as photographs with that camera. Their files
-/// are written into a folder beside the case, named after the cloud. Throws as placedPhotographs(), WorldError.
+/// are written into a folder beside the case, named after the cloud. Throws as placedPhotographs(), WorldError, Cancelled: then the
+/// case is as it was, and so is the folder.
 /// @param frame  of the case as it is open
 AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePath, const std::string& cloud, const Frame& frame,
-                                       Findings& findings);
+                                       Findings& findings, const Execution& execution = Execution());
 
 }  // namespace rubble::io

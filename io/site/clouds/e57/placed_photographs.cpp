@@ -50,13 +50,16 @@ bool hasPlace(const CloudPhotograph& picture) {
 }
 
 std::vector<PlacedPhotograph> placedPhotographs(const std::string& cloud, const Frame& frame, const Site& site,
-                                                const std::optional<Registration>& placed, Findings& findings) {
+                                                const std::optional<Registration>& placed, Findings& findings,
+                                                const Execution& execution) {
     const std::unique_ptr<PointCloud> opened = openCloud(cloud);
     const CloudPlace place(*opened, frame, site, findings);
     std::vector<PlacedPhotograph> made;
     const std::vector<CloudPhotograph>& pictures = opened->head().photographs;
     std::int64_t without = 0;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
+        execution.report({"cloud.photographs_reading", "Reading photographs of the cloud", {}},
+                         static_cast<double>(k) / static_cast<double>(pictures.size()));
         const CloudPhotograph& picture = pictures[k];
         if (!hasPlace(picture)) {
             ++without;

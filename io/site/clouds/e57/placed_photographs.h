@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/fe/frame.h"
 #include "core/scenario/photograph.h"
@@ -29,9 +30,10 @@ std::string photographFileName(const CloudPhotograph& picture, std::size_t numbe
 bool hasPlace(const CloudPhotograph& picture);
 
 /// The pictures of a cloud that have a pinhole and a pose, as they lie in a case. Others, and what is assumed on the way to the
-/// case, are findings. Throws as openCloud() and CloudPlace.
+/// case, are findings. Throws as openCloud() and CloudPlace, Cancelled.
 /// @param placed  by which the cloud is moved once its coordinates were brought to the case; unset: not at all
 std::vector<PlacedPhotograph> placedPhotographs(const std::string& cloud, const Frame& frame, const Site& site,
-                                                const std::optional<Registration>& placed, Findings& findings);
+                                                const std::optional<Registration>& placed, Findings& findings,
+                                                const Execution& execution = Execution());
 
 }  // namespace rubble::io

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include "io/site/clouds/e57/e57_source.h"
+#include "tests/support/places.h"
 
 namespace rubble::io {
 
@@ -144,6 +146,35 @@ CloudBytes MadeE57::bytes(const std::string& xml) const {
         }
     }
     return file;
+}
+
+CloudBytes cloudWithPictures(const std::string& width, std::size_t which) {
+    const std::string tiny = sourcePath("tests/data/clouds/tiny_pc_and_images.e57");
+    const CloudBytes png = photographOfE57(tiny, openCloud(tiny)->head().photographs[which]);
+    MadeE57 made;
+    const std::uint64_t points = made.addPoints({{8, {1}}, {8, {2}}, {8, {3}}}, 1);
+    const std::uint64_t picture = made.addBlob(std::string(png.begin(), png.end()));
+    std::string fields;
+    for (const char* axis : {"X", "Y", "Z"}) {
+        fields += "<cartesian" + std::string(axis) + " type=\"Integer\" minimum=\"0\" maximum=\"255\"/>";
+    }
+    const std::string pinhole =
+        "<pinholeRepresentation type=\"Structure\"><pngImage type=\"Blob\" fileOffset=\"" + std::to_string(picture) +
+        "\" length=\"" + std::to_string(png.size()) + "\"/><imageWidth type=\"Integer\">" + width +
+        "</imageWidth><imageHeight type=\"Integer\">100</imageHeight>"
+        "<focalLength type=\"Float\">0.02</focalLength><pixelWidth type=\"Float\">0.0001</pixelWidth>"
+        "<pixelHeight type=\"Float\">0.0001</pixelHeight><principalPointX type=\"Float\">48</principalPointX>"
+        "<principalPointY type=\"Float\">53</principalPointY></pinholeRepresentation>";
+    const std::string pose =
+        "<pose type=\"Structure\"><translation type=\"Structure\"><x type=\"Float\">10</x><y type=\"Float\">20</y>"
+        "<z type=\"Float\">50</z></translation></pose>";
+    return made.bytes(
+        "<?xml version=\"1.0\"?><e57Root type=\"Structure\"><data3D type=\"Vector\"><vectorChild type=\"Structure\">"
+        "<points type=\"CompressedVector\" fileOffset=\"" +
+        std::to_string(points) + "\" recordCount=\"1\"><prototype type=\"Structure\">" + fields +
+        "</prototype></points></vectorChild></data3D><images2D type=\"Vector\"><vectorChild type=\"Structure\">"
+        "<name type=\"String\">from above</name>" +
+        pose + pinhole + "</vectorChild><vectorChild type=\"Structure\">" + pinhole + "</vectorChild></images2D></e57Root>");
 }
 
 }  // namespace rubble::io

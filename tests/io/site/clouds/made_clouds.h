@@ -94,4 +94,10 @@ private:
     CloudBytes m_content = CloudBytes(48);
 };
 
+/// An E57 with one point and two pinhole pictures; the first looks straight down from 10, 20, 50 with y up in it, the second has no
+/// pose.
+/// @param width    px, as the cloud states it
+/// @param which    which one of a small cloud it holds
+CloudBytes cloudWithPictures(const std::string& width = "100", std::size_t which = 1);
+
 }  // namespace rubble::io

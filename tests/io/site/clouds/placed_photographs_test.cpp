@@ -20,42 +20,9 @@ namespace rubble::io {
 
 namespace {
 
-/// An E57 with one point and two pinhole pictures; the first looks straight down from 10, 20, 50 with y up in it, the second has no
-/// pose.
-/// @param width    px, as the cloud states it
-/// @param which    which one of a small cloud it holds
-CloudBytes withPictures(const std::string& width = "100", std::size_t which = 1) {
-    const std::string tiny = sourcePath("tests/data/clouds/tiny_pc_and_images.e57");
-    const CloudBytes png = photographOfE57(tiny, openCloud(tiny)->head().photographs[which]);
-    MadeE57 made;
-    const std::uint64_t points = made.addPoints({{8, {1}}, {8, {2}}, {8, {3}}}, 1);
-    const std::uint64_t picture = made.addBlob(std::string(png.begin(), png.end()));
-    std::string fields;
-    for (const char* axis : {"X", "Y", "Z"}) {
-        fields += "<cartesian" + std::string(axis) + " type=\"Integer\" minimum=\"0\" maximum=\"255\"/>";
-    }
-    const std::string pinhole =
-        "<pinholeRepresentation type=\"Structure\"><pngImage type=\"Blob\" fileOffset=\"" + std::to_string(picture) +
-        "\" length=\"" + std::to_string(png.size()) + "\"/><imageWidth type=\"Integer\">" + width +
-        "</imageWidth><imageHeight type=\"Integer\">100</imageHeight>"
-        "<focalLength type=\"Float\">0.02</focalLength><pixelWidth type=\"Float\">0.0001</pixelWidth>"
-        "<pixelHeight type=\"Float\">0.0001</pixelHeight><principalPointX type=\"Float\">48</principalPointX>"
-        "<principalPointY type=\"Float\">53</principalPointY></pinholeRepresentation>";
-    const std::string pose =
-        "<pose type=\"Structure\"><translation type=\"Structure\"><x type=\"Float\">10</x><y type=\"Float\">20</y>"
-        "<z type=\"Float\">50</z></translation></pose>";
-    return made.bytes(
-        "<?xml version=\"1.0\"?><e57Root type=\"Structure\"><data3D type=\"Vector\"><vectorChild type=\"Structure\">"
-        "<points type=\"CompressedVector\" fileOffset=\"" +
-        std::to_string(points) + "\" recordCount=\"1\"><prototype type=\"Structure\">" + fields +
-        "</prototype></points></vectorChild></data3D><images2D type=\"Vector\"><vectorChild type=\"Structure\">"
-        "<name type=\"String\">from above</name>" +
-        pose + pinhole + "</vectorChild><vectorChild type=\"Structure\">" + pinhole + "</vectorChild></images2D></e57Root>");
-}
-
 TEST(PlacedPhotographs, AreMatchedToTheCameraThatTheCloudStates) {
     const TemporaryFolder folder;
-    const std::string path = layCloud(folder / "pictures.e57", withPictures());
+    const std::string path = layCloud(folder / "pictures.e57", cloudWithPictures());
     Findings findings;
     const std::vector<PlacedPhotograph> placed = placedPhotographs(path, {}, {}, std::nullopt, findings);
     ASSERT_EQ(placed.size(), 1U);
@@ -93,7 +60,7 @@ TEST(PlacedPhotographs, AreMatchedToTheCameraThatTheCloudStates) {
 
 TEST(PlacedPhotographs, NeverReplacePicturesOfAnotherCloud) {
     const TemporaryFolder folder;
-    const std::string path = layCloud(folder / "scan.e57", withPictures());
+    const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());
     const std::string other = folder / "scan.e57-photographs/1-from_above.png";
     std::filesystem::create_directories(folder / "scan.e57-photographs");
     std::ofstream(other) << "a picture of another cloud";
@@ -111,10 +78,31 @@ TEST(PlacedPhotographs, NeverReplacePicturesOfAnotherCloud) {
     EXPECT_EQ(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings).known, 1);
 }
 
+TEST(PlacedPhotographs, GivenUpLeaveCaseAndFolderAsTheyWere) {
+    const TemporaryFolder folder;
+    const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());
+    Case theCase;
+    Findings findings;
+    Execution* asked = nullptr;
+    Execution execution([&](const Progress& progress) {
+        if (progress.stage.id == "cloud.photographs_adding" && progress.fraction == 1.0) {
+            asked->cancel();
+        }
+    });
+    asked = &execution;
+    const Case before = theCase;
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_THROW(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings, execution), Cancelled);
+        EXPECT_EQ(theCase, before);
+        EXPECT_FALSE(std::filesystem::exists(folder / "scan.e57-photographs"));
+        execution.cancel();  // the second time from the start
+    }
+}
+
 TEST(PlacedPhotographs, OneThatCannotBeReadIsLeftOutAndSaid) {
     // The pinhole picture of this file is all zeros.
     const TemporaryFolder folder;
-    const std::string path = layCloud(folder / "scan.e57", withPictures("100", 2));
+    const std::string path = layCloud(folder / "scan.e57", cloudWithPictures("100", 2));
     Case theCase;
     Findings findings;
     EXPECT_TRUE(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings).ids.empty());
@@ -125,7 +113,7 @@ TEST(PlacedPhotographs, OneThatCannotBeReadIsLeftOutAndSaid) {
 
 TEST(PlacedPhotographs, ACameraOfAnotherSizeIsNotTaken) {
     const TemporaryFolder folder;
-    const std::string path = layCloud(folder / "scan.e57", withPictures("120"));
+    const std::string path = layCloud(folder / "scan.e57", cloudWithPictures("120"));
     Case theCase;
     Findings findings;
     addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings);
@@ -137,7 +125,7 @@ TEST(PlacedPhotographs, ACameraOfAnotherSizeIsNotTaken) {
 
 TEST(PlacedPhotographs, MoveWithTheirCloud) {
     const TemporaryFolder folder;
-    const std::string path = layCloud(folder / "pictures.e57", withPictures());
+    const std::string path = layCloud(folder / "pictures.e57", cloudWithPictures());
     Registration moved;
     moved.turn = Vec3(0.0, 0.0, 0.5);
     moved.shift = Vec3(3.0, -4.0, 5.0);

@@ -224,6 +224,7 @@ void PaneRenderer::setClip(const std::optional<ClipPlane>& clip) {
         return;
     }
     m_clipped = clip.has_value();
+    m_cloud.setClip(m_clipped ? m_clipPlane.Get() : nullptr);
     for (vtkActor* actor : {m_modelActor.Get(), m_selectionActor.Get()}) {
         actor->GetMapper()->RemoveAllClippingPlanes();
         if (m_clipped) {

@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -71,12 +72,25 @@ void PointLayer::set(const std::shared_ptr<const SitePoints>& points) {
             before.erase(kept);
         } else {
             m_shown.push_back({patch, actorOf(*patch)});
+            if (m_clip != nullptr) {
+                m_shown.back().actor->GetMapper()->AddClippingPlane(m_clip);
+            }
             m_renderer->AddActor(m_shown.back().actor);
         }
     }
     for (const Shown& gone : before) {
         gone.actor->ReleaseGraphicsResources(m_renderer->GetVTKWindow());
         m_renderer->RemoveActor(gone.actor);
+    }
+}
+
+void PointLayer::setClip(vtkPlane* plane) {
+    m_clip = plane;
+    for (const Shown& shown : m_shown) {
+        shown.actor->GetMapper()->RemoveAllClippingPlanes();
+        if (plane != nullptr) {
+            shown.actor->GetMapper()->AddClippingPlane(plane);
+        }
     }
 }
 

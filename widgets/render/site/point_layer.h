@@ -9,6 +9,7 @@
 #include "widgets/render/basics/site_points.h"
 
 class vtkActor;
+class vtkPlane;
 class vtkRenderer;
 
 namespace rubble::render {
@@ -24,6 +25,8 @@ public:
     void set(const std::shared_ptr<const SitePoints>& points);
     /// @param most  points that are drawn, by the patch: the coarse ones come first
     void show(bool visible, std::uint64_t most);
+    /// Points on the other side of a plane than its normal shows to are not drawn; null: all are. It is kept.
+    void setClip(vtkPlane* plane);
 
 private:
     struct Shown {
@@ -31,6 +34,7 @@ private:
         vtkSmartPointer<vtkActor> actor;
     };
     vtkRenderer* m_renderer = nullptr;
+    vtkPlane* m_clip = nullptr;
     std::shared_ptr<const SitePoints> m_points;
     std::vector<Shown> m_shown;
 };

@@ -11680,6 +11680,26 @@
         <translation>正在把点分层</translation>
     </message>
     <message>
+        <source>Reading the cloud for its digest</source>
+        <translation>正在读取点云以计算其摘要</translation>
+    </message>
+    <message>
+        <source>The octree of {0} can be written neither beside it nor to {1}: {2}</source>
+        <translation>{0} 的八叉树既不能写在其旁，也不能写到 {1}：{2}</translation>
+    </message>
+    <message>
+        <source>Make room on either disk: about {0} MB are needed while it is made. RUBBLE_CACHE names another folder.</source>
+        <translation>请在其中一个磁盘上腾出空间：生成时约需 {0} MB。RUBBLE_CACHE 可指定另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>Adding photographs of the cloud</source>
+        <translation>正在添加点云的照片</translation>
+    </message>
+    <message>
+        <source>Reading photographs of the cloud</source>
+        <translation>正在读取点云的照片</translation>
+    </message>
+    <message>
         <source>No point is left of {0}</source>
         <translation>{0} 中没有剩下任何点</translation>
     </message>
@@ -12961,6 +12981,18 @@
     <message>
         <source>Photographs added with the camera that the cloud states: %1</source>
         <translation>按点云所述相机添加的照片：%1</translation>
+    </message>
+    <message>
+        <source>%1 points lie far from the others and are not drawn.</source>
+        <translation>%1 个点远离其余的点，未画出。</translation>
+    </message>
+    <message>
+        <source>Adding its photographs, %1 %</source>
+        <translation>正在添加其中的照片，%1 %</translation>
+    </message>
+    <message>
+        <source>The inputs of the case changed meanwhile: add the photographs once more.</source>
+        <translation>案例的输入在此期间有改动：请再次添加照片。</translation>
     </message>
     <message>
         <source>The octree is made or opened, %1 %</source>

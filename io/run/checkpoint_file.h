@@ -20,8 +20,6 @@ public:
     void remove();
 
 private:
-    void removeUnfinished() const;
-
     std::string m_path;
     double m_interval;
 };

@@ -257,9 +257,11 @@ Json octreeJson(const io::OpenedOctree& index, double seconds) {
             {"points", octree.head().points},
             {"nodes", octree.nodes().size()},
             {"levels", octree.levels()},
-            {"coarsest_spacing_m", octree.spacing(0)},
+            {"coarsest_spacing_m", octree.nodes().front().spacing},
             {"bytes", octree.bytes()},
             {"place_step_m", octree.placeStep()},
+            {"far_points", octree.head().farPoints},
+            {"far_place_step_m", octree.head().farPoints > 0 ? Json(octree.farPlaceStep()) : Json()},
             {"seconds", seconds}};
 }
 
@@ -271,8 +273,13 @@ void printOctree(std::ostream& out, const io::OpenedOctree& index, double second
     facts.add("state", std::string(index.made ? "made" : "kept from before, opened") + " in " + englishNumber(seconds) + " s");
     facts.add("points", countText(octree.head().points) + " in " + countText(octree.nodes().size()) + " nodes of " +
                             std::to_string(octree.levels()) + " levels");
-    facts.add("spacing", englishNumber(octree.spacing(0)) + " m on the coarsest level, halved from each to the next");
+    facts.add("spacing", englishNumber(octree.nodes().front().spacing) + " m on the coarsest level, halved from each to the next");
     facts.add("places", "kept to " + englishNumber(octree.placeStep()) + " m");
+    if (octree.head().farPoints > 0) {
+        facts.add("far points", countText(octree.head().farPoints) +
+                                    " lie more than 8 widths of the others away; in levels of their own, kept to " +
+                                    englishNumber(octree.farPlaceStep()) + " m, and not drawn in views");
+    }
     facts.add("size", countText(octree.bytes()) + " bytes");
     facts.print(out);
 }

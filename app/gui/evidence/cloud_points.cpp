@@ -20,240 +20,20 @@
 #include "io/case/case_file.h"
 #include "io/case/case_photographs.h"
 #include "io/site/clouds/e57/placed_photographs.h"
-#include "io/site/clouds/octree/octree_choice.h"
 #include "io/site/site_place.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/figures/number_text.h"
-#include "widgets/figures/point_colours.h"
-#include "widgets/render/site/point_sight.h"
 
 namespace rubble {
 
 namespace {
 
-using Scale = render::SitePoints::Scale;
-
 constexpr double fallenFrom = 1.0;  // m that live structure has moved by
 
-/// What stands behind a colour that is asked for, as far as the cloud has it.
-Scale scaleOf(render::PointColour colour, const io::OctreeHead& head) {
-    if (colour == render::PointColour::Class && head.columns.classes) {
-        return Scale::Class;
-    }
-    if (colour == render::PointColour::Own && head.columns.colour) {
-        return Scale::Own;
-    }
-    return colour == render::PointColour::Own && head.columns.intensity ? Scale::Intensity : Scale::Height;
-}
-
-/// Heights between which nearly all points lie, m.
-std::pair<double, double> heightsOf(const io::CloudBlock& block) {
-    std::vector<double> heights;
-    for (const Vec3& place : block.places) {
-        heights.push_back(place.z());
-    }
-    std::sort(heights.begin(), heights.end());
-    if (heights.empty()) {
-        return {0.0, 1.0};
-    }
-    const std::size_t beyond = heights.size() / 50;
-    return {heights[beyond], heights[heights.size() - 1 - beyond]};
-}
-
-double shareOf(double value, double low, double high) {
-    return high > low ? (value - low) / (high - low) : 0.0;
-}
-
-void putPoint(render::SitePoints::Patch& patch, const Vec3& place, const render::Rgb& colour) {
-    for (int axis = 0; axis < 3; ++axis) {
-        patch.places.push_back(static_cast<float>(place[axis]));
-    }
-    patch.rgb.insert(patch.rgb.end(), {colour.r, colour.g, colour.b});
-}
-
-std::shared_ptr<const render::SitePoints::Patch> patchOf(const io::CloudBlock& block, Scale scale, PointsWork::Opened& opened) {
-    const io::OctreeHead& head = opened.octree->octree().head();
-    auto patch = std::make_shared<render::SitePoints::Patch>();
-    patch->places.reserve(3 * block.size());
-    patch->rgb.reserve(3 * block.size());
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        render::Rgb colour;
-        if (scale == Scale::Own) {
-            const auto& own = block.colours[i];
-            colour = {static_cast<std::uint8_t>(own[0]), static_cast<std::uint8_t>(own[1]), static_cast<std::uint8_t>(own[2])};
-        } else if (scale == Scale::Class) {
-            colour = figures::classColour(block.classes[i]);
-            opened.classes[block.classes[i]] = colour;
-        } else if (scale == Scale::Intensity) {
-            colour = figures::scaleColour(scale, shareOf(block.intensity[i], head.intensityLeast, head.intensityMost));
-        } else {
-            colour = figures::scaleColour(scale, shareOf(block.places[i].z(), opened.heights.first, opened.heights.second));
-        }
-        putPoint(*patch, block.places[i], colour);
-    }
-    return patch;
-}
-
-/// What a look at a cloud needs of it; what is there already is not read again.
-std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, const PointsWork::Look& look,
-                                                    const std::string& name, bool& whole, const Execution& execution) {
-    const io::CloudOctree& octree = opened.octree->octree();
-    if (look.colour != opened.colour) {
-        opened.colour = look.colour;
-        opened.read.clear();
-        opened.classes.clear();
-    }
-    const std::vector<Aabb>& boxes = opened.octree->boxes();
-    const io::OctreeChoice choice = io::chooseNodes(
-        octree.nodes(),
-        [&](std::size_t n) {
-            double most = 0.0;
-            for (const auto& [pane, camera] : look.panes) {
-                most = std::max(
-                    most, render::pixelsOf(camera, pane.aspect(), pane.height, boxes[n], octree.spacing(octree.nodes()[n].level)));
-            }
-            return most;
-        },
-        pointsBudget);
-    whole = choice.whole;
-    auto points = std::make_shared<render::SitePoints>();
-    points->name = name;
-    points->all = octree.head().points;
-    points->scale = scaleOf(look.colour, octree.head());
-    points->low = points->scale == Scale::Intensity ? static_cast<double>(octree.head().intensityLeast) : opened.heights.first;
-    points->high = points->scale == Scale::Intensity ? static_cast<double>(octree.head().intensityMost) : opened.heights.second;
-    std::map<std::size_t, std::shared_ptr<const render::SitePoints::Patch>> used;
-    for (const std::size_t n : choice.nodes) {
-        execution.check();
-        std::shared_ptr<const render::SitePoints::Patch>& patch = opened.read[n];
-        if (patch == nullptr) {
-            patch = patchOf(opened.octree->read(n), points->scale, opened);
-        }
-        used[n] = patch;
-        points->patches.push_back(patch);
-        points->shown += patch->rgb.size() / 3;
-    }
-    points->classes.assign(opened.classes.begin(), opened.classes.end());
-    opened.read = std::move(used);
-    return points;
-}
-
-/// Distances as points: those that differ in colour, the others grey.
-std::shared_ptr<const render::SitePoints> pointsOf(const PointsWork::Distances& distances, const std::string& name) {
-    const io::CloudComparison& made = distances.made.compared;
-    auto points = std::make_shared<render::SitePoints>();
-    points->name = name;
-    points->scale = Scale::Distance;
-    points->all = made.cores.size();
-    points->time = distances.time;
-    points->registered = made.settings.registrationError.has_value();
-    std::vector<double> levels;
-    for (const CoreDistance& core : made.distances) {
-        if (core.significant()) {
-            points->low = std::min(points->low, core.distance);
-            points->high = std::max(points->high, core.distance);
-            ++points->significant;
-        }
-        if (core.state == CoreState::Measured && std::isfinite(core.detection)) {
-            levels.push_back(core.detection);
-        }
-    }
-    const double most = std::max(points->high, -points->low);
-    points->detection = unknown;
-    if (!levels.empty()) {
-        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-        std::nth_element(levels.begin(), middle, levels.end());
-        points->detection = *middle;
-    }
-    auto patch = std::make_shared<render::SitePoints::Patch>();
-    for (std::size_t k = 0; k < made.distances.size(); ++k) {
-        const CoreDistance& core = made.distances[k];
-        if (core.state != CoreState::Measured) {
-            continue;
-        }
-        const bool judged = std::isfinite(core.detection);
-        points->unknown += judged ? 0 : 1;
-        const render::Rgb even = judged ? figures::withinDetection : figures::detectionUnknown;
-        putPoint(*patch, distances.cores[k], core.significant() ? figures::distanceColour(core.distance / most) : even);
-    }
-    points->shown = patch->rgb.size() / 3;
-    points->patches.push_back(std::move(patch));
-    return points;
-}
-
 }  // namespace
-
-bool PointsWork::Measured::operator==(const Measured& other) const {
-    const auto parts = [](const Measured& m) {
-        return std::tie(m.cloud, m.survey, m.run, m.settings.normalRadius, m.settings.projectionRadius, m.settings.depth,
-                        m.settings.registrationError);
-    };
-    return parts(*this) == parts(other);
-}
-
-PointsWork::PointsWork(QObject* parent) : QObject(parent) {
-    connect(&worker, &Worker::progressed, this, [this](Worker::Kind kind, const Progress& progress) {
-        if (kind == Worker::Kind::Open) {
-            fraction = progress.fraction;
-            emit changed();
-        }
-    });
-}
-
-void PointsWork::close() {
-    worker.cancel();
-    cloud.reset();
-    opened = nullptr;
-    failure.reset();
-    points = nullptr;
-}
-
-void PointsWork::open(const Cloud& wanted) {
-    close();
-    cloud = wanted;
-    fraction = 0.0;
-    auto made = std::make_shared<Opened>();
-    worker.start({Worker::Kind::Open,
-                  [made, wanted](const Execution& execution) {
-                      made->octree =
-                          std::make_unique<io::PlacedOctree>(wanted.path, wanted.frame, wanted.site, wanted.placed, execution);
-                      made->heights = heightsOf(made->octree->read(0));
-                  },
-                  [this, made, wanted](const std::exception_ptr& thrown) {
-                      if (!cloud || !(*cloud == wanted)) {
-                          return;
-                      }
-                      failure = failureOf(thrown);
-                      if (thrown == nullptr) {
-                          opened = made;
-                      }
-                      emit changed();
-                  }});
-    emit changed();
-}
-
-void PointsWork::look(const Look& from) {
-    const std::string name = QFileInfo(QString::fromStdString(cloud->path)).fileName().toStdString();
-    auto made = std::make_shared<std::pair<std::shared_ptr<const render::SitePoints>, bool>>();
-    worker.startNext({Worker::Kind::Study,
-                      [made, from, name, seen = opened](const Execution& execution) {
-                          made->first = pointsFor(*seen, from, name, made->second, execution);
-                      },
-                      [this, made, seen = opened](const std::exception_ptr& thrown) {
-                          if (seen != opened) {
-                              return;
-                          }
-                          failure = failureOf(thrown);
-                          if (thrown == nullptr) {
-                              points = made->first;
-                              whole = made->second;
-                          }
-                          emit changed();
-                      }});
-}
 
 CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene, SurveyDisplay& surveys, ViewArea& area,
                          Actions& actions, QObject* parent)
@@ -274,6 +54,7 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&box, &widgets::PointBox::shownChosen, this, &CloudPoints::setShown);
     connect(&box, &widgets::PointBox::colourChosen, this, &CloudPoints::setColour);
     connect(&box, &widgets::PointBox::photographsRequested, this, &CloudPoints::addPhotographs);
+    connect(&box, &widgets::PointBox::photographsCancelled, this, &CloudPoints::stopPhotographs);
     connect(&box, &widgets::PointBox::measureRequested, this, &CloudPoints::measure);
     connect(&box, &widgets::PointBox::cancelRequested, this, &CloudPoints::stopMeasuring);
     connect(&actions[ActionId::CloudPoints], &QAction::triggered, this, &CloudPoints::setShown);
@@ -285,6 +66,7 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&area.views(), &widgets::ViewWidget::shown, this, &CloudPoints::follow);
     connect(&m_document, &Document::replaced, this, [this] {
         stopMeasuring();
+        stopPhotographs();
         m_work.distances.drop();
         m_work.close();
         // Ids of surveys are alike in all cases: its own first cloud is another one.
@@ -307,7 +89,7 @@ void CloudPoints::stopMeasuring() {
 }
 
 bool CloudPoints::busy() const {
-    return m_pause.isActive() || m_work.worker.busy() || m_work.distances.running();
+    return m_pause.isActive() || m_work.worker.busy() || m_work.pictures.busy() || m_work.distances.running();
 }
 
 bool CloudPoints::isCloud(const CaseInput& input) const {
@@ -442,7 +224,7 @@ void CloudPoints::measure() {
                                 for (const Vec3& core : made->made.compared.cores) {
                                     made->cores.push_back(place.toLocal(core));
                                 }
-                                made->points = pointsOf(*made, name);
+                                made->points = distancePoints(*made, name);
                             },
                             [work = &m_work, made](const std::exception_ptr& thrown) {
                                 if (thrown == nullptr && made == work->making) {
@@ -488,25 +270,53 @@ void CloudPoints::addPhotographs() {
     if (survey == nullptr || inputs.fe == nullptr) {
         return;
     }
-    Case theCase = m_document.theCase();
-    Findings findings;
-    try {
-        const std::string base = m_document.base().toStdString();
-        const io::AddedPhotographs added =
-            io::addPhotographsOfCloud(theCase, base, io::inputPath(base, *survey), inputs.frame, findings);
-        if (!added.ids.empty()) {
-            m_document.setPhotographs(std::move(theCase.photographs), std::move(theCase.inputs),
-                                      [count = added.ids.size()] { return tr("%1 photographs of the cloud added").arg(count); });
-        }
-        QString told = tr("Photographs added with the camera that the cloud states: %1").arg(added.ids.size());
-        if (!findings.empty()) {
-            told += QStringLiteral(" · ") + widgets::worded(findings.list().front().what);
-        }
-        m_session.tell(told);
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.tell(failure->inOneLine());
+    if (m_work.pictures.busy()) {
+        return;
     }
+    struct Adding {
+        Case before;
+        Case after;
+        io::AddedPhotographs added;
+        Findings findings;
+    };
+    auto made = std::make_shared<Adding>();
+    made->before = made->after = m_document.theCase();
+    const std::string base = m_document.base().toStdString();
+    m_work.picturesFraction = 0.0;
+    m_work.pictures.start({Worker::Kind::Study,
+                           [made, base, cloud = io::inputPath(base, *survey), frame = inputs.frame](const Execution& execution) {
+                               made->added = io::addPhotographsOfCloud(made->after, base, cloud, frame, made->findings, execution);
+                           },
+                           [this, made](const std::exception_ptr& thrown) {
+                               const auto failure = failureOf(thrown);
+                               const Case& now = m_document.theCase();
+                               if (failure) {
+                                   m_session.tell(failure->inOneLine());
+                               } else if (thrown == nullptr &&
+                                          (now.inputs != made->before.inputs || now.photographs != made->before.photographs)) {
+                                   m_session.tell(tr("The inputs of the case changed meanwhile: add the photographs once more."));
+                               } else if (thrown == nullptr) {
+                                   takePhotographs(made->added, std::move(made->after), made->findings);
+                               }
+                               emit m_work.changed();
+                           }});
+    refresh();
+}
+
+void CloudPoints::takePhotographs(const io::AddedPhotographs& added, Case&& theCase, const Findings& findings) {
+    if (!added.ids.empty()) {
+        m_document.setPhotographs(std::move(theCase.photographs), std::move(theCase.inputs),
+                                  [count = added.ids.size()] { return tr("%1 photographs of the cloud added").arg(count); });
+    }
+    QString told = tr("Photographs added with the camera that the cloud states: %1").arg(added.ids.size());
+    if (!findings.empty()) {
+        told += QStringLiteral(" · ") + widgets::worded(findings.list().front().what);
+    }
+    m_session.tell(told);
+}
+
+void CloudPoints::stopPhotographs() {
+    m_work.pictures.cancel();
 }
 
 QString CloudPoints::statusText() const {
@@ -527,6 +337,9 @@ QString CloudPoints::statusText() const {
     }
     if (!distancesShown() && !m_work.whole) {
         text += u' ' + tr("Finer ones were left out: no more than %1 are.").arg(figures::countText(pointsBudget));
+    }
+    if (const std::uint64_t far = octree.head().farPoints; far > 0 && !distancesShown()) {
+        text += u' ' + tr("%1 points lie far from the others and are not drawn.").arg(figures::countText(far));
     }
     const QString megabytes = figures::countText((octree.bytes() + 999'999) / 1'000'000);
     const QString path = QString::fromStdString(octree.path());
@@ -574,6 +387,9 @@ void CloudPoints::showBox() {
             content.findings = m_work.opened != nullptr ? m_work.opened->octree->findings() : Findings();
         }
         content.photographs = photographsOf(*survey);
+        if (m_work.pictures.busy()) {
+            content.adding = tr("Adding its photographs, %1 %").arg(std::lround(100.0 * m_work.picturesFraction));
+        }
         content.noMeasuring = EvidenceWork::whyNoDebris(m_computation.currentRun());
         content.measuring = m_work.distances.running();
         content.measured = measuredText();

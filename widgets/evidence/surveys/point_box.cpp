@@ -25,6 +25,7 @@ PointBox::PointBox(QWidget* parent)
       m_depth(new NumberField(tr("Depth of the cylinder"))),
       m_registration(new NumberField(tr("Registration error"))),
       m_photographs(new QPushButton),
+      m_noPhotographs(new QPushButton(tr("Cancel"))),
       m_measure(new QPushButton(tr("Measure distances"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_said(new QLabel) {
@@ -52,7 +53,13 @@ PointBox::PointBox(QWidget* parent)
     m_photographs->setToolTip(tr(
         "Adds the pictures in this cloud that have a pinhole and a pose as photographs with that camera; their files are written "
         "beside the case"));
-    column->addWidget(m_photographs);
+    auto* pictures = new QHBoxLayout;
+    pictures->addWidget(m_photographs, 1);
+    pictures->addWidget(m_noPhotographs);
+    column->addLayout(pictures);
+    m_photographs->setObjectName(QStringLiteral("addPhotographs"));
+    m_noPhotographs->setObjectName(QStringLiteral("cancelPhotographs"));
+    connect(m_noPhotographs, &QPushButton::clicked, this, &PointBox::photographsCancelled);
     connect(m_photographs, &QPushButton::clicked, this, &PointBox::photographsRequested);
     column->addWidget(m_complaint);
     column->addWidget(m_findings);
@@ -130,8 +137,11 @@ void PointBox::setContent(const Content& content) {
     m_colour->setCurrentIndex(static_cast<int>(content.colour));
     m_status->setText(content.status);
     m_status->setVisible(!content.status.isEmpty());
-    m_photographs->setText(tr("Add its photographs: %1").arg(content.photographs));
-    m_photographs->setVisible(content.photographs > 0);
+    const bool adding = !content.adding.isEmpty();
+    m_photographs->setText(adding ? content.adding : tr("Add its photographs: %1").arg(content.photographs));
+    m_photographs->setVisible(content.photographs > 0 || adding);
+    m_photographs->setEnabled(!adding);
+    m_noPhotographs->setVisible(adding);
     m_complaint->set(Notice::Kind::Error, content.complaint);
     m_findings->set(content.findings);
     m_measure->setEnabled(content.noMeasuring.isEmpty() && !content.measuring);

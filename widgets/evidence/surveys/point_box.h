@@ -30,6 +30,7 @@ public:
         bool shown = false;
         render::PointColour colour = render::PointColour::Own;
         int photographs = 0;  ///< in the cloud with their cameras, that the case has not
+        QString adding;       ///< how far adding them is; empty: none are being added
         QString status;       ///< how many are drawn, where the octree lies; or what is being done
         QString complaint;    ///< what went wrong
         Findings findings;
@@ -46,6 +47,7 @@ signals:
     void shownChosen(bool shown);
     void colourChosen(rubble::render::PointColour colour);
     void photographsRequested();
+    void photographsCancelled();
     void measureRequested();
     void cancelRequested();
 
@@ -64,6 +66,7 @@ private:
     NumberField* m_depth;
     NumberField* m_registration;
     QPushButton* m_photographs;
+    QPushButton* m_noPhotographs;
     QPushButton* m_measure;
     QPushButton* m_cancel;
     QLabel* m_said;

@@ -2,9 +2,11 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "io/base/file_words.h"
@@ -17,6 +19,10 @@ namespace {
 [[noreturn]] void failDamaged(const std::string& path) {
     refuseContent({"octree.damaged", "{0} is no octree of a cloud, or damaged", {path}},
                   "Delete it: it is made anew from the cloud when it is needed.");
+}
+
+OctreeCube cubeOf(const OctreeFootCube& cube) {
+    return {Vec3(cube.low.data()), Vec3(cube.step.data()), cube.side};
 }
 
 }  // namespace
@@ -42,44 +48,59 @@ CloudOctree::CloudOctree(const std::string& path) : m_file(path) {
     m_head.points = foot.points;
     m_head.fates = foot.fates;
     m_head.columns = {foot.columns[0] != 0, foot.columns[1] != 0, foot.columns[2] != 0};
-    m_head.cube = OctreeCube(Vec3(foot.low.data()), Vec3(foot.step.data()), foot.side);
+    m_head.cube = cubeOf(foot.cube);
+    m_head.farCube = cubeOf(foot.farCube);
+    m_head.farPoints = foot.farPoints;
     m_head.intensityLeast = foot.intensityLeast;
     m_head.intensityMost = foot.intensityMost;
     m_cloudBytes = foot.cloudBytes;
     m_cloudTime = foot.cloudTime;
     m_cloudDigest.bytes = foot.cloudDigest;
     m_request.bytes = foot.request;
-    std::map<std::pair<std::uint32_t, std::uint64_t>, std::size_t> known;
-    std::uint64_t points = 0;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>, std::size_t> known;
+    std::array<std::uint64_t, 2> points{};
     for (std::size_t n = 0; n < foot.nodes; ++n) {
         const auto row = littleAt<OctreeRow>(&bytes[n * sizeof(OctreeRow)]);
         const std::uint64_t rowBytes = row.points * m_head.columns.pointBytes();
-        const bool sound = row.level <= octreeDeepest && row.start >= octreeStart && row.start <= foot.table &&
-                           rowBytes <= foot.table - row.start && row.prefix < std::uint64_t{1} << (3 * row.level);
+        const bool sound = row.level <= octreeDeepest && row.part < points.size() && row.start >= octreeStart &&
+                           row.start <= foot.table && rowBytes <= foot.table - row.start &&
+                           row.prefix < std::uint64_t{1} << (3 * row.level);
         if (!sound) {
             failDamaged(path);
         }
-        points += row.points;
-        m_entries.push_back({row.prefix, row.start, row.level, row.points, Digest{row.digest}});
-        OctreeNode node{static_cast<int>(row.level), m_head.cube.cell(row.prefix, static_cast<int>(row.level)), row.points, {}};
-        for (std::uint32_t up = 1; up <= row.level && !node.parent; ++up) {
-            const auto found = known.find({row.level - up, row.prefix >> (3 * up)});
+        points[row.part] += row.points;
+        m_entries.push_back({row.prefix, row.start, row.level, row.part, row.points, Digest{row.digest}});
+        const bool far = row.part == 1;
+        const OctreeCube& cube = far ? m_head.farCube : m_head.cube;
+        const int level = row.level;
+        OctreeNode node{level,      far, std::ldexp(cube.side(), -(level + octreeCellLevels)), cube.cell(row.prefix, level),
+                        row.points, {}};
+        for (unsigned up = 1; up <= row.level && !node.parent; ++up) {
+            const auto found = known.find({row.part, row.level - up, row.prefix >> (3 * up)});
             node.parent = found != known.end() ? std::optional(found->second) : std::nullopt;
         }
-        known.try_emplace({row.level, row.prefix}, n);
+        known.try_emplace({row.part, row.level, row.prefix}, n);
         m_nodes.push_back(node);
     }
-    if (points != foot.points) {
+    if (points[0] + points[1] != foot.points || points[1] != foot.farPoints) {
         failDamaged(path);
     }
 }
 
-double CloudOctree::spacing(int level) const {
-    return std::ldexp(m_head.cube.side(), -(level + octreeCellLevels));
+int CloudOctree::levels() const {
+    int levels = 0;
+    for (const OctreeNode& node : m_nodes) {
+        levels = node.far ? levels : std::max(levels, node.level + 1);
+    }
+    return levels;
 }
 
 double CloudOctree::placeStep() const {
     return std::ldexp(m_head.cube.side(), -(octreeKeyLevels + octreeRestLevels));
+}
+
+double CloudOctree::farPlaceStep() const {
+    return std::ldexp(m_head.farCube.side(), -(octreeKeyLevels + octreeRestLevels));
 }
 
 CloudBlock CloudOctree::read(std::size_t node) const {
@@ -89,12 +110,13 @@ CloudBlock CloudOctree::read(std::size_t node) const {
     if (Hasher().bytes(bytes.data(), bytes.size()).finish() != entry.digest) {
         failDamaged(path());
     }
+    const OctreeCube& cube = m_nodes[node].far ? m_head.farCube : m_head.cube;
     CloudBlock block;
     block.resize(entry.points, {.intensity = columns.intensity, .colour = columns.colour, .classes = columns.classes});
     const unsigned char* at = bytes.data();
     for (std::size_t i = 0; i < entry.points; ++i) {
         block.places[i] =
-            m_head.cube.placeOf({littleAt<std::uint32_t>(at), littleAt<std::uint32_t>(at + 4), littleAt<std::uint32_t>(at + 8)});
+            cube.placeOf({littleAt<std::uint32_t>(at), littleAt<std::uint32_t>(at + 4), littleAt<std::uint32_t>(at + 8)});
         at += 12;
         if (columns.intensity) {
             block.intensity[i] = littleAt<float>(at);
@@ -111,12 +133,12 @@ CloudBlock CloudOctree::read(std::size_t node) const {
     return block;
 }
 
-bool CloudOctree::isOf(const std::string& cloud, const CloudRequest& request) const {
+bool CloudOctree::isOf(const std::string& cloud, const CloudRequest& request, const Execution& execution) const {
     const CloudStamp stamp = stampOf(cloud);
     if (stamp.bytes != m_cloudBytes || requestDigest(request) != m_request) {
         return false;
     }
-    return stamp.time == m_cloudTime || contentDigest(cloud) == m_cloudDigest;
+    return stamp.time == m_cloudTime || rememberedDigest(cloud, path(), execution) == m_cloudDigest;
 }
 
 }  // namespace rubble::io

@@ -100,8 +100,8 @@ void OctreeBuilder::write(const Leaf& leaf) {
         }
     }
     m_out.write(reinterpret_cast<const char*>(m_bytes.data()), static_cast<std::streamsize>(m_bytes.size()));
-    m_nodes.push_back({leaf.prefix, m_end, static_cast<std::uint32_t>(leaf.level), static_cast<std::uint32_t>(leaf.points.size()),
-                       Hasher().bytes(m_bytes.data(), m_bytes.size()).finish()});
+    m_nodes.push_back({leaf.prefix, m_end, static_cast<std::uint32_t>(leaf.level), 0,
+                       static_cast<std::uint32_t>(leaf.points.size()), Hasher().bytes(m_bytes.data(), m_bytes.size()).finish()});
     m_end += m_bytes.size();
 }
 

@@ -17,6 +17,7 @@ struct OctreeEntry {
     std::uint64_t prefix = 0;  ///< the first halvings of its keys
     std::uint64_t start = 0;   ///< of its points in the file, bytes
     std::uint32_t level = 0;   ///< how many halvings these are
+    std::uint32_t part = 0;    ///< 0: the bulk of the points, 1: far ones; the builder leaves it
     std::uint32_t points = 0;
     Digest digest;  ///< of the bytes of its points
 };

@@ -16,9 +16,12 @@ inline constexpr int octreeRestLevels = 10;
 inline constexpr int octreeCellLevels = 6;
 inline constexpr int octreeDeepest = octreeKeyLevels - octreeCellLevels;
 
+/// The bit of a key that far points have: they come after all others.
+inline constexpr std::uint64_t octreeFarKey = std::uint64_t{1} << 63;
+
 /// A point as the octree sorts it.
 struct OctreePoint {
-    std::uint64_t key = 0;   ///< the 21 upper bits of the steps along x, y and z, interleaved (Morton order)
+    std::uint64_t key = 0;   ///< the 21 upper bits of the steps along x, y and z, interleaved (Morton order); octreeFarKey
     std::uint32_t rest = 0;  ///< the 10 lower bits of each
     float intensity = 0.0F;
     std::array<std::uint8_t, 3> colour{};

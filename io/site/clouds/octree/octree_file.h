@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/execution.h"
 #include "core/base/hash.h"
 #include "io/site/clouds/cloud_source.h"
 
@@ -12,7 +13,7 @@ namespace rubble::io {
 // The file of an octree: a mark, the points of the nodes one after another, the table of the nodes, and a foot. The foot comes
 // last, so a file that was cut short has none. Numbers lie little end first.
 
-inline constexpr std::array<char, 8> octreeMark{'R', 'B', 'O', 'C', 'T', '0', '0', '2'};
+inline constexpr std::array<char, 8> octreeMark{'R', 'B', 'O', 'C', 'T', '0', '0', '3'};
 /// Of the first points, bytes.
 inline constexpr std::uint64_t octreeStart = octreeMark.size();
 
@@ -20,20 +21,28 @@ inline constexpr std::uint64_t octreeStart = octreeMark.size();
 struct OctreeRow {
     std::uint64_t prefix = 0;
     std::uint64_t start = 0;
-    std::uint32_t level = 0;
+    std::uint16_t level = 0;
+    std::uint16_t part = 0;  ///< 0: the bulk of the points, 1: far ones
     std::uint32_t points = 0;
     std::array<std::uint8_t, 16> digest{};
 };
 static_assert(sizeof(OctreeRow) == 40);
+
+/// The cube of a part.
+struct OctreeFootCube {
+    std::array<double, 3> low{};
+    std::array<double, 3> step{};
+    double side = 0.0;
+};
 
 struct OctreeFoot {
     std::uint64_t points = 0;
     std::uint64_t nodes = 0;
     std::uint64_t table = 0;  ///< where it begins, bytes
     std::array<std::uint64_t, pointFateCount> fates{};
-    std::array<double, 3> low{};
-    std::array<double, 3> step{};
-    double side = 0.0;
+    OctreeFootCube cube;
+    OctreeFootCube farCube;  ///< of the same side if there are no far points
+    std::uint64_t farPoints = 0;
     float intensityLeast = 0.0F;
     float intensityMost = 0.0F;
     std::uint64_t cloudBytes = 0;
@@ -44,7 +53,7 @@ struct OctreeFoot {
     std::array<std::uint8_t, 16> digest{};  ///< of the table and of the foot up to here
     std::array<char, 8> mark = octreeMark;
 };
-static_assert(sizeof(OctreeFoot) == 216);
+static_assert(sizeof(OctreeFoot) == 280);
 
 /// By which a file is known again without reading it.
 struct CloudStamp {
@@ -54,8 +63,11 @@ struct CloudStamp {
 };
 /// Throws WorldError.
 CloudStamp stampOf(const std::string& path);
-/// Of all its bytes. Throws WorldError.
-Digest contentDigest(const std::string& path);
+/// Of all its bytes. Throws WorldError, Cancelled.
+Digest contentDigest(const std::string& path, const Execution& execution);
+/// The same, read once as long as the file keeps its bytes and time: the outcome lies beside its octree.
+/// @param octree  path of the octree
+Digest rememberedDigest(const std::string& path, const std::string& octree, const Execution& execution);
 /// Of how a cloud is read.
 Digest requestDigest(const CloudRequest& request);
 

@@ -8,9 +8,11 @@
 #include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/stage/panel_deck.h"
+#include "app/gui/stage/scene_display.h"
 #include "app/gui/stage/view_area.h"
 #include "io/site/clouds/point_writer.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
@@ -94,6 +96,74 @@ TEST_F(PointsOfACloud, LieWhereTheCaseMovesThem) {
     settle();
     ASSERT_NE(drawn(), nullptr);
     EXPECT_NEAR(drawn()->patches.front()->places[2], 7.5, 1e-3);
+}
+
+TEST_F(PointsOfACloud, AreCutByThePlaneThatCutsTheModel) {
+    open();
+    views().setAnimated(false);
+    points().setShown(true);
+    settle();
+    const auto red = [&] {
+        const QImage image = views().grab().toImage();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor colour = image.pixelColor(x, y);
+                count += colour.red() > 200 && colour.green() == 0 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    const int all = red();
+    ASSERT_GT(all, 100) << "the left end is red";
+    render::View view = views().view();
+    view.clip = render::ClipPlane{Vec3::Zero(), -Vec3::UnitX()};  // what lies at x < 0 is cut away
+    window->rooms().scene->setView(view);
+    EXPECT_EQ(red(), 0);
+    view.clip->normal = Vec3::UnitX();
+    window->rooms().scene->setView(view);
+    EXPECT_GT(red(), all / 2);
+    // Points that come while it cuts are cut as well.
+    view.clip->normal = -Vec3::UnitX();
+    window->rooms().scene->setView(view);
+    points().setShown(false);
+    points().setShown(true);
+    settle();
+    EXPECT_EQ(red(), 0);
+}
+
+TEST_F(PointsOfACloud, ItsPhotographsAreAddedInTheBackgroundAndOnceMoreAfterUndo) {
+    openArch();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    const std::string scan = m_folder / "scan.e57";
+    io::layCloud(scan, io::cloudWithPictures());
+    window->rooms().survey->add(QString::fromStdString(scan));
+    settle();
+    auto* add = box().findChild<QPushButton*>("addPhotographs");
+    auto* cancel = box().findChild<QPushButton*>("cancelPhotographs");
+    const auto photographs = [&] { return session->document().theCase().photographs.size(); };
+    ASSERT_TRUE(add->isVisibleTo(&box()));
+    EXPECT_FALSE(cancel->isVisibleTo(&box()));
+    // Given up: nothing is added, and it can be asked for again.
+    QTest::mouseClick(add, Qt::LeftButton);
+    EXPECT_TRUE(cancel->isVisibleTo(&box()));
+    EXPECT_FALSE(add->isEnabled());
+    EXPECT_EQ(photographs(), 0U) << "not on the thread of the window";
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    settle();
+    EXPECT_EQ(photographs(), 0U);
+    EXPECT_TRUE(add->isEnabled());
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "scan.e57-photographs"));
+    QTest::mouseClick(add, Qt::LeftButton);
+    settle();
+    EXPECT_EQ(photographs(), 1U);
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "scan.e57-photographs"));
+    EXPECT_FALSE(add->isVisibleTo(&box())) << "all are there";
+    session->document().undoStack().undo();
+    EXPECT_EQ(photographs(), 0U);
+    QTest::mouseClick(add, Qt::LeftButton);
+    settle();
+    EXPECT_EQ(photographs(), 1U);
 }
 
 TEST_F(PointsOfACloud, OfAnotherCaseAreNotDrawnUnasked) {

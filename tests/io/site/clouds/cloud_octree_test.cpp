@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <map>
 #include <random>
 #include <set>
 
 #include "core/base/error.h"
+#include "io/site/clouds/octree/cloud_bulk.h"
 #include "io/site/clouds/octree/octree_choice.h"
 #include "io/site/clouds/octree/point_sorter.h"
 #include "tests/io/site/clouds/made_clouds.h"
@@ -124,7 +130,7 @@ TEST_F(CloudOctreeTest, ANodeHasOnePointInEachOfItsCellsAndLiesBelowItsParent) {
         std::set<Place> cells;
         for (const Vec3& place : block.places) {
             EXPECT_TRUE(nodes[n].box.contains(place));
-            const Vec3 cell = (place - nodes[n].box.min()) / octree->spacing(nodes[n].level);
+            const Vec3 cell = (place - nodes[n].box.min()) / nodes[n].spacing;
             cells.insert(
                 {std::llround(std::floor(cell.x())), std::llround(std::floor(cell.y())), std::llround(std::floor(cell.z()))});
         }
@@ -232,6 +238,150 @@ TEST_F(CloudOctreeTest, PointsInRunsOnDiskComeInTheSameOrder) {
     EXPECT_TRUE(fs::is_empty(m_folder.path()));
 }
 
+TEST_F(CloudOctreeTest, FarPointsCostTheOthersNoDetail) {
+    const WholeCloud clean = readCloud(lay(30'000));
+    const std::shared_ptr<const CloudOctree> alone = openOctree(m_folder / "hills.las", {}, Execution()).octree;
+    EXPECT_EQ(alone->head().farPoints, 0U);
+    for (const std::size_t zeros : {std::size_t{1}, std::size_t{300}, std::size_t{60'000}}) {
+        SCOPED_TRACE(zeros);
+        // Coordinates of a scanner beside those of UTM; a table states no bounds, and 0, 0, 0 in it is no return.
+        const std::string path = m_folder / "zeros" + std::to_string(zeros) + ".xyz";
+        std::ofstream table(path);
+        table << std::fixed << std::setprecision(3);
+        for (std::size_t i = 0; i < clean.points.size(); ++i) {
+            table << clean.points.places[i].x() << ' ' << clean.points.places[i].y() << ' ' << clean.points.places[i].z() << '\n';
+            for (std::size_t z = i * zeros / 30'000; z < (i + 1) * zeros / 30'000; ++z) {
+                table << "0 0 0.001\n";
+            }
+        }
+        table.close();
+        const std::shared_ptr<const CloudOctree> octree = openOctree(path, {{}, {"x", "y", "z"}}, Execution()).octree;
+        EXPECT_EQ(octree->head().points, 30'000 + zeros);
+        EXPECT_EQ(octree->head().farPoints, zeros);
+        EXPECT_LT(octree->nodes().front().spacing, 4.0 * alone->nodes().front().spacing);
+        EXPECT_LT(octree->placeStep(), 4.0 * alone->placeStep());
+        EXPECT_GE(octree->levels(), alone->levels());
+        std::multiset<Place> expected = placesOf(*alone);
+        std::multiset<Place> near;
+        std::uint64_t far = 0;
+        for (std::size_t n = 0; n < octree->nodes().size(); ++n) {
+            for (const Vec3& place : octree->read(n).places) {
+                if (octree->nodes()[n].far) {
+                    ++far;
+                    EXPECT_LT(place.cwiseAbs().maxCoeff(), 0.001 + octree->farPlaceStep());
+                } else {
+                    near.insert(placeOf(place));
+                }
+            }
+        }
+        EXPECT_EQ(far, zeros);
+        EXPECT_EQ(near, expected);
+    }
+}
+
+TEST_F(CloudOctreeTest, FarPointsWithinTheBoundsOfAHeadAreFound) {
+    MadeLas las = hills(30'000);
+    las.points[17].place = {-431'000'000, -2'000'000'000, -100'000};
+    const std::shared_ptr<const CloudOctree> octree =
+        openOctree(layCloud(m_folder / "far.las", las.bytes()), {}, Execution()).octree;
+    EXPECT_EQ(octree->head().points, 30'000U);
+    EXPECT_EQ(octree->head().farPoints, 1U);
+    EXPECT_LT(octree->placeStep(), 1e-6);
+    EXPECT_TRUE(octree->nodes().back().far);
+    EXPECT_NEAR(octree->read(octree->nodes().size() - 1).places.front().x(), 0.0, octree->farPlaceStep());
+    EXPECT_LE(octree->farPlaceStep(), 0.002);
+}
+
+TEST_F(CloudOctreeTest, WallsApartAndSparseSurroundingsAreNoFarPoints) {
+    CloudBulk walls;
+    CloudBulk scan;
+    std::mt19937 random(5);  // NOLINT: the same points each time
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int i = 0; i < 40'000; ++i) {
+        walls.add({i % 3 == 0 ? 60.0 : 0.0, 20.0 * share(random), 10.0 * share(random)});
+        // Half within 5 m of the scanner, the farthest at 500 m.
+        const double range = 0.5 * std::pow(1000.0, share(random));
+        const double angle = 6.28 * share(random);
+        scan.add({range * std::cos(angle), range * std::sin(angle), 0.1 * range});
+    }
+    EXPECT_TRUE(walls.box({}).contains(Vec3(60.0, 10.0, 5.0)));
+    EXPECT_TRUE(walls.box({}).contains(Vec3(0.0, 10.0, 5.0)));
+    for (const double angle : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+        EXPECT_TRUE(scan.box({}).contains(Vec3(495.0 * std::cos(angle), 495.0 * std::sin(angle), 49.0)));
+    }
+    EXPECT_TRUE(CloudBulk().box({}).isEmpty());
+}
+
+TEST_F(CloudOctreeTest, TheContentOfACopyIsReadOnceAndCanBeGivenUp) {
+    const std::string path = lay(30'000);
+    const std::string kept = openOctree(path, {}, Execution()).octree->path();
+    const auto copied = [&] { fs::last_write_time(path, fs::last_write_time(path) + std::chrono::hours(1)); };
+    copied();
+    Execution given;
+    given.cancel();
+    EXPECT_THROW(keptOctree(path, {}, given), Cancelled);
+    EXPECT_FALSE(fs::exists(kept + ".checked"));
+    EXPECT_NE(keptOctree(path), nullptr);
+    EXPECT_TRUE(fs::exists(kept + ".checked"));
+    // What is not read is not given up.
+    EXPECT_NE(keptOctree(path, {}, given), nullptr);
+    copied();
+    EXPECT_THROW(keptOctree(path, {}, given), Cancelled);
+    // A note that is no digest counts for nothing.
+    EXPECT_NE(keptOctree(path), nullptr);
+    fs::resize_file(kept + ".checked", fs::file_size(kept + ".checked") - 1);
+    EXPECT_THROW(keptOctree(path, {}, given), Cancelled);
+}
+
+TEST_F(CloudOctreeTest, WhatAKilledProcessLeftIsTakenAway) {
+    const std::string path = lay(3'000);
+    const std::string old = path + ".octree.123-0.part";
+    const std::string fresh = path + ".octree.124-0.part";
+    const std::string other = path + "2.octree.123-0.part";
+    for (const std::string& left : {old, fresh, other}) {
+        std::ofstream(left) << "RBOCT";
+    }
+    for (const std::string& left : {old, other}) {
+        fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(1));
+    }
+    openOctree(path, {}, Execution());
+    EXPECT_FALSE(fs::exists(old));
+    EXPECT_TRUE(fs::exists(fresh)) << "somebody may be writing it";
+    EXPECT_TRUE(fs::exists(other));
+}
+
+TEST_F(CloudOctreeTest, WhereItCannotBeWrittenBesideTheCloudItLiesInTheCache) {
+    // A name that leaves no room for that of a file that is not whole.
+    const std::string path = layCloud(m_folder / std::string(242, 'n') + ".las", hills(3'000).bytes());
+    const std::string kept = openOctree(path, {}, Execution()).octree->path();
+    EXPECT_NE(kept, path + ".octree");
+    EXPECT_NE(keptOctree(path), nullptr);
+    fs::remove(kept);
+}
+
+TEST_F(CloudOctreeTest, AFullDiskSaysWhereAndHowMuchRoomIsNeeded) {
+    const std::string path = lay(30'000);
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{100'000, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    std::string id;
+    std::string told;
+    try {
+        openOctree(path, {}, Execution());
+    } catch (const WorldError& error) {
+        id = error.message().id;
+        told = error.what() + englishText(error.remedy());
+    }
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(id, "octree.no_room");
+    EXPECT_NE(told.find(path), std::string::npos) << told;
+    EXPECT_NE(told.find("about 2 MB"), std::string::npos) << told;
+    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 1) << "nothing is left";
+}
+
 TEST_F(CloudOctreeTest, ManyPointsAtOnePlaceArePartsOfOneNode) {
     MadeLas las = hills(2'000);
     las.points.resize(600'000, las.points.front());
@@ -247,7 +397,7 @@ TEST_F(CloudOctreeTest, ManyPointsAtOnePlaceArePartsOfOneNode) {
 TEST_F(CloudOctreeTest, AViewKeepsItsBudgetAndComesWithTheParents) {
     const std::shared_ptr<const CloudOctree> octree = openOctree(lay(120'000), {}, Execution()).octree;
     const std::vector<OctreeNode>& nodes = octree->nodes();
-    const auto near = [&](std::size_t n) { return 1000.0 * octree->spacing(nodes[n].level); };
+    const auto near = [&](std::size_t n) { return 1000.0 * nodes[n].spacing; };
     for (const std::uint64_t budget : {std::uint64_t{10'000}, std::uint64_t{60'000}, std::uint64_t{200'000}}) {
         const OctreeChoice choice = chooseNodes(nodes, near, budget, 0.001);
         EXPECT_LE(choice.points, budget);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "core/base/message.h"
@@ -54,29 +55,45 @@ void manyBodies(const CaseSetting& setting, Outcome& outcome) {
     outcome.atMost("fastest over sqrt(2 g h)", fastest / std::sqrt(2.0 * scene.settings.gravity * height), 1.05);
 }
 
-/// What a heap does in a minute after it has come to rest.
+/// The middle one of several.
+double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+/// What heaps do in a minute after they have come to rest. Without freezing a block that leans may tip over at last, as stones do,
+/// and one heap says nothing of others: what a middle heap does counts, and how many of all bodies rest.
 void atRest(const CaseSetting& setting, Outcome& outcome) {
+    const std::uint64_t heaps = setting.small ? 3 : 7;
     for (const bool freeze : {true, false}) {
-        WorldScene scene(setting);
-        scene.settings.freeze = freeze;
-        Pile pile(scene);
-        addHeap(pile, 60, setting.small ? 3 : 6);
-        scene.run(8.0);
-        const std::vector<Vec3> start = pile.places();
-        const double height = pile.meanHeight();
-        const std::string how = freeze ? "" : ", freezing off";
-        outcome.atLeast("share asleep after 8 s" + how, scene.asleep(), 0.95);
-        EnergyWatch watch;
-        watch.look(scene);
-        double fastest = 0.0;
-        for (int i = 0; i < 3600; ++i) {
-            scene.run(scene.dt);
-            fastest = std::max(fastest, scene.maxSpeed());
+        std::vector<double> asleep, sunk, moves, fastest;
+        for (std::uint64_t heap = 0; heap < heaps; ++heap) {
+            WorldScene scene(setting);
+            scene.settings.freeze = freeze;
+            Pile pile(scene);
+            addHeap(pile, 60 + heap, setting.small ? 3 : 6);
+            scene.run(12.0);
+            const std::vector<Vec3> start = pile.places();
+            const double height = pile.meanHeight();
+            asleep.push_back(scene.asleep());
+            fastest.push_back(0.0);
+            for (int i = 0; i < 3600; ++i) {
+                scene.run(scene.dt);
+                fastest.back() = std::max(fastest.back(), scene.maxSpeed());
+            }
+            sunk.push_back(std::abs(pile.meanHeight() / height - 1.0));
+            moves.push_back(pile.largestMove(start));
         }
-        outcome.atMost("change of mean height in 60 s" + how, std::abs(pile.meanHeight() / height - 1.0), freeze ? 0.001 : 0.01);
-        outcome.atMost("largest move in 60 s" + how, pile.largestMove(start), freeze ? 0.01 : 0.1, "m");
+        const std::string how = freeze ? "" : ", freezing off";
+        const double resting = std::accumulate(asleep.begin(), asleep.end(), 0.0) / static_cast<double>(heaps);
+        outcome.atLeast("share asleep after 12 s, mean of the heaps" + how, resting, 0.95);
+        outcome.atMost("change of mean height in 60 s, middle heap" + how, median(sunk), freeze ? 0.001 : 0.01);
+        outcome.atMost("largest move in 60 s, middle heap" + how, median(moves), freeze ? 0.01 : 0.1, "m");
         // A block that tips over through the 0.1 m it may move reaches sqrt(2 g 0.1).
-        outcome.atMost("fastest in these 60 s" + how, fastest, freeze ? 0.5 : 1.4, "m/s");
+        outcome.atMost("fastest in these 60 s, middle heap" + how, median(fastest), freeze ? 0.5 : 1.4, "m/s");
+        if (freeze) {
+            outcome.atMost("largest move in 60 s, any heap", std::ranges::max(moves), 0.1, "m");
+        }
     }
 }
 
@@ -189,8 +206,8 @@ std::vector<HardCase> pileCases() {
     return {
         {"pile-50000", "50,000 touching blocks let go at once", "squeeze, explode, take for ever",
          "99 % overlap below 5 % of a side, gain below 0.1 %, no faster than a fall, none below ground", 90.0, manyBodies},
-        {"pile-rest-60s", "a heap at rest for 60 s, with freezing and without", "creeps, boils, wakes",
-         "mean height within 0.1 % (1 % without freezing), nobody above 0.5 m/s", 20.0, atRest},
+        {"pile-rest-60s", "seven heaps at rest for 60 s, with freezing and without", "creeps, boils, wakes",
+         "mean height within 0.1 % (1 % without freezing), nobody above 0.5 m/s, in a middle heap", 40.0, atRest},
         {"step-halved", "the step halved three times", "another step, another pile",
          "mean height and spread within 5 % of the finest, the last halving within 2.5 %, beyond two standard errors of 8 seeds",
          40.0, stepHalved},

@@ -11743,6 +11743,10 @@
         <source>{0} x {1} pixels, upright, where the cloud states the camera of {2} x {3}: the photograph is added without it</source>
         <translation>照片转正后为 {0} × {1} 像素，而点云所述相机为 {2} × {3} 像素：添加照片时不采用该相机</translation>
     </message>
+    <message>
+        <source>reading what is kept of {0} members of the ensemble</source>
+        <translation>正在读取系综 {0} 个成员中已保存的内容</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -14215,6 +14219,10 @@
     <message>
         <source>Shown: the run %1. It has other settings than the case; Run &gt; Take its settings</source>
         <translation>已显示：计算 %1。其设置与案例不同；计算 &gt; 采用其设置</translation>
+    </message>
+    <message>
+        <source>Causes are being compared: members of their ensembles are being simulated.</source>
+        <translation>正在比较原因：正在模拟其系综的成员。</translation>
     </message>
 </context>
 <context>

@@ -1,14 +1,16 @@
 #include "core/scenario/ensemble.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <numbers>
+#include <numeric>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/normal_distribution.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble {
@@ -49,14 +51,32 @@ std::string drawnText(double value) {
     return {text.data(), result.ptr};
 }
 
-/// Above 0 and below 1, from all that decides it.
-double unitNumber(std::int64_t seed, std::int64_t member, const std::string& key, int turn) {
-    Hasher hasher;
-    hasher.text("ensemble").value(seed).value(member).text(key).value(turn);
+std::uint64_t bitsOf(const Hasher& hasher) {
     const Digest digest = hasher.finish();
     std::uint64_t bits = 0;
     std::memcpy(&bits, digest.bytes.data(), sizeof bits);
-    return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;
+    return bits;
+}
+
+/// Above 0 and below 1, from all that decides it. A stratum can be added to it without rounding.
+double unitNumber(std::int64_t seed, std::int64_t member, const std::string& key) {
+    Hasher hasher;
+    hasher.text("ensemble").value(seed).value(member).text(key).value(0);
+    return (static_cast<double>(bitsOf(hasher) >> 16) + 0.5) * 0x1p-48;
+}
+
+/// Which eighth of a distribution a member draws from: members of one block have one each, in an order of the block's own.
+std::int64_t stratumOf(std::int64_t seed, std::int64_t member, const std::string& key) {
+    Hasher hasher;
+    hasher.text("ensemble.strata").value(seed).value(member / ensembleBlock).text(key);
+    std::uint64_t left = bitsOf(hasher);
+    std::array<std::int64_t, ensembleBlock> order{};
+    std::iota(order.begin(), order.end(), std::int64_t{0});
+    for (std::size_t i = order.size() - 1; i > 0; --i) {
+        std::swap(order[i], order[left % (i + 1)]);
+        left /= i + 1;
+    }
+    return order[static_cast<std::size_t>(member % ensembleBlock)];
 }
 
 /// Values that a row takes, as far as numbers go.
@@ -72,7 +92,8 @@ Range rangeOf(const std::string& key) {
 }
 
 std::string drawn(const VariedSetting& varied, std::int64_t seed, std::int64_t member) {
-    const double u = unitNumber(seed, member, varied.key, 0);
+    const auto stratum = static_cast<double>(stratumOf(seed, member, varied.key));
+    const double u = (stratum + unitNumber(seed, member, varied.key)) / ensembleBlock;
     if (varied.distribution == Distribution::Choice) {
         const auto count = static_cast<double>(varied.choices.size());
         return varied.choices[std::min(varied.choices.size() - 1, static_cast<std::size_t>(u * count))];
@@ -80,16 +101,9 @@ std::string drawn(const VariedSetting& varied, std::int64_t seed, std::int64_t m
     const Range range = rangeOf(varied.key);
     double value = varied.first + u * (varied.second - varied.first);
     if (varied.distribution == Distribution::Normal) {
-        constexpr int turnsMost = 1000;
-        for (int turn = 1; turn < turnsMost; turn += 2) {
-            const double a = unitNumber(seed, member, varied.key, turn);
-            const double b = unitNumber(seed, member, varied.key, turn + 1);
-            value = varied.first + varied.second * std::sqrt(-2.0 * std::log(a)) * std::cos(2.0 * std::numbers::pi * b);
-            if (value >= range.low && value <= range.high) {
-                break;
-            }
-        }
-        value = std::clamp(value, range.low, range.high);
+        const double low = (range.low - varied.first) / varied.second;
+        const double high = (range.high - varied.first) / varied.second;
+        value = std::clamp(varied.first + varied.second * cutNormalPlace(low, high, u), range.low, range.high);
     }
     return drawnText(range.whole ? std::round(value) : value);
 }

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Raised where sets, scenes or measures change, which the text of the build does not know of.
-constexpr int keptVersion = 2;
+constexpr int keptVersion = 3;
 
 fs::path folderOf(const std::string& cache) {
     Hasher hasher;

@@ -348,12 +348,11 @@ void Timeline::paintPeak(QPainter& painter, const Rows& r) const {
 
 void Timeline::paintCaption(QPainter& painter, const Rows& r, double left, const QString& text) const {
     const QRectF room(left, r.deathsTop - 2.0, painter.fontMetrics().horizontalAdvance(text), painter.fontMetrics().height());
-    if (room.adjusted(-3, 0, 3, 0).contains(toX(m_time), room.center().y())) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(tints().panel);
-        painter.drawRoundedRect(room.adjusted(-3, 0, 3, 0), 2, 2);
-        painter.setBrush(Qt::NoBrush);
-    }
+    // The cursor and the curve go through the room of a caption.
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tints().panel);
+    painter.drawRoundedRect(room.adjusted(-3, 0, 3, 0), 2, 2);
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(tints().muted);
     painter.drawText(QPointF(left, room.top() + painter.fontMetrics().ascent()), text);
 }

@@ -158,6 +158,9 @@ QString RunControl::costlyWork() const {
     if (m_shown.errors.work().running()) {
         return tr("A reference is being computed.");
     }
+    if (m_shown.studies.work().comparing()) {
+        return tr("Causes are being compared: members of their ensembles are being simulated.");
+    }
     return m_shown.studies.work().running() ? tr("Members of an ensemble are being simulated.") : QString();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/normal_distribution.h"
 #include "core/base/unknown.h"
 
 namespace rubble {
@@ -68,17 +69,6 @@ double endOf(double observed, double end, double first, double second, double z)
 
 }  // namespace
 
-double normalQuantile(double probability) {
-    assert(probability > 0.0 && probability < 1.0);
-    double low = -40.0;
-    double high = 40.0;
-    for (int i = 0; i < 80; ++i) {
-        const double middle = 0.5 * (low + high);
-        (0.5 * std::erfc(-middle / std::sqrt(2.0)) < probability ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 Superiority superiorityOf(std::span<const double> first, std::span<const double> second, double z) {
     double wins = 0.0;
     double a = 0.0;
@@ -135,7 +125,7 @@ CauseRanking rankCauses(std::span<const Departures> hypotheses, double confidenc
     std::stable_sort(ranking.causes.begin(), ranking.causes.end(),
                      [](const RankedCause& a, const RankedCause& b) { return a.score.middle < b.score.middle; });
     const double comparisons = std::max<double>(1.0, static_cast<double>(ranking.causes.size()) - 1.0);
-    const double z = normalQuantile(1.0 - 0.5 * (1.0 - confidence) / comparisons);
+    const double z = normalPlaceAbove(0.5 * (1.0 - confidence) / comparisons);
     const RankedCause& best = ranking.causes.front();
     for (RankedCause& cause : ranking.causes) {
         const bool self = &cause == &best;

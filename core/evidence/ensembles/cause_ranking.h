@@ -22,9 +22,6 @@ struct Superiority {
 /// @param z  normal quantile of the interval: 1.96 for 95 %
 Superiority superiorityOf(std::span<const double> first, std::span<const double> second, double z);
 
-/// Quantile of the standard normal distribution, 0 < probability < 1, to 1e-9.
-double normalQuantile(double probability);
-
 /// Departures of every member of a hypothesis from each piece of evidence, 0: the same: [evidence][members]. NaN: not known.
 using Departures = std::vector<std::vector<double>>;
 

@@ -73,8 +73,9 @@ public:
 
     void makeAll() {
         const std::size_t count = report.members.size();
-        runInParallel(count, {m_options.threads, m_options.jobs},
-                      {"evidence.ensemble", "simulating {0} members of the ensemble", {count}}, m_execution,
+        const Message simulating{"evidence.ensemble", "simulating {0} members of the ensemble", {count}};
+        const Message reading{"evidence.ensemble_kept", "reading what is kept of {0} members of the ensemble", {count}};
+        runInParallel(count, {m_options.threads, m_options.jobs}, m_options.choice.nothing() ? reading : simulating, m_execution,
                       [&](std::size_t i, const Execution& own) { makeOne(i, own); });
     }
 

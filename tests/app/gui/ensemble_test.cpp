@@ -12,6 +12,7 @@
 #include "app/gui/evidence/causes_display.h"
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/evidence/evidence_studies.h"
+#include "app/gui/exports/report_work.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/command_run.h"
@@ -124,6 +125,26 @@ TEST_F(Studies, MembersComeInAndASecondStartTakesThemFromTheCache) {
     EXPECT_FALSE(ensemble().stale());
 }
 
+TEST_F(Studies, AReportReadsMembersAndSimulatesNone) {
+    varyOnlyFriction(3);
+    simulate();
+    simulateToEnd();
+    ASSERT_EQ(window->rooms().runs->costlyWork(), QString());
+    QStringList told;
+    QObject::connect(&session->computation(), &Computation::progressed, window, [&](const QString& what) { told << what; });
+    QTemporaryDir folder;
+    window->rooms().deck->choose(PanelDeck::Report);
+    window->rooms().report->writeTo(folder.filePath(QStringLiteral("report")));
+    ASSERT_TRUE(session->computation().busy());
+    EXPECT_EQ(window->rooms().runs->costlyWork(), QString()) << "no study runs";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("report/report.html"))));
+    EXPECT_FALSE(told.isEmpty());
+    EXPECT_TRUE(told.filter(QStringLiteral("simulating"), Qt::CaseInsensitive).isEmpty()) << told.join(u'\n').toStdString();
+    EXPECT_FALSE(told.filter(QStringLiteral("reading what is kept of 3 members"), Qt::CaseInsensitive).isEmpty())
+        << told.join(u'\n').toStdString();
+}
+
 TEST_F(Studies, WritesItsMapAndItsMembers) {
     varyOnlyFriction(2);
     simulate();
@@ -180,6 +201,7 @@ TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
     causes().addEvidence(io::EvidenceFile::Kind::Heights, {pathOf("found.tif")});
     window->actions()[ActionId::CompareCauses].trigger();
     EXPECT_TRUE(window->rooms().studies->causesPage().isVisible());
+    EXPECT_TRUE(window->rooms().runs->costlyWork().startsWith(QStringLiteral("Causes are being compared")));
     wait();
     ASSERT_NE(causes().made(), nullptr);
     const CauseComparison& made = *causes().made()->comparison;

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
@@ -74,6 +77,71 @@ TEST(Ensemble, AMemberIsTheSameHoweverManyThereAre) {
     EXPECT_NE(drawnValues(few, 0), drawnValues(other, 0));
 }
 
+/// Which eighth of a uniform distribution the members of a block draw from.
+std::vector<int> strataOf(const std::string& key, std::int64_t seed, std::int64_t block) {
+    EnsembleSettings settings = varying(key, "uniform:0:0.8");
+    settings.seed = seed;
+    std::vector<int> strata;
+    for (std::int64_t member = ensembleBlock * block; member < ensembleBlock * (block + 1); ++member) {
+        strata.push_back(static_cast<int>(10.0 * drawnNumber(settings, member)));
+    }
+    return strata;
+}
+
+TEST(Ensemble, EveryEighthOfADistributionIsDrawnOnceInABlock) {
+    const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7};
+    std::set<std::vector<int>> orders;
+    int firsts[ensembleBlock] = {};
+    constexpr int blocks = 400;
+    int alike = 0;
+    for (int block = 0; block < blocks; ++block) {
+        const std::vector<int> friction = strataOf("friction", 1, block);
+        const std::vector<int> restitution = strataOf("restitution", 1, block);
+        alike += friction == restitution || friction == strataOf("friction", 2, block) ? 1 : 0;
+        ++firsts[friction.front()];
+        orders.insert(friction);
+        for (std::vector<int> strata : {friction, restitution}) {
+            std::sort(strata.begin(), strata.end());
+            ASSERT_EQ(strata, all) << "block " << block;
+        }
+    }
+    EXPECT_LE(alike, 2) << "of keys and of seeds, where one in 40,320 is by chance";
+    EXPECT_GT(orders.size(), blocks - 10u) << "every block has an order of its own";
+    for (const int count : firsts) {
+        EXPECT_NEAR(count, blocks / 8.0, 4.0 * std::sqrt(blocks * 7.0 / 64.0));
+    }
+}
+
+TEST(Ensemble, EighthsOfACutNormalDistributionAreOfWhatIsLeft) {
+    const double ends[] = {0.0, 0.1573107, 0.3186394, 0.4887764, 0.6744898, 0.8871466, 1.1503494, 1.5341205, 100.0};
+    const EnsembleSettings cut = varying("restitution", "normal:0:0.01");
+    for (std::int64_t member = 0; member < 800; member += ensembleBlock) {
+        std::set<std::size_t> strata;
+        for (std::int64_t i = 0; i < ensembleBlock; ++i) {
+            const double place = drawnNumber(cut, member + i) / 0.01;
+            EXPECT_GE(place, 0.0);
+            strata.insert(static_cast<std::size_t>(std::upper_bound(std::begin(ends), std::end(ends), place) - std::begin(ends)));
+        }
+        EXPECT_EQ(strata.size(), 8u) << "from member " << member;
+    }
+}
+
+TEST(Ensemble, TheMeanOfABlockIsNearThatOfTheDistribution) {
+    const EnsembleSettings settings = varying("friction", "uniform:0:1");
+    double squares = 0.0;
+    constexpr int blocks = 200;
+    for (int block = 0; block < blocks; ++block) {
+        double sum = 0.0;
+        for (std::int64_t i = 0; i < ensembleBlock; ++i) {
+            sum += drawnNumber(settings, ensembleBlock * block + i);
+        }
+        squares += std::pow(sum / ensembleBlock - 0.5, 2);
+    }
+    // An eighth of the deviation that independent draws would have.
+    const double independent = std::sqrt(1.0 / 12.0 / ensembleBlock);
+    EXPECT_NEAR(std::sqrt(squares / blocks), independent / 8.0, 0.2 * independent / 8.0);
+}
+
 TEST(Ensemble, DrawsFollowTheirDistributions) {
     constexpr int count = 4000;
     const EnsembleSettings uniform = varying("friction", "uniform:0.4:0.8");
@@ -103,6 +171,14 @@ TEST(Ensemble, DrawsFollowTheirDistributions) {
 }
 
 TEST(Ensemble, ChoicesAreEquallyLikely) {
+    const EnsembleSettings two = varying("pieces", "choice:none:surface");
+    for (std::int64_t first = 0; first < 80; first += ensembleBlock) {
+        int surfaces = 0;
+        for (std::int64_t i = 0; i < ensembleBlock; ++i) {
+            surfaces += drawnValues(two, first + i).front().second == "surface" ? 1 : 0;
+        }
+        EXPECT_EQ(surfaces, 4) << "half of a block";
+    }
     const EnsembleSettings settings = varying("pieces", "choice:none:grid_boxes:surface");
     std::map<std::string, int> counts;
     for (int member = 0; member < 3000; ++member) {

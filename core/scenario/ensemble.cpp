@@ -19,6 +19,8 @@ namespace {
 
 /// m, as in the repeat floor: rigid piles are chaotic, and members that are given the same values differ by this.
 constexpr double leastShift = 1e-6;
+/// Members that draw together, each from another stratum.
+constexpr std::int64_t ensembleBlock = 8;
 constexpr std::int64_t seedMax = 4294967295;
 
 std::vector<std::string> splitAt(std::string_view text, char mark) {

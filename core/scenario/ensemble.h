@@ -34,8 +34,6 @@ struct EnsembleSettings {
     friend bool operator==(const EnsembleSettings&, const EnsembleSettings&) = default;
 };
 inline constexpr std::int64_t ensembleMembersMax = 10000;
-/// Members 0 to 7, 8 to 15 and so on draw together: each from an eighth of every distribution that the others leave.
-inline constexpr std::int64_t ensembleBlock = 8;
 
 /// What is varied unless somebody says otherwise: friction and restitution over the ranges of the table of materials, and births.
 std::vector<VariedSetting> usualVariations();
@@ -50,13 +48,9 @@ std::string variationText(const VariedSetting& varied);
 /// Throws UsageError for numbers of members or seeds out of range, a key that is varied twice, and as variationFrom().
 void checkEnsemble(const EnsembleSettings& settings);
 
-/// What a member was given: key and value as text, in the order of the settings. A member is the same however many there are, and a
-/// normal distribution is cut at the range of its parameter. Numbers have six significant digits.
-/// Draws are stratified: of a block of members each draws from another eighth of the distribution, in an order that differs from
-/// key to key and from block to block (Latin hypercube of McKay, Beckman and Conover, Technometrics 21, 1979). Every draw by itself
-/// follows its distribution, but members of a block are not independent: standard errors and intervals that take them for so are
-/// too wide rather than too narrow.
-/// @param member  0, 1, ...
+/// What a member was given: key and value, of six digits, the same however many there are. Members 8 k to 8 k + 7 draw each from
+/// another eighth of a distribution, cut at the range of its parameter (Latin hypercube: McKay, Beckman and Conover, 1979).
+/// @param member  0, 1, ... Standard errors and intervals that take members as independent are rather too wide.
 using DrawnValues = std::vector<std::pair<std::string, std::string>>;
 DrawnValues drawnValues(const EnsembleSettings& settings, std::int64_t member);
 

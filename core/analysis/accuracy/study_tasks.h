@@ -44,8 +44,6 @@ public:
 
     bool all() const { return m_all; }
     bool wants(const Digest& key) const { return m_all || m_only == key; }
-    /// Nothing is made: what is kept is read.
-    bool nothing() const { return !m_all && !m_only; }
     /// One world alone is to be made: nothing else of the study needs to be.
     bool single() const { return !m_all && m_only.has_value(); }
     /// Throws UsageError if a single world is wanted that is none of these.

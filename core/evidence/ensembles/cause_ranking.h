@@ -22,7 +22,10 @@ struct Superiority {
 /// @param z  normal quantile of the interval: 1.96 for 95 %
 Superiority superiorityOf(std::span<const double> first, std::span<const double> second, double z);
 
-/// Departures of every member of a hypothesis from each piece of evidence, 0: the same: [evidence][members]. NaN: not known.
+/// Departures of every member of a hypothesis from each piece of evidence: [evidence][members].
+/// 0: the same.
+/// 1: nothing in common.
+/// NaN: not known.
 using Departures = std::vector<std::vector<double>>;
 
 /// One hypothesis among others.

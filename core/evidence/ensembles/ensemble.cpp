@@ -73,9 +73,10 @@ public:
 
     void makeAll() {
         const std::size_t count = report.members.size();
+        const bool none = !m_options.choice.all() && !m_options.choice.single();
         const Message simulating{"evidence.ensemble", "simulating {0} members of the ensemble", {count}};
         const Message reading{"evidence.ensemble_kept", "reading what is kept of {0} members of the ensemble", {count}};
-        runInParallel(count, {m_options.threads, m_options.jobs}, m_options.choice.nothing() ? reading : simulating, m_execution,
+        runInParallel(count, {m_options.threads, m_options.jobs}, none ? reading : simulating, m_execution,
                       [&](std::size_t i, const Execution& own) { makeOne(i, own); });
     }
 

@@ -15,6 +15,8 @@
 namespace rubble {
 namespace {
 
+constexpr std::int64_t ensembleBlock = 8;
+
 EnsembleSettings varying(const std::string& key, const std::string& text) {
     EnsembleSettings settings;
     settings.varied.push_back(variationFrom(key, text));

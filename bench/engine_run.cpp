@@ -6,8 +6,8 @@
 #include <ctime>
 #include <numeric>
 
-#include "core/engine/soft/soft_contact.h"
 #include "core/engine/soft/lanes/soft_lanes.h"
+#include "core/engine/soft/soft_contact.h"
 #include "core/engine/soft/soft_solver.h"
 
 namespace rubble::bench {

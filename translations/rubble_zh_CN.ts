@@ -12494,8 +12494,8 @@
         <translation>单独打开该文件：名称只差编号的其他文件不当作它的状态，例如同一设计的变体。</translation>
     </message>
     <message>
-        <source>Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, slower. compound: a box for every fragment, slowest. bricks: boxes of the volume of the fragments, joined where they leave next to no space between them. auto: bricks where the engine moves loose structure, oriented_box where the FE result does (loose_structure).</source>
-        <translation>聚类的碰撞形状。axis_box：同发表文献。oriented_box：耗时相同，空隙更小。hull：更贴合，更慢。compound：每个碎块一个盒子，最慢。bricks：体积等于碎块体积的盒子，彼此几乎无间隙时合并。auto：松脱结构由引擎移动时为 bricks，由有限元结果移动时为 oriented_box（loose_structure）。</translation>
+        <source>Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, slower. compound: a box for every fragment, slowest. bricks: boxes of the volume of the fragments, joined where they leave next to no space between them, or up to 0.4 of the grid&apos;s cell half of it at most. auto: bricks where the engine moves loose structure, oriented_box where the FE result does (loose_structure).</source>
+        <translation>聚类的碰撞形状。axis_box：同发表文献。oriented_box：耗时相同，空隙更小。hull：更贴合，更慢。compound：每个碎块一个盒子，最慢。bricks：体积等于碎块体积的盒子，彼此几乎无间隙时合并，长度不超过网格单元的 0.4 时间隙至多占一半也合并。auto：松脱结构由引擎移动时为 bricks，由有限元结果移动时为 oriented_box（loose_structure）。</translation>
     </message>
     <message>
         <source>Loose structure</source>

@@ -103,8 +103,9 @@ std::string drawn(const VariedSetting& varied, std::int64_t seed, std::int64_t m
     const Range range = rangeOf(varied.key);
     double value = varied.first + u * (varied.second - varied.first);
     if (varied.distribution == Distribution::Normal) {
-        const double low = (range.low - varied.first) / varied.second;
-        const double high = (range.high - varied.first) / varied.second;
+        // Ranges are checked as they are told: a mean may lie beyond its end by a last digit.
+        const double low = std::min(0.0, (range.low - varied.first) / varied.second);
+        const double high = std::max(0.0, (range.high - varied.first) / varied.second);
         value = std::clamp(varied.first + varied.second * cutNormalPlace(low, high, u), range.low, range.high);
     }
     return drawnText(range.whole ? std::round(value) : value);

@@ -141,8 +141,8 @@ std::vector<Parameter> simulationRows() {
                 "Cluster shape",
                 "Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, "
                 "slower. compound: a box for every fragment, slowest. bricks: boxes of the volume of the fragments, joined where "
-                "they leave next to no space between them. auto: bricks where the engine moves loose structure, oriented_box where "
-                "the FE result does (loose_structure).")
+                "they leave next to no space between them, or up to 0.4 of the grid's cell half of it at most. auto: bricks where "
+                "the engine moves loose structure, oriented_box where the FE result does (loose_structure).")
         .number("box_bulking", "", 1, 1000, RUBBLE_AT(simulation.boxBulking), "Bulking of a box",
                 "Largest volume of a cluster's box over that of its fragments. A box around scattered fragments holds mostly what "
                 "is not "

@@ -157,7 +157,7 @@ void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<Fou
     const BroadPhaseEntry& b = m_pairs.entry(pair.b);
     const double margin = marginOf(pair.a, pair.b, dt);
     const std::size_t partsA = a.collider->parts.size(), partsB = b.collider->parts.size();
-    assert(partsA * partsB <= std::numeric_limits<std::uint32_t>::max());
+    assert(partsA * partsB <= std::uint64_t{1} << 32);
     const auto meet = [&](std::size_t i, std::size_t j) {
         const PlacedBox& boxA = m_placed[a.part + i];
         const PlacedBox& boxB = m_placed[b.part + j];

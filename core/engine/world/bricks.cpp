@@ -125,13 +125,34 @@ std::vector<std::uint32_t> neighboursOfBoth(const std::vector<Joined>& groups, s
     return both;
 }
 
-/// What touches; bricks finer than asked also look over gaps, for others of their kind.
-void findNeighbours(std::vector<Joined>& groups, double finest) {
+double longestSide(const OrientedBox& box) {
+    return 2.0 * box.halfExtents.maxCoeff();
+}
+
+Aabb boundsOf(const Joined& group, double reach) {
+    const Vec3 half = group.axes.cwiseAbs() * group.box.halfExtents + Vec3::Constant(reach);
+    return {group.box.centre - half, group.box.centre + half};
+}
+
+bool touch(const Joined& a, const Joined& b) {
+    return boundsOf(a, 0.5 * jointWidth).intersects(boundsOf(b, 0.5 * jointWidth));
+}
+
+/// m, how far a group looks for others: to what touches; what is finer than asked looks over gaps, and by its own length where gaps
+/// must not be larger than what they part.
+double reachOf(const Joined& group, const JoinLimits& limits) {
+    const double longest = longestSide(group.box);
+    if (longest > limits.finest) {
+        return 0.5 * jointWidth;
+    }
+    const double over = 0.25 * limits.finest;
+    return std::max(0.5 * jointWidth, limits.finestSlack < 1.0 ? std::min(over, longest) : over);
+}
+
+void findNeighbours(std::vector<Joined>& groups, const JoinLimits& limits) {
     std::vector<Aabb> bounds;
     for (const Joined& group : groups) {
-        const bool fine = 2.0 * group.box.halfExtents.maxCoeff() <= finest;
-        const Vec3 reach = group.axes.cwiseAbs() * group.box.halfExtents + Vec3::Constant(fine ? 0.25 * finest : 0.5 * jointWidth);
-        bounds.emplace_back(group.box.centre - reach, group.box.centre + reach);
+        bounds.push_back(boundsOf(group, reachOf(group, limits)));
     }
     std::vector<std::uint32_t> order(groups.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -165,7 +186,7 @@ std::vector<OrientedBox> joinedOnce(std::span<const OrientedBox> bricks, const J
     for (const OrientedBox& brick : bricks) {
         groups.push_back(joinedOf(brick, brick.volume(), 1));
     }
-    findNeighbours(groups, limits.finest);
+    findNeighbours(groups, limits);
     /// Two that could be one: the share that would be empty, then by number.
     using Candidate = std::tuple<double, std::uint32_t, std::uint32_t>;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
@@ -176,7 +197,7 @@ std::vector<OrientedBox> joinedOnce(std::span<const OrientedBox> bricks, const J
         }
         const OrientedBox box = around(a, b);
         const double empty = 1.0 - (a.volume + b.volume) / box.volume();
-        if (empty <= (2.0 * box.halfExtents.maxCoeff() <= limits.finest ? limits.finestSlack : limits.slack)) {
+        if (longestSide(box) <= limits.finest ? empty <= limits.finestSlack : empty <= limits.slack && touch(a, b)) {
             candidates.emplace(std::round(1e9 * empty) * 1e-9, std::min(i, j), std::max(i, j));
         }
     };
@@ -216,13 +237,21 @@ std::vector<OrientedBox> joinedOnce(std::span<const OrientedBox> bricks, const J
 
 std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const JoinLimits& limits) {
     std::vector<OrientedBox> boxes = joinedOnce(bricks, limits);
-    double longest = limits.finest;
-    for (const OrientedBox& box : boxes) {
-        longest = std::max(longest, 2.0 * box.halfExtents.maxCoeff());
+    if (boxes.size() <= limits.boxesMax) {
+        return boxes;
     }
-    // Too many: boxes of any emptiness, twice as long each time.
-    JoinLimits coarser{limits.slack, std::numeric_limits<std::size_t>::max(), longest, 1.0, limits.boxesMax};
-    while (boxes.size() > limits.boxesMax) {
+    // Too many: boxes of any emptiness, at first as long as the middle one, twice as long each time.
+    std::vector<double> lengths;
+    for (const OrientedBox& box : boxes) {
+        lengths.push_back(longestSide(box));
+    }
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    JoinLimits coarser{limits.slack, std::numeric_limits<std::size_t>::max(), std::max(limits.finest, *middle), 1.0,
+                       limits.boxesMax};
+    // Doubled so often, any length spans any site: what is left then has no finite place.
+    constexpr int doublingsMax = 60;
+    for (int i = 0; i < doublingsMax && boxes.size() > limits.boxesMax; ++i) {
         boxes = joinedOnce(boxes, coarser);
         coarser.finest *= 2.0;
     }

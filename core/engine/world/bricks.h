@@ -22,7 +22,8 @@ struct JoinLimits {
     std::size_t boxesMax = 65536;  ///< that come out: what is finest grows until they do
 };
 
-/// Bricks joined to larger boxes wherever two that touch nearly fill a box; every box has the volume of its bricks. The order of
+/// Bricks joined to larger boxes wherever two that touch nearly fill a box, and where it is fine also over gaps; every box has the
+/// volume of its bricks. The order of
 /// the result depends on that of the bricks alone.
 std::vector<OrientedBox> joinedBricks(std::span<const OrientedBox> bricks, const JoinLimits& limits);
 

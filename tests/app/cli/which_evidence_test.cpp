@@ -64,7 +64,9 @@ TEST_F(WhichEvidence, IsRankedWithWhatIsAtHandAndGoesIntoTheReport) {
                                 "none", "--cache", m_folder / "cache"});
     ASSERT_EQ(report.exitCode, 0) << report.err;
     const std::string page = textOf(m_folder / "report/report.html");
-    EXPECT_THAT(page, HasSubstr("the evidence cannot tell it from west"));
+    // Which of the two comes closest is chance: they cover the same ground.
+    EXPECT_THAT(page, testing::AnyOf(HasSubstr("the evidence cannot tell it from west"),
+                                     HasSubstr("the evidence cannot tell it from east")));
     EXPECT_THAT(page, HasSubstr("<td class=\"w\">and heights of all debris</td><td>100 %</td>"));
     // What else is a JSON file is refused by name.
     std::ofstream(compared) << "{\"run\": 1}";

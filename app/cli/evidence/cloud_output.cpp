@@ -277,7 +277,7 @@ void printOctree(std::ostream& out, const io::OpenedOctree& index, double second
     facts.add("places", "kept to " + englishNumber(octree.placeStep()) + " m");
     if (octree.head().farPoints > 0) {
         facts.add("far points", countText(octree.head().farPoints) +
-                                    " lie more than 8 widths of the others away; in levels of their own, kept to " +
+                                    " lie more than 8 widths of the bulk of the others away; in levels of their own, kept to " +
                                     englishNumber(octree.farPlaceStep()) + " m, and not drawn in views");
     }
     facts.add("size", countText(octree.bytes()) + " bytes");

@@ -1,7 +1,6 @@
 #include "io/site/clouds/octree/cloud_bulk.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -45,6 +44,14 @@ Range grown(const std::vector<double>& sorted, Range range, double least) {
     return range;
 }
 
+/// A number that looks like chance, of the number of a point (the finish of SplitMix64).
+std::uint64_t lotOf(std::uint64_t number) {
+    number += 0x9e3779b97f4a7c15U;
+    number = (number ^ number >> 30U) * 0xbf58476d1ce4e5b9U;
+    number = (number ^ number >> 27U) * 0x94d049bb133111ebU;
+    return number ^ number >> 31U;
+}
+
 std::vector<double> sortedAlong(const std::vector<Vec3>& places, int axis) {
     std::vector<double> along;
     along.reserve(places.size());
@@ -58,23 +65,33 @@ std::vector<double> sortedAlong(const std::vector<Vec3>& places, int axis) {
 }  // namespace
 
 void CloudBulk::add(const Vec3& place) {
-    if (m_seen++ % m_every != 0) {
-        return;
-    }
-    if (m_places.size() == bulkSample) {
-        for (std::size_t i = 0; i < bulkSample / 2; ++i) {
-            m_places[i] = m_places[2 * i];
-        }
-        m_places.resize(bulkSample / 2);
+    const std::uint64_t lot = lotOf(m_seen++);
+    while (lot % m_every == 0 && m_drawn.size() == bulkSample) {
         m_every *= 2;
+        std::erase_if(m_drawn, [&](const Drawn& drawn) { return drawn.lot % m_every != 0; });
     }
-    m_places.push_back(place);
+    if (lot % m_every == 0) {
+        m_drawn.push_back({lot, place});
+    }
 }
 
 Aabb CloudBulk::box(const CloudUnits& units) const {
+    // Points beside those that were looked at are no far points.
+    return widened(units, 0.5);
+}
+
+Aabb CloudBulk::reach(const CloudUnits& units) const {
+    return widened(units, farTimes);
+}
+
+Aabb CloudBulk::widened(const CloudUnits& units, double times) const {
     const double across = units.degrees ? metresPerDegree : units.metres;
     const Vec3 metres(across, across, units.heightMetres);
-    std::vector<Vec3> places = m_places;
+    std::vector<Vec3> places;
+    places.reserve(m_drawn.size());
+    for (const Drawn& drawn : m_drawn) {
+        places.push_back(drawn.place);
+    }
     const auto order = [](const Vec3& one, const Vec3& other) {
         return std::tuple(one.x(), one.y(), one.z()) < std::tuple(other.x(), other.y(), other.z());
     };
@@ -100,8 +117,7 @@ Aabb CloudBulk::box(const CloudUnits& units) const {
         box.min()[axis] = range.first;
         box.max()[axis] = range.second;
     }
-    // Points beside those that were looked at are no far points.
-    const double beyond = 0.5 * std::max(1e-3, box.sizes().cwiseProduct(metres).maxCoeff());
+    const double beyond = times * std::max(1e-3, box.sizes().cwiseProduct(metres).maxCoeff());
     const Vec3 wider = Vec3::Constant(beyond).cwiseQuotient(metres);
     return {box.min() - wider, box.max() + wider};
 }

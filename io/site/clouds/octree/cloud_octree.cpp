@@ -36,8 +36,8 @@ CloudOctree::CloudOctree(const std::string& path) : m_file(path) {
     std::vector<unsigned char> bytes = m_file.bytes(size - sizeof foot, sizeof foot);
     std::memcpy(&foot, bytes.data(), sizeof foot);
     const std::uint64_t tableBytes = foot.nodes * sizeof(OctreeRow);
-    const bool fits = foot.mark == octreeMark && foot.nodes < size && foot.table >= octreeStart && foot.table < size &&
-                      foot.table + tableBytes + sizeof foot == size;
+    const bool fits = foot.mark == octreeMark && foot.nodes > 0 && foot.nodes < size && foot.table >= octreeStart &&
+                      foot.table < size && foot.table + tableBytes + sizeof foot == size;
     if (!fits) {
         failDamaged(path);
     }
@@ -64,7 +64,7 @@ CloudOctree::CloudOctree(const std::string& path) : m_file(path) {
         const std::uint64_t rowBytes = row.points * m_head.columns.pointBytes();
         const bool sound = row.level <= octreeDeepest && row.part < points.size() && row.start >= octreeStart &&
                            row.start <= foot.table && rowBytes <= foot.table - row.start &&
-                           row.prefix < std::uint64_t{1} << (3 * row.level);
+                           row.prefix < std::uint64_t{1} << (3 * row.level) && (n > 0 || (row.part == 0 && row.level == 0));
         if (!sound) {
             failDamaged(path);
         }

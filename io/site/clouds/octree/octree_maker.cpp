@@ -139,6 +139,7 @@ public:
         m_units = head.units;
         m_columns = {head.columns.intensity, head.columns.colour, head.columns.classes};
         m_box = head.stated;
+        m_promised = head.promised.value_or(0);
         m_brightest = std::max(1.0, head.fullColour);
     }
 
@@ -163,7 +164,8 @@ public:
             m_split = OctreeCube(m_box, m_units).side() > farTimes * OctreeCube(bulk, m_units).side();
             if (m_split) {
                 m_farBox = m_box;
-                m_box = bulk;
+                m_box = boxWithin(m_laid.bulk.reach(m_units));
+                m_split = m_box.min() != m_farBox.min() || m_box.max() != m_farBox.max();
             }
             m_known = true;
             layIn(path);
@@ -172,9 +174,27 @@ public:
     }
 
     /// Bytes that an octree takes on the disk while it is made, as far as is known.
-    std::uint64_t room() const { return m_laid.summary.points() * (sizeof(OctreePoint) + m_columns.pointBytes()); }
+    std::uint64_t room() const {
+        // A first reading that found the disk full left nothing but what the head promised.
+        return std::max(m_promised, m_laid.summary.points()) * (sizeof(OctreePoint) + m_columns.pointBytes());
+    }
 
 private:
+    /// The box of all points within another: a draw knows the bulk, not all that stands about it.
+    Aabb boxWithin(const Aabb& reach) const {
+        Aabb box;
+        box.setEmpty();
+        const std::unique_ptr<PointCloud> opened = openCloud(m_cloud, m_request);
+        summariseCloud(*opened, m_execution, [&](const CloudBlock& block) {
+            for (const Vec3& place : block.places) {
+                if (reach.contains(place)) {
+                    box.extend(place);
+                }
+            }
+        });
+        return box;
+    }
+
     /// @return false: the box is not that of the points, or some lie far from the others, or there are none
     bool layIn(const std::string& path) {
         m_cube = OctreeCube(m_box, m_units);
@@ -194,6 +214,10 @@ private:
         if (colourMost > 0.0 && colourMost <= bytesBrightest && m_brightest > bytesBrightest) {
             m_brightest = bytesBrightest;  // 8 bits where the format has 16, as the summary says
             return layIn(path);
+        }
+        // Before the file is begun: one that is not written to for long is taken for abandoned.
+        if (!m_digest) {
+            m_digest = contentDigest(m_cloud, m_execution);
         }
         writeAtomically(path, [&](std::ostream& out) { write(out, sorter); });
         return true;
@@ -236,7 +260,7 @@ private:
         foot.intensityMost = m_laid.summary.intensityMost;
         foot.cloudBytes = m_stamp.bytes;
         foot.cloudTime = m_stamp.time;
-        foot.cloudDigest = contentDigest(m_cloud, m_execution).bytes;
+        foot.cloudDigest = m_digest->bytes;
         if (const CloudStamp now = stampOf(m_cloud); now.bytes != m_stamp.bytes || now.time != m_stamp.time) {
             refuseContent({"octree.changed", "{0} changed while its octree was made", {m_cloud}}, "Try again once it is complete.");
         }
@@ -261,6 +285,8 @@ private:
     CloudStamp m_stamp;
     CloudUnits m_units;
     OctreeColumns m_columns;
+    std::uint64_t m_promised = 0;    ///< points, by the head
+    std::optional<Digest> m_digest;  ///< of the content
     Aabb m_box;
     Aabb m_farBox;
     bool m_known = false;  ///< the box was found by reading the points

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <map>
 #include <random>
@@ -17,6 +19,7 @@
 #include "core/base/error.h"
 #include "io/site/clouds/octree/cloud_bulk.h"
 #include "io/site/clouds/octree/octree_choice.h"
+#include "io/site/clouds/octree/octree_file.h"
 #include "io/site/clouds/octree/point_sorter.h"
 #include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/temporary_folder.h"
@@ -50,6 +53,24 @@ MadeLas hills(std::size_t points) {
     }
     las.points.back() = las.points.front();  // a point twice is two points
     return las;
+}
+
+/// Changes foot and first row of an octree as its maker never would, with digests that fit.
+void forge(const std::string& path, const std::function<void(OctreeFoot&, OctreeRow&)>& change) {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(in)), {});
+    OctreeFoot foot;
+    OctreeRow row;
+    const std::size_t footAt = bytes.size() - sizeof foot;
+    std::memcpy(&foot, &bytes[footAt], sizeof foot);
+    const std::size_t rowAt = foot.table;
+    std::memcpy(&row, &bytes[rowAt], sizeof row);
+    change(foot, row);
+    std::memcpy(&bytes[rowAt], &row, sizeof row);
+    std::memcpy(&bytes[footAt], &foot, sizeof foot);
+    foot.digest = Hasher().bytes(&bytes[foot.table], footAt - foot.table + offsetof(OctreeFoot, digest)).finish().bytes;
+    std::memcpy(&bytes[footAt], &foot, sizeof foot);
+    std::ofstream(path, std::ios::binary) << bytes;
 }
 
 using Place = std::array<std::int64_t, 3>;
@@ -181,6 +202,29 @@ TEST_F(CloudOctreeTest, OneThatWasCutShortOrDamagedIsMadeAnew) {
     EXPECT_THROW(readAll(), ParseError);
 }
 
+TEST_F(CloudOctreeTest, OneThatDoesNotBeginWithARootIsDamaged) {
+    const std::string path = lay(30'000);
+    using Change = std::function<void(OctreeFoot&, OctreeRow&)>;
+    const Change none = [](OctreeFoot&, OctreeRow&) {};
+    const Change noNodes = [](OctreeFoot& foot, OctreeRow&) {
+        foot.table += foot.nodes * sizeof(OctreeRow);
+        foot.points = foot.nodes = 0;
+    };
+    const Change far = [](OctreeFoot& foot, OctreeRow& row) {
+        row.part = 1;
+        foot.farPoints = row.points;
+    };
+    const Change deep = [](OctreeFoot&, OctreeRow& row) { row.level = 1; };
+    const std::string kept = openOctree(path, {}, Execution()).octree->path();
+    forge(kept, none);
+    EXPECT_NE(keptOctree(path), nullptr);
+    for (const Change& change : {noNodes, far, deep}) {
+        forge(openOctree(path, {}, Execution()).octree->path(), change);
+        EXPECT_THROW(CloudOctree{kept}, ParseError);
+        EXPECT_EQ(keptOctree(path), nullptr);
+    }
+}
+
 TEST_F(CloudOctreeTest, NothingOfOthersIsReplaced) {
     const std::string path = lay(3'000);
     std::ofstream(path + ".octree") << "notes of somebody";
@@ -290,6 +334,45 @@ TEST_F(CloudOctreeTest, FarPointsWithinTheBoundsOfAHeadAreFound) {
     EXPECT_TRUE(octree->nodes().back().far);
     EXPECT_NEAR(octree->read(octree->nodes().size() - 1).places.front().x(), 0.0, octree->farPlaceStep());
     EXPECT_LE(octree->farPlaceStep(), 0.002);
+}
+
+TEST_F(CloudOctreeTest, AMastThatTheDrawMissedIsNoFarPoint) {
+    MadeLas las = hills(140'000);
+    las.points[17].place = {-431'000'000, -2'000'000'000, -100'000};
+    // 2 widths of the others beside them, of a number that the draw passes over.
+    const std::array<std::int32_t, 3> mast{600'000, 50'000, 9'000};
+    const auto missed = [&](std::size_t number) {
+        CloudBulk bulk;
+        for (std::size_t i = 0; i < las.points.size(); ++i) {
+            const auto& at = i == number ? mast : las.points[i].place;
+            bulk.add(0.001 * Vec3(at[0], at[1], at[2]));
+        }
+        return !bulk.box({}).contains(Vec3(600.0, 50.0, 9.0));
+    };
+    std::size_t number = 1'001;
+    while (number < 1'020 && !missed(number)) {
+        ++number;
+    }
+    ASSERT_LT(number, 1'020U);
+    las.points[number].place = mast;
+    const std::shared_ptr<const CloudOctree> octree =
+        openOctree(layCloud(m_folder / "mast.las", las.bytes()), {}, Execution()).octree;
+    EXPECT_EQ(octree->head().points, 140'000U);
+    EXPECT_EQ(octree->head().farPoints, 1U);
+    EXPECT_NEAR(octree->placeStep(), 600.0 / 2147483648.0, 1e-9);
+    EXPECT_EQ(placesOf(*octree).count({600'000, 50'000, 9'000}), 1U);
+}
+
+TEST_F(CloudOctreeTest, ADrawHasNoBeatWithTheRowsOfAScan) {
+    // Rows of 1,024 points: each 16th of all would be the same 64 of each row.
+    CloudBulk bulk;
+    for (int i = 0; i < 1'048'576; ++i) {
+        // Every 16th column is at the near edge.
+        bulk.add({i % 16 == 0 ? 0.0 : 1.0 * (i % 1'024), 0.001 * (i / 1'024), 0.0});
+    }
+    EXPECT_TRUE(bulk.box({}).contains(Vec3(1'023.0, 0.5, 0.0)));
+    EXPECT_TRUE(bulk.reach({}).contains(Vec3(5'000.0, 0.5, 0.0)));
+    EXPECT_FALSE(bulk.reach({}).contains(Vec3(50'000.0, 0.5, 0.0)));
 }
 
 TEST_F(CloudOctreeTest, WallsApartAndSparseSurroundingsAreNoFarPoints) {

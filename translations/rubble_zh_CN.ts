@@ -12995,8 +12995,8 @@
         <translation>正在添加其中的照片，%1 %</translation>
     </message>
     <message>
-        <source>The inputs of the case changed meanwhile: add the photographs once more.</source>
-        <translation>案例的输入在此期间有改动：请再次添加照片。</translation>
+        <source>The case changed meanwhile: add the photographs once more.</source>
+        <translation>案例在此期间已改变：请重新添加照片。</translation>
     </message>
     <message>
         <source>The octree is made or opened, %1 %</source>

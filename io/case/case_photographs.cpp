@@ -14,27 +14,14 @@ namespace rubble::io {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Pictures that are taken away again unless all were added.
-struct WrittenPictures {
-    std::vector<std::string> paths;
-    bool kept = false;
-
-    WrittenPictures() = default;
-    WrittenPictures(const WrittenPictures&) = delete;
-    WrittenPictures& operator=(const WrittenPictures&) = delete;
-    ~WrittenPictures() {
-        std::error_code ignored;
-        for (const std::string& path : paths) {
-            if (!kept && fs::remove(path, ignored)) {
-                fs::remove(fs::path(path).parent_path(), ignored);  // once it is empty
-            }
+WrittenPictures::~WrittenPictures() {
+    std::error_code ignored;
+    for (const std::string& path : paths) {
+        if (!kept && fs::remove(path, ignored)) {
+            fs::remove(fs::path(path).parent_path(), ignored);  // once it is empty
         }
     }
-};
-
-}  // namespace
+}
 
 std::optional<std::string> addPhotograph(Case& theCase, const std::string& casePath, const std::string& path,
                                          const PhotoFacts& facts, const std::string& sha256) {
@@ -73,7 +60,7 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
     const fs::path beside = fs::absolute(casePath).parent_path() / (fs::path(cloud).filename().string() + "-photographs");
     const std::vector<PlacedPhotograph> pictures = placedPhotographs(cloud, frame, theCase.site, placed, findings, execution);
     Case grown = theCase;
-    WrittenPictures made;
+    added.written = std::make_shared<WrittenPictures>();
     const Message adding{"cloud.photographs_adding", "Adding photographs of the cloud", {}};
     for (std::size_t k = 0; k < pictures.size(); ++k) {
         execution.report(adding, static_cast<double>(k) / static_cast<double>(pictures.size()));
@@ -87,7 +74,7 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
         const bool written = contentOf(path) != content;
         if (written) {
             writeIn(path, content);
-            made.paths.push_back(path);
+            added.written->paths.push_back(path);
         }
         PhotographFile file;
         try {
@@ -122,7 +109,6 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
     }
     execution.report(adding, 1.0);
     theCase = std::move(grown);
-    made.kept = true;
     return added;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +17,22 @@ namespace rubble::io {
 std::optional<std::string> addPhotograph(Case& theCase, const std::string& casePath, const std::string& path,
                                          const PhotoFacts& facts, const std::string& sha256);
 
+/// Pictures that were written beside a case: they are taken away again unless the case keeps them.
+struct WrittenPictures {
+    std::vector<std::string> paths;
+    bool kept = false;
+
+    WrittenPictures() = default;
+    WrittenPictures(const WrittenPictures&) = delete;
+    WrittenPictures& operator=(const WrittenPictures&) = delete;
+    ~WrittenPictures();
+};
+
 /// Photographs of a case that lie in a cloud.
 struct AddedPhotographs {
-    std::vector<std::string> ids;  ///< of those that were added
-    std::size_t known = 0;         ///< that the case had already
+    std::vector<std::string> ids;              ///< of those that were added
+    std::size_t known = 0;                     ///< that the case had already
+    std::shared_ptr<WrittenPictures> written;  ///< set `kept` once the case that has them is taken
 };
 
 /// Adds the pictures of a cloud that have a pinhole and a pose (placedPhotographs()) as photographs with that camera. Their files

@@ -238,6 +238,7 @@ void changeEvidence(Case& theCase, const Arguments& arguments, Session& session,
                               "Write them out with rubble-cli cloud --photographs, add them, and place them by pairs of points.",
                               {}});
         }
+        added.written->kept = true;
     }
     if (arguments.has("--removed")) {
         addRemoval(theCase, arguments, session, findings);

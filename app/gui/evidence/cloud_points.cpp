@@ -126,6 +126,7 @@ void CloudPoints::setColour(render::PointColour colour) {
 }
 
 void CloudPoints::refresh() {
+    takePhotographs();
     const render::View& view = m_area.views().view();
     const std::optional<PointsWork::Cloud> wanted = view.cloud.empty() ? std::nullopt : cloudOf(view.cloud);
     if (!wanted && m_work.cloud) {
@@ -270,40 +271,50 @@ void CloudPoints::addPhotographs() {
     if (survey == nullptr || inputs.fe == nullptr) {
         return;
     }
-    if (m_work.pictures.busy()) {
+    if (m_work.pictures.busy() || m_work.adding != nullptr) {
         return;
     }
-    struct Adding {
-        Case before;
-        Case after;
-        io::AddedPhotographs added;
-        Findings findings;
-    };
-    auto made = std::make_shared<Adding>();
+    auto made = std::make_shared<PointsWork::Pictures>();
     made->before = made->after = m_document.theCase();
-    const std::string base = m_document.base().toStdString();
+    made->base = m_document.base();
+    made->frame = inputs.frame;
     m_work.picturesFraction = 0.0;
+    m_work.adding = made;
     m_work.pictures.start({Worker::Kind::Study,
-                           [made, base, cloud = io::inputPath(base, *survey), frame = inputs.frame](const Execution& execution) {
-                               made->added = io::addPhotographsOfCloud(made->after, base, cloud, frame, made->findings, execution);
+                           [made, cloud = io::inputPath(made->base.toStdString(), *survey)](const Execution& execution) {
+                               made->added = io::addPhotographsOfCloud(made->after, made->base.toStdString(), cloud, made->frame,
+                                                                       made->findings, execution);
                            },
-                           [this, made](const std::exception_ptr& thrown) {
-                               const auto failure = failureOf(thrown);
-                               const Case& now = m_document.theCase();
-                               if (failure) {
-                                   m_session.tell(failure->inOneLine());
-                               } else if (thrown == nullptr &&
-                                          (now.inputs != made->before.inputs || now.photographs != made->before.photographs)) {
-                                   m_session.tell(tr("The inputs of the case changed meanwhile: add the photographs once more."));
-                               } else if (thrown == nullptr) {
-                                   takePhotographs(made->added, std::move(made->after), made->findings);
+                           [work = &m_work, made](const std::exception_ptr& thrown) {
+                               made->failure = failureOf(thrown);
+                               if (thrown != nullptr && !made->failure && made == work->adding) {
+                                   work->adding = nullptr;
                                }
-                               emit m_work.changed();
+                               made->done = true;
+                               emit work->changed();
                            }});
     refresh();
 }
 
-void CloudPoints::takePhotographs(const io::AddedPhotographs& added, Case&& theCase, const Findings& findings) {
+/// Takes photographs that are ready, whichever window asked for them.
+void CloudPoints::takePhotographs() {
+    if (m_work.adding == nullptr || !m_work.adding->done) {
+        return;
+    }
+    const std::shared_ptr<PointsWork::Pictures> made = std::exchange(m_work.adding, nullptr);
+    const Case& now = m_document.theCase();
+    if (made->failure) {
+        m_session.tell(made->failure->inOneLine());
+    } else if (now.inputs != made->before.inputs || now.photographs != made->before.photographs || now.site != made->before.site ||
+               m_document.base() != made->base || m_computation.inputs().frame != made->frame) {
+        m_session.tell(tr("The case changed meanwhile: add the photographs once more."));
+    } else {
+        made->added.written->kept = true;
+        showAdded(made->added, std::move(made->after), made->findings);
+    }
+}
+
+void CloudPoints::showAdded(const io::AddedPhotographs& added, Case&& theCase, const Findings& findings) {
     if (!added.ids.empty()) {
         m_document.setPhotographs(std::move(theCase.photographs), std::move(theCase.inputs),
                                   [count = added.ids.size()] { return tr("%1 photographs of the cloud added").arg(count); });
@@ -316,7 +327,9 @@ void CloudPoints::takePhotographs(const io::AddedPhotographs& added, Case&& theC
 }
 
 void CloudPoints::stopPhotographs() {
+    m_work.adding = nullptr;
     m_work.pictures.cancel();
+    refresh();
 }
 
 QString CloudPoints::statusText() const {

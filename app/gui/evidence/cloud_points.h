@@ -47,7 +47,8 @@ signals:
 
 private:
     void stopMeasuring();
-    void takePhotographs(const io::AddedPhotographs& added, Case&& theCase, const Findings& findings);
+    void takePhotographs();
+    void showAdded(const io::AddedPhotographs& added, Case&& theCase, const Findings& findings);
     void follow();
     void ask();
     /// Distances to the run at hand are drawn in place of the points.

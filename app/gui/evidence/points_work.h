@@ -12,6 +12,7 @@
 #include "app/gui/studies/answer.h"
 #include "core/fe/frame.h"
 #include "core/scenario/case.h"
+#include "io/case/case_photographs.h"
 #include "io/site/clouds/octree/placed_octree.h"
 #include "io/site/clouds/run_distance.h"
 #include "widgets/render/basics/site_points.h"
@@ -67,6 +68,18 @@ public:
         std::shared_ptr<const render::SitePoints> points;
     };
 
+    /// Photographs of a cloud that are added to a case.
+    struct Pictures {
+        Case before;
+        Case after;
+        QString base;  ///< of the case
+        Frame frame;
+        io::AddedPhotographs added;
+        Findings findings;
+        std::optional<Failure> failure;
+        bool done = false;
+    };
+
     explicit PointsWork(QObject* parent = nullptr);
 
     void open(const Cloud& cloud);
@@ -85,6 +98,7 @@ public:
     Worker measuring;
     Worker pictures;
     double picturesFraction = 0.0;
+    std::shared_ptr<Pictures> adding;  ///< what is added is for this; null: for nobody any more
 
 signals:
     void changed();

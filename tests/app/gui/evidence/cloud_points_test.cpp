@@ -153,7 +153,7 @@ TEST_F(PointsOfACloud, ItsPhotographsAreAddedInTheBackgroundAndOnceMoreAfterUndo
     settle();
     EXPECT_EQ(photographs(), 0U);
     EXPECT_TRUE(add->isEnabled());
-    EXPECT_FALSE(std::filesystem::exists(m_folder / "scan.e57-photographs"));
+    QTRY_VERIFY(!std::filesystem::exists(m_folder / "scan.e57-photographs"));
     QTest::mouseClick(add, Qt::LeftButton);
     settle();
     EXPECT_EQ(photographs(), 1U);

@@ -68,6 +68,7 @@ TEST(PlacedPhotographs, NeverReplacePicturesOfAnotherCloud) {
     Findings findings;
     const AddedPhotographs added = addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings);
     ASSERT_EQ(added.ids.size(), 1U);
+    added.written->kept = true;
     ASSERT_EQ(theCase.inputs.size(), 1U);
     EXPECT_NE(theCase.inputs.front().path, "scan.e57-photographs/1-from_above.png");
     EXPECT_EQ(readPhotograph(inputPath(folder / "case.rubble", theCase.inputs.front())).sha256, theCase.inputs.front().sha256);
@@ -96,6 +97,17 @@ TEST(PlacedPhotographs, GivenUpLeaveCaseAndFolderAsTheyWere) {
         EXPECT_EQ(theCase, before);
         EXPECT_FALSE(std::filesystem::exists(folder / "scan.e57-photographs"));
         execution.cancel();  // the second time from the start
+    }
+}
+
+TEST(PlacedPhotographs, OfACaseThatIsNotTakenAreTakenAway) {
+    const TemporaryFolder folder;
+    const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());
+    Findings findings;
+    for (const bool kept : {false, true}) {
+        Case theCase;
+        EXPECT_EQ(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings).written->kept = kept, kept);
+        EXPECT_EQ(std::filesystem::exists(folder / "scan.e57-photographs/1-from_above.png"), kept);
     }
 }
 

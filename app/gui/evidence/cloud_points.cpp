@@ -175,7 +175,12 @@ bool CloudPoints::distancesShown() const {
 }
 
 void CloudPoints::publish() {
-    m_scene.setPoints(distancesShown() ? m_work.distances.result()->points : m_work.points);
+    const auto measured = m_work.distances.result();
+    if (measured != nullptr && distancesShown()) {
+        m_scene.setPoints(measured->points);
+    } else {
+        m_scene.setPoints(m_work.points);
+    }
 }
 
 std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {

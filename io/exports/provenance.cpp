@@ -7,9 +7,12 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/embedded_text.h"
+#include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
 #include "io/fe/fe_reader.h"
+#include "io/json/json_cursor.h"
+#include "io/json/registration_json.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_json.h"
 
@@ -121,6 +124,29 @@ std::string sameRun(const ReadProvenance& provenance, const std::string& exportP
 
 }  // namespace
 
+namespace {
+
+json cloudJson(const ShownCloud& cloud) {
+    json object{{"path", cloud.file.path},
+                {"sha256", cloud.file.sha256},
+                {"registration", cloud.placed ? registrationJson(*cloud.placed) : json(nullptr)},
+                {"points_shown", cloud.shown},
+                {"points", cloud.all},
+                {"far_points_not_drawn", cloud.far},
+                {"levels_left_out", !cloud.whole},
+                {"colours", cloud.colours}};
+    if (cloud.finest) {
+        object["finest_cells_m"] = jsonNumber(*cloud.finest);
+    }
+    if (cloud.detection) {
+        object["level_of_detection_m"] = jsonNumber(*cloud.detection);
+        object["registration_in_level_of_detection"] = cloud.registrationInDetection;
+    }
+    return object;
+}
+
+}  // namespace
+
 std::string_view shownClass(FrameKind kind) {
     switch (kind) {
         case FrameKind::Fe:
@@ -150,6 +176,24 @@ std::vector<ShownFile> shownFiles(const TerrainInput& around) {
     return files;
 }
 
+ShownFile shownCloudFile(const std::string& path, const CloudStamp& then, const Execution& execution) {
+    const auto check = [&] {
+        if (stampOf(path) != then) {
+            throw WorldError({"io.provenance.cloud_changed", "{0} changed after its points were read", {path}},
+                             {"io.provenance.cloud_changed.remedy", "Show its points anew, and export then.", {}});
+        }
+    };
+    check();
+    const auto bytes = static_cast<double>(std::max<std::uint64_t>(1, then.bytes));
+    double done = 0.0;
+    std::string sha256 = sha256OfFile(path, [&](std::size_t block) {
+        done += static_cast<double>(block);
+        execution.report({"octree.digest", "Reading the cloud for its digest", {}}, std::min(1.0, done / bytes));
+    });
+    check();
+    return {"cloud", absolutePath(path), std::move(sha256)};
+}
+
 std::string exportProvenance(const ExportRecord& record, const RunOrigin& origin, const RunReader* run) {
     json about = json::parse(provenanceText(origin, run));
     about["kind"] = record.kind;
@@ -170,6 +214,11 @@ std::string exportProvenance(const ExportRecord& record, const RunOrigin& origin
         if (std::find(about["inputs"].begin(), about["inputs"].end(), input) == about["inputs"].end()) {
             about["inputs"].push_back(std::move(input));
         }
+    }
+    about["clouds"] = json::array();
+    for (const ShownCloud& cloud : record.clouds) {
+        about["inputs"].push_back({{"role", cloud.file.role}, {"path", cloud.file.path}, {"sha256", cloud.file.sha256}});
+        about["clouds"].push_back(cloudJson(cloud));
     }
     about["settings_of_export"] = objectOf(record.settings);
     about["view"] = objectOf(record.view);

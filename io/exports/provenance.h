@@ -1,14 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/execution.h"
+#include "core/scenario/registration.h"
 #include "core/trajectory/trajectory.h"
 #include "io/case/terrain_reader.h"
 #include "io/run/run_file.h"
+#include "io/site/clouds/octree/octree_file.h"
 
 namespace rubble::io {
 
@@ -30,6 +33,20 @@ struct ShownFile {
     std::string sha256;
 };
 
+/// A point cloud whose points a picture shows.
+struct ShownCloud {
+    ShownFile file;
+    std::optional<Registration> placed;   ///< unset: it lies by its coordinates alone
+    std::uint64_t shown = 0;              ///< points, or places where distances were measured
+    std::uint64_t all = 0;                ///< of so many
+    std::uint64_t far = 0;                ///< points far from all others, which are not drawn
+    std::optional<double> finest;         ///< m, width of the cells of which the finest level drawn has one point each
+    bool whole = true;                    ///< no level was left out to keep their number
+    std::string colours;                  ///< what they say: "own", "intensity", "height", "class", "distance"
+    std::optional<double> detection;      ///< m, level of detection of distances in the median
+    bool registrationInDetection = false; ///< it holds the error of the registration
+};
+
 /// What an export was made from and how; everything that an exported file carries.
 struct ExportRecord {
     std::string kind;  ///< "figure", "movie", "map", "table", "report"
@@ -38,6 +55,7 @@ struct ExportRecord {
     std::string view;                 ///< JSON of figures::toJson(); empty: none
     std::string casePath;             ///< of the case it was made in, absolute; empty: none
     std::vector<ShownFile> around{};  ///< drawn around the structure
+    std::vector<ShownCloud> clouds{};
 };
 
 /// What stands at the foot of a picture: the first figures of the FE result and the run, and the program. @param simulated  false:
@@ -46,6 +64,10 @@ std::string footLine(const RunOrigin& origin, bool simulated = true);
 
 /// Orthophoto and meshes as they were read.
 std::vector<ShownFile> shownFiles(const TerrainInput& around);
+
+/// The file of a cloud whose points are drawn, with its digest. @param then  the file when they were read
+/// Throws WorldError (it is gone, or another one since), Cancelled.
+ShownFile shownCloudFile(const std::string& path, const CloudStamp& then, const Execution& execution);
 
 /// The record as one line of JSON in ASCII that begins with {"rubble_provenance":1. Inputs with SHA-256, scenario with all settings
 /// that differ from the defaults, build, fingerprint and outcome of the run.

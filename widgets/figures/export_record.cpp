@@ -17,9 +17,35 @@ std::string textOf(const QJsonObject& object) {
     return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
 }
 
+/// What the plane of a view cuts and what it leaves whole, of what is drawn.
+void addCut(QJsonObject& settings, const render::View& view, const render::SceneData& data) {
+    if (!view.clip) {
+        return;
+    }
+    QJsonArray cuts{"structure"};
+    if (data.fragments != nullptr) {
+        cuts.append("fragments");
+    }
+    if (data.points != nullptr && !view.cloud.empty()) {
+        cuts.append("points of the cloud");
+    }
+    QJsonArray whole;
+    if (view.ground) {
+        whole.append(data.terrain != nullptr ? "terrain" : "ground");
+        if (data.surroundings != nullptr && !data.surroundings->empty()) {
+            whole.append("surroundings");
+        }
+        if (data.waterLevel) {
+            whole.append("water");
+        }
+    }
+    settings.insert("cut", QJsonObject{{"cuts", cuts}, {"leaves_whole", whole}});
+}
+
 }  // namespace
 
-std::string settingsText(QSize pixels, double dpi, std::optional<FigurePreset> preset, QSize panel) {
+std::string settingsText(QSize pixels, double dpi, std::optional<FigurePreset> preset, QSize panel, const render::View& view,
+                         const render::SceneData& data) {
     QJsonObject settings{{"pixels", QJsonArray{pixels.width(), pixels.height()}},
                          {"dpi", dpi},
                          {"panel_pixels", QJsonArray{panel.width(), panel.height()}}};
@@ -28,10 +54,11 @@ std::string settingsText(QSize pixels, double dpi, std::optional<FigurePreset> p
             settings.insert("preset", QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())));
         }
     }
+    addCut(settings, view, data);
     return textOf(settings);
 }
 
-std::string settingsText(QSize pixels, const MovieSettings& settings) {
+std::string settingsText(QSize pixels, const MovieSettings& settings, const render::View& view, const render::SceneData& data) {
     QJsonObject object{{"pixels", QJsonArray{pixels.width(), pixels.height()}}, {"fps", settings.fps}, {"pace", settings.pace}};
     QJsonArray times;
     for (const CameraKey& key : settings.cameras) {
@@ -40,6 +67,7 @@ std::string settingsText(QSize pixels, const MovieSettings& settings) {
     if (!times.empty()) {
         object.insert("camera_keys_s", times);
     }
+    addCut(object, view, data);
     return textOf(object);
 }
 

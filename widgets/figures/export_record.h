@@ -11,10 +11,12 @@
 
 namespace rubble::figures {
 
-/// Settings of an exported figure, as they go into its provenance: one JSON object. @param panel  pixels of the picture of the view
-std::string settingsText(QSize pixels, double dpi, std::optional<FigurePreset> preset, QSize panel);
+/// Settings of an exported figure, as they go into its provenance: one JSON object, with what a cut of the view cuts.
+/// @param panel  pixels of the picture of the view
+std::string settingsText(QSize pixels, double dpi, std::optional<FigurePreset> preset, QSize panel, const render::View& view,
+                         const render::SceneData& data);
 /// The same of a movie.
-std::string settingsText(QSize pixels, const MovieSettings& settings);
+std::string settingsText(QSize pixels, const MovieSettings& settings, const render::View& view, const render::SceneData& data);
 
 /// The view of a figure in panes of another shape: narrower ones see as far to the left and right, and more above and below.
 /// @param aspect  width over height of the picture in the figure; 0: not known

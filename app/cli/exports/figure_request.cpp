@@ -323,18 +323,19 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     style.north = northOf(io::SitePlace(run->origin().frame, run->origin().site).transform(), run->origin().frame.crs);
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheet, style);
-    io::ExportRecord record{"figure",
-                            {},
-                            figures::settingsText(picture.pixels(), m_style.dpi, m_preset, picture.panels().back().place.size()),
-                            {},
-                            around.casePath,
-                            io::shownFiles(around.shown)};
+    const render::View shownWhole = m_preset ? picture.panels().back().view : shownView(data, *run, picture);
+    io::ExportRecord record{
+        "figure",
+        {},
+        figures::settingsText(picture.pixels(), m_style.dpi, m_preset, picture.panels().back().place.size(), shownWhole, data),
+        figures::toJson(shownWhole),
+        around.casePath,
+        io::shownFiles(around.shown)};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         const figures::ShownPanel& shown = panel.shown;
         record.shown.push_back(
             {shown.caption.toStdString(), shown.status.time, std::nullopt, figures::shownAs(shown.content, shown.status)});
     }
-    record.view = figures::toJson(m_preset ? picture.panels().back().view : shownView(data, *run, picture));
     figures::writeSheet(path, picture, style, io::exportProvenance(record, run->origin(), run.get()));
 }
 

@@ -62,9 +62,13 @@ figures::MovieSettings settingsOf(const Arguments& arguments, const io::RunReade
 }
 
 std::string recordOf(const io::RunReader& run, const RunSurroundings& around, const render::View& view,
-                     const figures::MovieSettings& settings, QSize pixels) {
-    io::ExportRecord record{
-        "movie", {}, figures::settingsText(pixels, settings), figures::toJson(view), around.casePath, io::shownFiles(around.shown)};
+                     const figures::MovieSettings& settings, QSize pixels, const render::SceneData& data) {
+    io::ExportRecord record{"movie",
+                            {},
+                            figures::settingsText(pixels, settings, view, data),
+                            figures::toJson(view),
+                            around.casePath,
+                            io::shownFiles(around.shown)};
     for (const figures::MoviePane& pane : figures::moviePanes(view, true)) {
         record.shown.push_back({pane.name, settings.from, settings.to, pane.shownAs});
     }
@@ -103,7 +107,7 @@ ExitCode movie(const Arguments& arguments, Session& session) {
     view.captions = true;
     view.time = settings.from;
     const auto target =
-        figures::movieTarget(*path, style.pixels, settings.fps, recordOf(*run, around, view, settings, style.pixels));
+        figures::movieTarget(*path, style.pixels, settings.fps, recordOf(*run, around, view, settings, style.pixels, data));
     figures::Studio studio(data);
     figures::makeMovie(studio, view, style, settings, *target, session.execution());
     const std::size_t pictures = figures::movieLength(settings);

@@ -211,6 +211,7 @@ void CloudPoints::measure() {
                             [made, order = *order, name,
                              run = EvidenceRun(m_computation.inputs(), m_computation.currentRun())](const Execution& execution) {
                                 checkShowsDebris(order.survey);
+                                made->source = sourceOf(order.cloud);
                                 ScannedSite site = scannedSite(run.mapped(), order.survey.instant, fallenFrom, execution);
                                 made->time = site.shape.time;
                                 io::RunDistanceRequest request;

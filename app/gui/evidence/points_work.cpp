@@ -7,6 +7,7 @@
 
 #include "core/base/unknown.h"
 #include "io/site/clouds/octree/octree_choice.h"
+#include "io/site/clouds/octree/octree_file.h"
 #include "widgets/figures/point_colours.h"
 #include "widgets/render/site/point_sight.h"
 
@@ -102,6 +103,8 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
     whole = choice.whole;
     auto points = std::make_shared<render::SitePoints>();
     points->name = name;
+    points->source = opened.source;
+    points->source.whole = choice.whole;
     points->all = octree.head().points;
     points->scale = scaleOf(look.colour, octree.head());
     points->low = points->scale == Scale::Intensity ? static_cast<double>(octree.head().intensityLeast) : opened.heights.first;
@@ -115,6 +118,8 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
         }
         used[n] = patch;
         points->patches.push_back(patch);
+        const double spacing = octree.nodes()[n].spacing;
+        points->source.finest = points->source.finest > 0.0 ? std::min(points->source.finest, spacing) : spacing;
         points->shown += patch->rgb.size() / 3;
     }
     points->classes.assign(opened.classes.begin(), opened.classes.end());
@@ -124,10 +129,16 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
 
 }  // namespace
 
+render::SitePoints::Source sourceOf(const PointsWork::Cloud& cloud) {
+    const io::CloudStamp stamp = io::stampOf(cloud.path);
+    return {cloud.path, stamp.bytes, stamp.time, cloud.placed};
+}
+
 std::shared_ptr<const render::SitePoints> distancePoints(const PointsWork::Distances& distances, const std::string& name) {
     const io::CloudComparison& made = distances.made.compared;
     auto points = std::make_shared<render::SitePoints>();
     points->name = name;
+    points->source = distances.source;
     points->scale = Scale::Distance;
     points->all = made.cores.size();
     points->time = distances.time;
@@ -203,8 +214,10 @@ void PointsWork::open(const Cloud& wanted) {
     auto made = std::make_shared<Opened>();
     worker.start({Worker::Kind::Open,
                   [made, wanted](const Execution& execution) {
+                      made->source = sourceOf(wanted);
                       made->octree =
                           std::make_unique<io::PlacedOctree>(wanted.path, wanted.frame, wanted.site, wanted.placed, execution);
+                      made->source.far = made->octree->octree().head().farPoints;
                       made->heights = heightsOf(made->octree->read(0));
                   },
                   [this, made, wanted](const std::exception_ptr& thrown) {

@@ -40,6 +40,7 @@ public:
     /// A cloud that is open, and what was read of it.
     struct Opened {
         std::unique_ptr<io::PlacedOctree> octree;
+        render::SitePoints::Source source;
         std::pair<double, double> heights;  ///< m, of nearly all points
         render::PointColour colour = render::PointColour::Own;
         std::map<std::size_t, std::shared_ptr<const render::SitePoints::Patch>> read;
@@ -64,6 +65,7 @@ public:
         io::RunDistance made;
         std::vector<Vec3> cores;  ///< m, local
         double time = 0.0;        ///< s, on the file's clock, of the site
+        render::SitePoints::Source source;
         /// Made when they are first drawn.
         std::shared_ptr<const render::SitePoints> points;
     };
@@ -103,6 +105,9 @@ public:
 signals:
     void changed();
 };
+
+/// The file of a cloud as it is now, before it is read. Throws WorldError.
+render::SitePoints::Source sourceOf(const PointsWork::Cloud& cloud);
 
 /// Distances as points: those that differ in colour, the others grey.
 std::shared_ptr<const render::SitePoints> distancePoints(const PointsWork::Distances& distances, const std::string& name);

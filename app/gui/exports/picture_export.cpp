@@ -48,8 +48,49 @@ std::optional<double> northOfSite(const PictureExport::Made& made) {
     return northOf(io::SitePlace(made.origin.frame, made.origin.site).transform(), made.origin.frame.crs);
 }
 
+std::string_view coloursOf(render::SitePoints::Scale scale) {
+    using Scale = render::SitePoints::Scale;
+    switch (scale) {
+        case Scale::Intensity:
+            return "intensity";
+        case Scale::Height:
+            return "height";
+        case Scale::Class:
+            return "class";
+        case Scale::Distance:
+            return "distance";
+        case Scale::Own:
+            break;
+    }
+    return "own";
+}
+
+/// The cloud of a view, if its points are drawn, with the digest of its file.
+std::vector<io::ShownCloud> shownClouds(const render::View& view, const render::SceneData& data, const Execution& execution) {
+    if (data.points == nullptr || view.cloud.empty()) {
+        return {};
+    }
+    const render::SitePoints& points = *data.points;
+    const render::SitePoints::Source& source = points.source;
+    io::ShownCloud cloud;
+    cloud.file = io::shownCloudFile(source.path, {source.bytes, source.time}, execution);
+    cloud.placed = source.placed;
+    cloud.shown = points.shown;
+    cloud.all = points.all;
+    cloud.far = source.far;
+    cloud.whole = source.whole;
+    cloud.colours = coloursOf(points.scale);
+    if (points.scale == render::SitePoints::Scale::Distance) {
+        cloud.detection = points.detection;
+        cloud.registrationInDetection = points.registered;
+    } else {
+        cloud.finest = source.finest;
+    }
+    return {cloud};
+}
+
 void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& shown,
-                     const render::SceneData& data, const PictureExport::Made& made) {
+                     const render::SceneData& data, const PictureExport::Made& made, const Execution& execution) {
     const render::View view = shownIn(choice, shown);
     figures::FigureStyle style;
     style.pixels = choice.pixels;
@@ -63,10 +104,11 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
     io::ExportRecord record{
         "figure",
         {},
-        figures::settingsText(picture.pixels(), choice.dpi, choice.preset, picture.panels().back().place.size()),
+        figures::settingsText(picture.pixels(), choice.dpi, choice.preset, picture.panels().back().place.size(), view, data),
         drawn,
         made.casePath,
-        made.around};
+        made.around,
+        shownClouds(view, data, execution)};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         record.shown.push_back({panel.shown.caption.toStdString(), panel.shown.status.time, std::nullopt,
                                 figures::shownAs(panel.shown.content, panel.shown.status)});
@@ -80,8 +122,13 @@ std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& 
     view.captions = true;
     view.selection.clear();
     view.time = choice.settings.from;
-    io::ExportRecord record{"movie",       {},         figures::settingsText(choice.pixels, choice.settings), figures::toJson(view),
-                            made.casePath, made.around};
+    io::ExportRecord record{"movie",
+                            {},
+                            figures::settingsText(choice.pixels, choice.settings, view, data),
+                            figures::toJson(view),
+                            made.casePath,
+                            made.around,
+                            shownClouds(view, data, execution)};
     for (const figures::MoviePane& pane : figures::moviePanes(view, made.run != nullptr)) {
         record.shown.push_back({pane.name, choice.settings.from, choice.settings.to, pane.shownAs});
     }
@@ -188,7 +235,7 @@ void PictureExport::writeFigure(const QString& path, const widgets::FigureChoice
     m_computation.write(
         [path, choice, view, data, made](const Execution& execution) {
             execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
-            writeFigureFile(path.toStdString(), choice, view, data, made);
+            writeFigureFile(path.toStdString(), choice, view, data, made, execution);
         },
         [session = &m_session, path](const std::exception_ptr& thrown) { tell(*session, path, thrown); });
 }

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/scenario/registration.h"
 #include "widgets/render/basics/colours.h"
 
 namespace rubble::render {
@@ -19,8 +21,19 @@ struct SitePoints {
     };
     /// What there is behind the colours.
     enum class Scale : std::uint8_t { Own, Intensity, Height, Class, Distance };
+    /// The file that they came from as it was then, and where the case puts it.
+    struct Source {
+        std::string path;                    ///< absolute; empty: no file
+        std::uint64_t bytes = 0;             ///< of the file
+        std::int64_t time = 0;               ///< ns, of its last change
+        std::optional<Registration> placed;  ///< unset: it lies by its coordinates alone
+        std::uint64_t far = 0;               ///< points far from all others, which are not drawn
+        double finest = 0.0;                 ///< m, width of the cells of which the finest level drawn has one point each
+        bool whole = true;                   ///< no level was left out to keep their number
+    };
 
     std::vector<std::shared_ptr<const Patch>> patches;
+    Source source;
     std::string name;         ///< of the file
     std::uint64_t shown = 0;  ///< points of the patches
     std::uint64_t all = 0;    ///< points of the cloud, or places where distances were measured

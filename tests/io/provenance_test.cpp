@@ -71,6 +71,40 @@ TEST(Provenance, CarriesInputsScenarioBuildTimesAndClasses) {
     EXPECT_EQ(about["settings_of_export"]["dpi"], 200);
 }
 
+TEST(Provenance, NamesACloudByDigestPlaceAndWhatIsDrawnOfIt) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "scan.xyz";
+    write(path, "1 2 3\n");
+    const CloudStamp then = stampOf(path);
+    ShownCloud cloud;
+    cloud.file = shownCloudFile(path, then, Execution());
+    cloud.placed = Registration{};
+    cloud.placed->shift = Vec3(0.0, 0.0, 2.5);
+    cloud.shown = 17;
+    cloud.all = 40;
+    cloud.far = 3;
+    cloud.finest = 0.25;
+    cloud.whole = false;
+    cloud.colours = "height";
+    ExportRecord record{"figure", {}, "", "", ""};
+    record.clouds.push_back(cloud);
+    const json about = json::parse(exportProvenance(record, origin("/x/a.exo", "5a"), nullptr));
+    const json& told = about["clouds"][0];
+    EXPECT_EQ(told["sha256"], sha256OfFile(path));
+    EXPECT_EQ(told["path"], path);
+    EXPECT_EQ(told["registration"]["shift_m"][2], 2.5);
+    EXPECT_EQ(told["points_shown"], 17);
+    EXPECT_EQ(told["points"], 40);
+    EXPECT_EQ(told["far_points_not_drawn"], 3);
+    EXPECT_EQ(told["levels_left_out"], true);
+    EXPECT_EQ(told["finest_cells_m"], 0.25);
+    EXPECT_EQ(about["inputs"].back(), (json{{"role", "cloud"}, {"path", path}, {"sha256", sha256OfFile(path)}}));
+    EXPECT_TRUE(json::parse(exportProvenance({"figure", {}, "", "", ""}, origin("/x", "5a"), nullptr))["clouds"].empty());
+    // Of a file that is another one by now no digest is that of the points.
+    write(path, "1 2 3\n4 5 6\n");
+    EXPECT_THROW(shownCloudFile(path, then, Execution()), WorldError);
+}
+
 TEST(Provenance, IsReadFromEveryKindOfFile) {
     const TemporaryFolder folder;
     const std::string text =

@@ -57,6 +57,7 @@ void writePage(const std::string& path, const std::shared_ptr<const io::RunReade
         extras.casePath = around.casePath;
     }
     extras.terrain = scene.terrain;
+    extras.around = io::shownFiles(around.shown);
     extras.chinese = figures::chineseWords();
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, session.execution()).map);
     addPictures(extras, scene, *run, photographs, session);

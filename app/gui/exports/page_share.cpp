@@ -22,6 +22,7 @@ struct PageOrder {
     std::string casePath;
     std::string basePath;
     render::SceneData scene;
+    std::vector<io::ShownFile> around;
 };
 
 void makePage(const PageOrder& order, const Execution& execution) {
@@ -33,6 +34,7 @@ void makePage(const PageOrder& order, const Execution& execution) {
     extras.theCase = &order.theCase;
     extras.casePath = order.casePath;
     extras.terrain = order.scene.terrain;
+    extras.around = order.around;
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, execution).map);
     extras.chinese = figures::chineseWords();
     const std::vector<ReportPhoto> photographs =
@@ -72,7 +74,7 @@ void PictureExport::sharePageAt(const QString& path, const render::SceneData& da
     }
     const auto order = std::make_shared<const PageOrder>(PageOrder{path.toStdString(), record->reader, m_computation.inputs(),
                                                                    m_document.theCase(), m_document.path().toStdString(),
-                                                                   m_document.base().toStdString(), data});
+                                                                   m_document.base().toStdString(), data, madeNow(data).around});
     m_computation.write([order](const Execution& execution) { makePage(*order, execution); },
                         [session = &m_session, path](const std::exception_ptr& thrown) { tell(*session, path, thrown); });
 }

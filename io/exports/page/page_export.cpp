@@ -157,7 +157,8 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
                                {"Fragments", fe.times().front(), end, std::string(shownClass(FrameKind::Interpolated))}},
                               {},
                               {},
-                              extras.casePath};
+                              extras.casePath,
+                              extras.around};
     parts.provenance = embedded(exportProvenance(record, run.origin(), &run));
     parts.data = encodeBase64(scene.data.compressed(execution));
     writeAtomically(path, [&](std::ostream& out) { writeFrame(out, parts); });

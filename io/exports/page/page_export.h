@@ -11,6 +11,7 @@
 #include "core/fe/fe_result.h"
 #include "core/fe/terrain_grid.h"
 #include "core/scenario/case.h"
+#include "io/exports/provenance.h"
 #include "io/run/run_file.h"
 
 namespace rubble::io {
@@ -23,6 +24,7 @@ struct PageExtras {
     std::shared_ptr<const TerrainGrid> terrain;  ///< that is shown; null: the level ground
     std::shared_ptr<const DebrisMap> map;        ///< of the end, whose sums the page prints; null: none
     std::vector<PagePicture> pictures;
+    std::vector<ShownFile> around{};                     ///< drawn around the structure in the pictures
     std::function<std::string(const Message&)> chinese;  ///< a message in Chinese; unset: messages stay English
 };
 

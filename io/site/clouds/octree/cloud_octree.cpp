@@ -21,6 +21,16 @@ namespace {
                   "Delete it: it is made anew from the cloud when it is needed.");
 }
 
+/// Places in it are numbers.
+bool isSound(const OctreeFootCube& cube) {
+    bool sound = std::isfinite(cube.side) && cube.side > 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // 2^31 steps lead to its far end.
+        sound = sound && cube.step[axis] > 0.0 && std::isfinite(cube.low[axis] + 2147483648.0 * cube.step[axis]);
+    }
+    return sound;
+}
+
 OctreeCube cubeOf(const OctreeFootCube& cube) {
     return {Vec3(cube.low.data()), Vec3(cube.step.data()), cube.side};
 }
@@ -43,6 +53,10 @@ CloudOctree::CloudOctree(const std::string& path) : m_file(path) {
     }
     bytes = m_file.bytes(foot.table, tableBytes + offsetof(OctreeFoot, digest));
     if (Hasher().bytes(bytes.data(), bytes.size()).finish().bytes != foot.digest) {
+        failDamaged(path);
+    }
+    if (!isSound(foot.cube) || !isSound(foot.farCube) || !std::isfinite(foot.intensityLeast) ||
+        !std::isfinite(foot.intensityMost)) {
         failDamaged(path);
     }
     m_head.points = foot.points;
@@ -120,6 +134,9 @@ CloudBlock CloudOctree::read(std::size_t node) const {
         at += 12;
         if (columns.intensity) {
             block.intensity[i] = littleAt<float>(at);
+            if (!std::isfinite(block.intensity[i])) {
+                failDamaged(path());
+            }
             at += 4;
         }
         if (columns.colour) {

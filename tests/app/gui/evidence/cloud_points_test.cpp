@@ -3,13 +3,18 @@
 #include <QPushButton>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/case/file_commands.h"
 #include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/exports/picture_export.h"
 #include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/scene_display.h"
 #include "app/gui/stage/view_area.h"
+#include "io/base/files.h"
+#include "io/exports/provenance.h"
 #include "io/site/clouds/point_writer.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/io/site/clouds/made_clouds.h"
@@ -130,6 +135,46 @@ TEST_F(PointsOfACloud, AreCutByThePlaneThatCutsTheModel) {
     points().setShown(true);
     settle();
     EXPECT_EQ(red(), 0);
+}
+
+TEST_F(PointsOfACloud, StandInTheProvenanceOfAFigureWithWhatTheCutCuts) {
+    open();
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
+    inputs.back().registration = Registration{};
+    inputs.back().registration->shift = Vec3(0.0, 0.0, 2.5);
+    session->document().setSurveys(std::move(inputs), [] { return QStringLiteral("moved"); });
+    points().setShown(true);
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    render::View view = views().view();
+    view.clip = render::ClipPlane{Vec3::Zero(), -Vec3::UnitX()};
+    const std::string path = m_folder / "figure.png";
+    const auto told = [&](bool shown) {
+        std::filesystem::remove(path);
+        view.cloud = shown ? views().view().cloud : std::string();
+        window->rooms().pictures->exportFigureTo(QString::fromStdString(path), {{}, {320, 200}, 50}, view,
+                                                 window->rooms().scene->data());
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+        const auto carried = std::filesystem::exists(path) ? io::readProvenance(path) : std::nullopt;
+        return carried ? nlohmann::json::parse(carried->text) : nlohmann::json();
+    };
+    nlohmann::json about = told(true);
+    ASSERT_EQ(about["clouds"].size(), 1U);
+    EXPECT_EQ(about["clouds"][0]["sha256"], io::sha256OfFile(m_folder / "scan.las"));
+    EXPECT_EQ(about["clouds"][0]["registration"]["shift_m"][2], 2.5);
+    EXPECT_EQ(about["clouds"][0]["points_shown"], drawn()->shown);
+    EXPECT_EQ(about["clouds"][0]["points"], 40'000);
+    EXPECT_GT(about["clouds"][0]["finest_cells_m"], 0.0);
+    EXPECT_EQ(about["settings_of_export"]["cut"]["cuts"].back(), "points of the cloud");
+    EXPECT_EQ(about["settings_of_export"]["cut"]["leaves_whole"][0], "ground");
+    about = told(false);
+    EXPECT_TRUE(about["clouds"].empty());
+    EXPECT_EQ(about["settings_of_export"]["cut"]["cuts"].back(), "structure");
+    view.clip.reset();
+    EXPECT_FALSE(told(false)["settings_of_export"].contains("cut"));
+    // Another file by now: the figure would name what it does not show.
+    std::ofstream(m_folder / "scan.las", std::ios::app) << "more";
+    EXPECT_TRUE(told(true).is_null());
 }
 
 TEST_F(PointsOfACloud, ItsPhotographsAreAddedInTheBackgroundAndOnceMoreAfterUndo) {

@@ -23,11 +23,20 @@ WrittenPictures::~WrittenPictures() {
     }
 }
 
+namespace {
+
+bool hasPhotograph(const Case& theCase, const std::string& sha256) {
+    return std::any_of(theCase.inputs.begin(), theCase.inputs.end(),
+                       [&](const CaseInput& input) { return input.role == InputRole::Photograph && input.sha256 == sha256; });
+}
+
+}  // namespace
+
 std::optional<std::string> addPhotograph(Case& theCase, const std::string& casePath, const std::string& path,
                                          const PhotoFacts& facts, const std::string& sha256) {
     std::vector<CaseInput>& inputs = theCase.inputs;
     const auto any = [&](const auto& is) { return std::any_of(inputs.begin(), inputs.end(), is); };
-    if (any([&](const CaseInput& input) { return input.role == InputRole::Photograph && input.sha256 == sha256; })) {
+    if (hasPhotograph(theCase, sha256)) {
         return std::nullopt;
     }
     int number = 1;
@@ -66,6 +75,10 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
         execution.report(adding, static_cast<double>(k) / static_cast<double>(pictures.size()));
         const PlacedPhotograph& photograph = pictures[k];
         const std::string_view content(reinterpret_cast<const char*>(photograph.bytes.data()), photograph.bytes.size());
+        if (hasPhotograph(grown, sha256OfText(content))) {
+            ++added.known;  // wherever its file lies: a second one would be nobody's
+            continue;
+        }
         std::string path = (beside / photograph.name).string();
         if (const auto there = contentOf(path); there && *there != content) {
             // Of another cloud of this name, or changed since: another photograph of the case may be that one.
@@ -88,12 +101,7 @@ AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePat
             continue;
         }
         findings.append(file.findings);
-        const std::optional<std::string> id = addPhotograph(grown, casePath, path, file.facts, file.sha256);
-        if (!id) {
-            ++added.known;
-            continue;
-        }
-        added.ids.push_back(*id);
+        added.ids.push_back(*addPhotograph(grown, casePath, path, file.facts, file.sha256));
         Photograph& last = grown.photographs.back();
         if (file.facts.width != photograph.camera.width || file.facts.height != photograph.camera.height) {
             findings.add(

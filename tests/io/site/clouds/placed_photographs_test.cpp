@@ -79,6 +79,23 @@ TEST(PlacedPhotographs, NeverReplacePicturesOfAnotherCloud) {
     EXPECT_EQ(addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings).known, 1);
 }
 
+TEST(PlacedPhotographs, ThatTheCaseHasUnderAnotherInputLeaveNoFile) {
+    const TemporaryFolder folder;
+    const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());
+    Findings findings;
+    const PlacedPhotograph picture = placedPhotographs(path, {}, {}, std::nullopt, findings).front();
+    const std::string known = folder / "known.png";
+    std::ofstream(known, std::ios::binary).write(reinterpret_cast<const char*>(picture.bytes.data()), 1073);
+    const PhotographFile file = readPhotograph(known);
+    Case theCase;
+    ASSERT_TRUE(addPhotograph(theCase, folder / "case.rubble", known, file.facts, file.sha256));
+    const AddedPhotographs added = addPhotographsOfCloud(theCase, folder / "case.rubble", path, {}, findings);
+    added.written->kept = true;
+    EXPECT_EQ(added.known, 1U);
+    EXPECT_TRUE(added.ids.empty());
+    EXPECT_FALSE(std::filesystem::exists(folder / "scan.e57-photographs"));
+}
+
 TEST(PlacedPhotographs, GivenUpLeaveCaseAndFolderAsTheyWere) {
     const TemporaryFolder folder;
     const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());

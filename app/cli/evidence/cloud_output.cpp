@@ -276,9 +276,10 @@ void printOctree(std::ostream& out, const io::OpenedOctree& index, double second
     facts.add("spacing", englishNumber(octree.nodes().front().spacing) + " m on the coarsest level, halved from each to the next");
     facts.add("places", "kept to " + englishNumber(octree.placeStep()) + " m");
     if (octree.head().farPoints > 0) {
-        facts.add("far points", countText(octree.head().farPoints) +
-                                    " lie more than 8 widths of the bulk of the others away; in levels of their own, kept to " +
-                                    englishNumber(octree.farPlaceStep()) + " m, and not drawn in views");
+        facts.add("far points",
+                  countText(octree.head().farPoints) +
+                      " lie more than 8 widths of the bulk of the others, or 100 km, away; in levels of their own, kept to " +
+                      englishNumber(octree.farPlaceStep()) + " m, and not drawn in views unless they are what is looked at");
     }
     facts.add("size", countText(octree.bytes()) + " bytes");
     facts.print(out);

@@ -357,7 +357,7 @@ QString CloudPoints::statusText() const {
     if (!distancesShown() && !m_work.whole) {
         text += u' ' + tr("Finer ones were left out: no more than %1 are.").arg(figures::countText(pointsBudget));
     }
-    if (const std::uint64_t far = octree.head().farPoints; far > 0 && !distancesShown()) {
+    if (const std::uint64_t far = m_work.points != nullptr ? m_work.points->source.far : 0; far > 0 && !distancesShown()) {
         text += u' ' + tr("%1 points lie far from the others and are not drawn.").arg(figures::countText(far));
     }
     const QString megabytes = figures::countText((octree.bytes() + 999'999) / 1'000'000);

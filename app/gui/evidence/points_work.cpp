@@ -76,6 +76,21 @@ std::shared_ptr<const render::SitePoints::Patch> patchOf(const io::CloudBlock& b
     return patch;
 }
 
+/// Whether far points are looked at and the bulk is not: they are another site, and the nearer one.
+bool looksAtFar(const PointsWork::Opened& opened, const PointsWork::Look& look) {
+    const io::CloudOctree& octree = opened.octree->octree();
+    const std::vector<io::OctreeNode>& nodes = octree.nodes();
+    const auto far = std::find_if(nodes.begin(), nodes.end(), [](const io::OctreeNode& node) { return node.far; });
+    const double dense = io::denseShare * static_cast<double>(octree.head().points);
+    if (far == nodes.end() || look.panes.empty() || static_cast<double>(octree.head().farPoints) < dense) {
+        return false;
+    }
+    const std::vector<Aabb>& boxes = opened.octree->boxes();
+    const Vec3& focus = look.panes.front().second.focalPoint;
+    const Aabb& other = boxes[static_cast<std::size_t>(far - nodes.begin())];
+    return !other.isEmpty() && (boxes.front().isEmpty() || other.exteriorDistance(focus) < boxes.front().exteriorDistance(focus));
+}
+
 /// What a look at a cloud needs of it; what is there already is not read again.
 std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, const PointsWork::Look& look,
                                                     const std::string& name, bool& whole, const Execution& execution) {
@@ -86,12 +101,18 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
         opened.classes.clear();
     }
     const std::vector<Aabb>& boxes = opened.octree->boxes();
+    const bool far = looksAtFar(opened, look);
+    if (far != opened.far) {
+        opened.far = far;
+        opened.read.clear();
+        opened.heights = heightsOf(opened.octree->read(opened.root()));
+    }
     const io::OctreeChoice choice = io::chooseNodes(
         octree.nodes(),
         [&](std::size_t n) {
-            // Far ones would push the camera's range so wide that nothing near could be told apart.
+            // Both parts would push the camera's range so wide that nothing near could be told apart.
             double most = 0.0;
-            if (octree.nodes()[n].far) {
+            if (octree.nodes()[n].far != far) {
                 return most;
             }
             for (const auto& [pane, camera] : look.panes) {
@@ -105,6 +126,7 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
     points->name = name;
     points->source = opened.source;
     points->source.whole = choice.whole;
+    points->source.far = far ? octree.head().points - octree.head().farPoints : octree.head().farPoints;
     points->all = octree.head().points;
     points->scale = scaleOf(look.colour, octree.head());
     points->low = points->scale == Scale::Intensity ? static_cast<double>(octree.head().intensityLeast) : opened.heights.first;
@@ -177,6 +199,12 @@ std::shared_ptr<const render::SitePoints> distancePoints(const PointsWork::Dista
     return points;
 }
 
+std::size_t PointsWork::Opened::root() const {
+    const std::vector<io::OctreeNode>& nodes = octree->octree().nodes();
+    const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const io::OctreeNode& node) { return node.far == far; });
+    return static_cast<std::size_t>(found - nodes.begin());
+}
+
 bool PointsWork::Measured::operator==(const Measured& other) const {
     const auto parts = [](const Measured& m) {
         return std::tie(m.cloud, m.survey, m.run, m.settings.normalRadius, m.settings.projectionRadius, m.settings.depth,
@@ -217,7 +245,6 @@ void PointsWork::open(const Cloud& wanted) {
                       made->source = sourceOf(wanted);
                       made->octree =
                           std::make_unique<io::PlacedOctree>(wanted.path, wanted.frame, wanted.site, wanted.placed, execution);
-                      made->source.far = made->octree->octree().head().farPoints;
                       made->heights = heightsOf(made->octree->read(0));
                   },
                   [this, made, wanted](const std::exception_ptr& thrown) {

@@ -41,10 +41,14 @@ public:
     struct Opened {
         std::unique_ptr<io::PlacedOctree> octree;
         render::SitePoints::Source source;
-        std::pair<double, double> heights;  ///< m, of nearly all points
+        bool far = false;                   ///< far points are looked at, and the bulk is not
+        std::pair<double, double> heights;  ///< m, of nearly all points of that part
         render::PointColour colour = render::PointColour::Own;
         std::map<std::size_t, std::shared_ptr<const render::SitePoints::Patch>> read;
         std::map<int, render::Rgb> classes;  ///< that were met
+
+        /// Coarsest node of the part that is looked at.
+        std::size_t root() const;
     };
     /// From where it is looked at.
     struct Look {

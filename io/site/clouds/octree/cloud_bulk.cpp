@@ -62,6 +62,26 @@ std::vector<double> sortedAlong(const std::vector<Vec3>& places, int axis) {
     return along;
 }
 
+/// The box about the densest of some places. @param places  different from each other, not empty; @param metres  to each unit
+Aabb densest(std::vector<Vec3> places, const Vec3& metres) {
+    // The widest of the three: a wall is thin, and the next one stands beside it.
+    double least = 1e-3;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Range half = shortestHalf(sortedAlong(places, axis));
+        least = std::max(least, metres[axis] * (half.second - half.first));
+    }
+    Aabb box(Vec3::Zero(), Vec3::Zero());
+    // One axis after another, each of what the others left: else two heaps could give a box between them.
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::vector<double> along = sortedAlong(places, axis);
+        const Range range = grown(along, shortestHalf(along), least / metres[axis]);
+        std::erase_if(places, [&](const Vec3& place) { return place[axis] < range.first || place[axis] > range.second; });
+        box.min()[axis] = range.first;
+        box.max()[axis] = range.second;
+    }
+    return box;
+}
+
 }  // namespace
 
 void CloudBulk::add(const Vec3& place) {
@@ -100,24 +120,24 @@ Aabb CloudBulk::widened(const CloudUnits& units, double times) const {
     if (places.empty()) {
         return {};
     }
-    // The widest of the three: a wall is thin, and the next one stands beside it.
-    double least = 1e-3;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Range half = shortestHalf(sortedAlong(places, axis));
-        least = std::max(least, metres[axis] * (half.second - half.first));
+    const auto wide = [&](const Aabb& box) { return box.sizes().cwiseProduct(metres).maxCoeff(); };
+    const auto dense = std::max<std::size_t>(16, static_cast<std::size_t>(denseShare * static_cast<double>(places.size())));
+    Aabb box = densest(places, metres);
+    const auto takeFrom = [&](const Aabb& site) {
+        const Vec3 beside = Vec3::Constant(farTimes * std::max(1e-3, wide(site))).cwiseQuotient(metres);
+        const Aabb reach(site.min() - beside, site.max() + beside);
+        return std::erase_if(places, [&](const Vec3& place) { return reach.contains(place); });
+    };
+    takeFrom(box);
+    // Two sites are no strays of each other, however far they lie apart.
+    while (places.size() >= dense) {
+        const Aabb site = densest(places, metres);
+        const bool together = wide(box.merged(site)) <= bulkWidthMost;
+        if (takeFrom(site) >= dense && together) {
+            box.extend(site);
+        }
     }
-    Aabb box;
-    box.setEmpty();
-    box.min() = box.max() = Vec3::Zero();
-    // One axis after another, each of what the others left: else two heaps could give a box between them.
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<double> along = sortedAlong(places, axis);
-        const Range range = grown(along, shortestHalf(along), least / metres[axis]);
-        std::erase_if(places, [&](const Vec3& place) { return place[axis] < range.first || place[axis] > range.second; });
-        box.min()[axis] = range.first;
-        box.max()[axis] = range.second;
-    }
-    const double beyond = times * std::max(1e-3, box.sizes().cwiseProduct(metres).maxCoeff());
+    const double beyond = times * std::max(1e-3, wide(box));
     const Vec3 wider = Vec3::Constant(beyond).cwiseQuotient(metres);
     return {box.min() - wider, box.max() + wider};
 }

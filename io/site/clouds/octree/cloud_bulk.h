@@ -11,6 +11,11 @@ namespace rubble::io {
 /// So many times as wide as the bulk of its points a cloud is before the others are far points: three levels of detail.
 inline constexpr double farTimes = 8.0;
 
+/// A cube so wide tells 5 cm apart in levels of detail: dense sites that lie within one are of one bulk.
+inline constexpr double bulkWidthMost = 1e5;  // m
+/// Share of the different places of a cloud from which on they are a dense site, and no strays.
+inline constexpr double denseShare = 0.01;
+
 /// Finds where the bulk of the points of a cloud lies, from 65,536 of them at most, drawn by a hash of their numbers: rows of a
 /// scan and the draw have no beat.
 class CloudBulk {
@@ -18,7 +23,8 @@ public:
     void add(const Vec3& place);
     /// The box of the bulk, half as wide again to each side, units of the file; empty: nothing was added. Places that are equal
     /// count once, so that points at 0, 0, 0 are never the bulk. It grows from the shortest range of half of the places along each
-    /// axis until a gap follows that is eight times as wide as what was taken.
+    /// axis until a gap follows that is eight times as wide as what was taken. What is left may be another dense site, found in the
+    /// same way: it belongs to the bulk, as long as both lie within 100 km.
     /// @param units  heights have units of their own
     Aabb box(const CloudUnits& units) const;
     /// Beyond it lie far points: farTimes the width of the bulk to each side of it; empty: nothing was added.
@@ -29,7 +35,7 @@ private:
         std::uint64_t lot = 0;
         Vec3 place;
     };
-    /// The bulk, and so many times its width to each side of it.
+    /// The bulk, dense sites included, and so many times its width to each side of it.
     Aabb widened(const CloudUnits& units, double times) const;
 
     std::vector<Drawn> m_drawn;

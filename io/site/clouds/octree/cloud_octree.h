@@ -33,7 +33,7 @@ struct OctreeHead {
     std::array<std::uint64_t, pointFateCount> fates{};  ///< of the points of the file
     OctreeColumns columns;
     OctreeCube cube;              ///< of the bulk of the points
-    std::uint64_t farPoints = 0;  ///< so far from the bulk that they have levels of their own, such as those at 0, 0, 0
+    std::uint64_t farPoints = 0;  ///< so far from the bulk that they have a cube of their own, such as those at 0, 0, 0
     OctreeCube farCube;
     float intensityLeast = 0.0F;
     float intensityMost = 0.0F;

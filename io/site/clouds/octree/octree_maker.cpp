@@ -163,9 +163,7 @@ public:
             const Aabb bulk = m_laid.bulk.box(m_units);
             m_split = OctreeCube(m_box, m_units).side() > farTimes * OctreeCube(bulk, m_units).side();
             if (m_split) {
-                m_farBox = m_box;
-                m_box = boxWithin(m_laid.bulk.reach(m_units));
-                m_split = m_box.min() != m_farBox.min() || m_box.max() != m_farBox.max();
+                divideBox(m_laid.bulk.reach(m_units));
             }
             m_known = true;
             layIn(path);
@@ -180,19 +178,17 @@ public:
     }
 
 private:
-    /// The box of all points within another: a draw knows the bulk, not all that stands about it.
-    Aabb boxWithin(const Aabb& reach) const {
-        Aabb box;
-        box.setEmpty();
+    /// The boxes of all points within another and of the others: a draw knows the bulk, not all that stands about it.
+    void divideBox(const Aabb& reach) {
+        m_box.setEmpty();
+        m_farBox.setEmpty();
         const std::unique_ptr<PointCloud> opened = openCloud(m_cloud, m_request);
         summariseCloud(*opened, m_execution, [&](const CloudBlock& block) {
             for (const Vec3& place : block.places) {
-                if (reach.contains(place)) {
-                    box.extend(place);
-                }
+                (reach.contains(place) ? m_box : m_farBox).extend(place);
             }
         });
-        return box;
+        m_split = !m_farBox.isEmpty();
     }
 
     /// @return false: the box is not that of the points, or some lie far from the others, or there are none

@@ -137,6 +137,31 @@ TEST_F(PointsOfACloud, AreCutByThePlaneThatCutsTheModel) {
     EXPECT_EQ(red(), 0);
 }
 
+TEST_F(PointsOfACloud, OfTwoSystemsAreDrawnWhereTheCaseLies) {
+    openArch();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    // Most of them in a system of the land, and a field about the arch.
+    constexpr std::size_t about = 10'000;
+    io::WrittenCloud cloud;
+    cloud.points = 4 * about;
+    cloud.box = Aabb(Vec3(-20.0, -20.0, 5.0), Vec3(500'040.0, 5'400'040.0, 5.0));
+    const std::string path = m_folder / "two.las";
+    io::writePoints(path, cloud, [&](std::size_t k, io::WrittenPoint& point) {
+        const Vec3 in(0.4 * static_cast<double>(k % 100), 0.4 * static_cast<double>(k / 100 % 100), 5.0);
+        point.place = k < 3 * about ? Vec3(in + Vec3(500'000.0, 5'400'000.0, 0.0)) : Vec3(in - Vec3(20.0, 20.0, 0.0));
+    });
+    window->rooms().survey->add(QString::fromStdString(path));
+    points().setShown(true);
+    settle();
+    ASSERT_NE(drawn(), nullptr);
+    EXPECT_GT(drawn()->shown, about / 4);
+    EXPECT_LE(drawn()->shown, about);
+    EXPECT_EQ(drawn()->source.far, 3 * about);
+    for (const auto& patch : drawn()->patches) {
+        EXPECT_LT(std::abs(patch->places[0]), 21.0F);
+    }
+}
+
 TEST_F(PointsOfACloud, StandInTheProvenanceOfAFigureWithWhatTheCutCuts) {
     open();
     std::vector<CaseInput> inputs = session->document().theCase().inputs;

@@ -101,14 +101,19 @@ std::string drawn(const VariedSetting& varied, std::int64_t seed, std::int64_t m
         return varied.choices[std::min(varied.choices.size() - 1, static_cast<std::size_t>(u * count))];
     }
     const Range range = rangeOf(varied.key);
-    double value = varied.first + u * (varied.second - varied.first);
+    // A whole number stands for all that rounds to it, those at the ends too.
+    const double beyond = range.whole ? 0.5 : 0.0;
+    double low = varied.first, high = varied.second;
+    double value = low - beyond + u * (high - low + 2.0 * beyond);
     if (varied.distribution == Distribution::Normal) {
+        low = range.low;
+        high = range.high;
         // Ranges are checked as they are told: a mean may lie beyond its end by a last digit.
-        const double low = std::min(0.0, (range.low - varied.first) / varied.second);
-        const double high = std::max(0.0, (range.high - varied.first) / varied.second);
-        value = std::clamp(varied.first + varied.second * cutNormalPlace(low, high, u), range.low, range.high);
+        const double first = std::min(0.0, (low - beyond - varied.first) / varied.second);
+        const double last = std::max(0.0, (high + beyond - varied.first) / varied.second);
+        value = varied.first + varied.second * cutNormalPlace(first, last, u);
     }
-    return drawnText(range.whole ? std::round(value) : value);
+    return drawnText(std::clamp(range.whole ? std::round(value) : value, low, high));
 }
 
 void checkKey(const std::string& key, std::string_view text) {

@@ -172,6 +172,29 @@ TEST(Ensemble, DrawsFollowTheirDistributions) {
     }
 }
 
+TEST(Ensemble, WholeNumbersAreEquallyLikelyAtTheEndsToo) {
+    EnsembleSettings settings;
+    settings.varied = {variationFrom("iterations", "uniform:1:4")};
+    constexpr int members = 8'000;
+    std::map<std::string, int> counts;
+    for (int m = 0; m < members; ++m) {
+        ++counts[drawnValues(settings, m).front().second];
+    }
+    ASSERT_EQ(counts.size(), 4U);
+    for (const auto& [value, count] : counts) {
+        // Strata leave less chance than free draws.
+        EXPECT_NEAR(count, members / 4, 3.0 * std::sqrt(members * 0.25 * 0.75)) << value;
+    }
+    // What a normal distribution has beyond half a step from the end of the range is not in it: the end has a whole step too.
+    settings.varied = {variationFrom("iterations", "normal:1:1")};
+    counts.clear();
+    for (int m = 0; m < members; ++m) {
+        ++counts[drawnValues(settings, m).front().second];
+    }
+    const auto below = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
+    EXPECT_NEAR(counts["1"], members * (below(0.5) - below(-0.5)) / (1.0 - below(-0.5)), 3.0 * std::sqrt(members * 0.25));
+}
+
 TEST(Ensemble, ChoicesAreEquallyLikely) {
     const EnsembleSettings two = varying("pieces", "choice:none:surface");
     for (std::int64_t first = 0; first < 80; first += ensembleBlock) {

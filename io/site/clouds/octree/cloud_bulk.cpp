@@ -13,13 +13,15 @@ constexpr double metresPerDegree = 111'000.0;
 
 using Range = std::pair<double, double>;
 
-/// The shortest range that holds half of some numbers. @param sorted  not empty
-Range shortestHalf(const std::vector<double>& sorted) {
-    const std::size_t half = sorted.size() / 2;
-    Range best(sorted[0], sorted[half]);
-    for (std::size_t first = 1; first + half < sorted.size(); ++first) {
-        if (sorted[first + half] - sorted[first] < best.second - best.first) {
-            best = {sorted[first], sorted[first + half]};
+/// The shortest range that holds an eighth of some numbers, so that of several heaps it lies in one; of few numbers it is half.
+/// @param sorted  not empty
+Range densestRange(const std::vector<double>& sorted) {
+    constexpr std::size_t few = 32;
+    const std::size_t share = std::max(sorted.size() / 8, std::min(sorted.size() / 2, few));
+    Range best(sorted[0], sorted[share]);
+    for (std::size_t first = 1; first + share < sorted.size(); ++first) {
+        if (sorted[first + share] - sorted[first] < best.second - best.first) {
+            best = {sorted[first], sorted[first + share]};
         }
     }
     return best;
@@ -67,14 +69,14 @@ Aabb densest(std::vector<Vec3> places, const Vec3& metres) {
     // The widest of the three: a wall is thin, and the next one stands beside it.
     double least = 1e-3;
     for (int axis = 0; axis < 3; ++axis) {
-        const Range half = shortestHalf(sortedAlong(places, axis));
-        least = std::max(least, metres[axis] * (half.second - half.first));
+        const Range range = densestRange(sortedAlong(places, axis));
+        least = std::max(least, metres[axis] * (range.second - range.first));
     }
     Aabb box(Vec3::Zero(), Vec3::Zero());
     // One axis after another, each of what the others left: else two heaps could give a box between them.
     for (int axis = 0; axis < 3; ++axis) {
         const std::vector<double> along = sortedAlong(places, axis);
-        const Range range = grown(along, shortestHalf(along), least / metres[axis]);
+        const Range range = grown(along, densestRange(along), least / metres[axis]);
         std::erase_if(places, [&](const Vec3& place) { return place[axis] < range.first || place[axis] > range.second; });
         box.min()[axis] = range.first;
         box.max()[axis] = range.second;

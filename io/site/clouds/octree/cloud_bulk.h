@@ -22,9 +22,9 @@ class CloudBulk {
 public:
     void add(const Vec3& place);
     /// The box of the bulk, half as wide again to each side, units of the file; empty: nothing was added. Places that are equal
-    /// count once, so that points at 0, 0, 0 are never the bulk. It grows from the shortest range of half of the places along each
-    /// axis until a gap follows that is eight times as wide as what was taken. What is left may be another dense site, found in the
-    /// same way: it belongs to the bulk, as long as both lie within 100 km.
+    /// count once, so that points at 0, 0, 0 are never the bulk. It grows from the shortest range of an eighth of the places along
+    /// each axis until a gap follows that is eight times as wide as what was taken. What is left may be another dense site, found
+    /// in the same way: it belongs to the bulk, as long as both lie within 100 km.
     /// @param units  heights have units of their own
     Aabb box(const CloudUnits& units) const;
     /// Beyond it lie far points: farTimes the width of the bulk to each side of it; empty: nothing was added.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/unknown.h"
+#include "io/site/clouds/octree/cloud_bulk.h"
 #include "io/site/clouds/octree/octree_choice.h"
 #include "io/site/clouds/octree/octree_file.h"
 #include "widgets/figures/point_colours.h"

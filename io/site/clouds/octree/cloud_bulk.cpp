@@ -64,6 +64,25 @@ std::vector<double> sortedAlong(const std::vector<Vec3>& places, int axis) {
     return along;
 }
 
+Vec3 metresOf(const CloudUnits& units) {
+    const double across = units.degrees ? metresPerDegree : units.metres;
+    return {across, across, units.heightMetres};
+}
+
+/// m, no less than a millimetre.
+double widest(const Aabb& box, const CloudUnits& units) {
+    return box.isEmpty() ? 0.0 : std::max(1e-3, box.sizes().cwiseProduct(metresOf(units)).maxCoeff());
+}
+
+/// A box with so many metres more to each side; an empty one stays empty.
+Aabb wider(const Aabb& box, const CloudUnits& units, double metres) {
+    if (box.isEmpty()) {
+        return box;
+    }
+    const Vec3 beyond = Vec3::Constant(metres).cwiseQuotient(metresOf(units));
+    return {box.min() - beyond, box.max() + beyond};
+}
+
 /// The box about the densest of some places. @param places  different from each other, not empty; @param metres  to each unit
 Aabb densest(std::vector<Vec3> places, const Vec3& metres) {
     // The widest of the three: a wall is thin, and the next one stands beside it.
@@ -99,16 +118,16 @@ void CloudBulk::add(const Vec3& place) {
 
 Aabb CloudBulk::box(const CloudUnits& units) const {
     // Points beside those that were looked at are no far points.
-    return widened(units, 0.5);
+    const Bulk bulk = find(units);
+    return wider(bulk.all, units, 0.5 * widest(bulk.all, units));
 }
 
 Aabb CloudBulk::reach(const CloudUnits& units) const {
-    return widened(units, farTimes);
+    const Bulk bulk = find(units);
+    return wider(bulk.sites, units, farTimes * bulk.width);
 }
 
-Aabb CloudBulk::widened(const CloudUnits& units, double times) const {
-    const double across = units.degrees ? metresPerDegree : units.metres;
-    const Vec3 metres(across, across, units.heightMetres);
+CloudBulk::Bulk CloudBulk::find(const CloudUnits& units) const {
     std::vector<Vec3> places;
     places.reserve(m_drawn.size());
     for (const Drawn& drawn : m_drawn) {
@@ -119,29 +138,32 @@ Aabb CloudBulk::widened(const CloudUnits& units, double times) const {
     };
     std::sort(places.begin(), places.end(), order);
     places.erase(std::unique(places.begin(), places.end()), places.end());
-    if (places.empty()) {
-        return {};
-    }
-    const auto wide = [&](const Aabb& box) { return box.sizes().cwiseProduct(metres).maxCoeff(); };
     const auto dense = std::max<std::size_t>(16, static_cast<std::size_t>(denseShare * static_cast<double>(places.size())));
-    Aabb box = densest(places, metres);
-    const auto takeFrom = [&](const Aabb& site) {
-        const Vec3 beside = Vec3::Constant(farTimes * std::max(1e-3, wide(site))).cwiseQuotient(metres);
-        const Aabb reach(site.min() - beside, site.max() + beside);
-        return std::erase_if(places, [&](const Vec3& place) { return reach.contains(place); });
-    };
-    takeFrom(box);
+    Bulk bulk;
+    bulk.sites.setEmpty();
+    bulk.all.setEmpty();
     // Two sites are no strays of each other, however far they lie apart.
-    while (places.size() >= dense) {
-        const Aabb site = densest(places, metres);
-        const bool together = wide(box.merged(site)) <= bulkWidthMost;
-        if (takeFrom(site) >= dense && together) {
-            box.extend(site);
+    while (bulk.sites.isEmpty() ? !places.empty() : places.size() >= dense) {
+        const Aabb site = densest(places, metresOf(units));
+        const double width = widest(site, units);
+        const Aabb reach = wider(site, units, farTimes * width);
+        Aabb near;
+        near.setEmpty();
+        const std::size_t taken = std::erase_if(places, [&](const Vec3& place) {
+            if (reach.contains(place)) {
+                near.extend(place);
+                return true;
+            }
+            return false;
+        });
+        const bool first = bulk.sites.isEmpty();
+        if (first || (taken >= dense && widest(bulk.sites.merged(site), units) <= bulkWidthMost)) {
+            bulk.sites.extend(site);
+            bulk.all.extend(near);
+            bulk.width = std::max(bulk.width, width);
         }
     }
-    const double beyond = times * std::max(1e-3, wide(box));
-    const Vec3 wider = Vec3::Constant(beyond).cwiseQuotient(metres);
-    return {box.min() - wider, box.max() + wider};
+    return bulk;
 }
 
 }  // namespace rubble::io

@@ -27,7 +27,7 @@ public:
     /// in the same way: it belongs to the bulk, as long as both lie within 100 km.
     /// @param units  heights have units of their own
     Aabb box(const CloudUnits& units) const;
-    /// Beyond it lie far points: farTimes the width of the bulk to each side of it; empty: nothing was added.
+    /// Beyond it lie far points: farTimes the width of the widest site to each side of all; empty: nothing was added.
     Aabb reach(const CloudUnits& units) const;
 
 private:
@@ -35,8 +35,12 @@ private:
         std::uint64_t lot = 0;
         Vec3 place;
     };
-    /// The bulk, dense sites included, and so many times its width to each side of it.
-    Aabb widened(const CloudUnits& units, double times) const;
+    struct Bulk {
+        Aabb sites;          ///< about dense sites, units of the file
+        Aabb all;            ///< about all that lies within the reach of one as well
+        double width = 0.0;  ///< m, of the widest site
+    };
+    Bulk find(const CloudUnits& units) const;
 
     std::vector<Drawn> m_drawn;
     std::uint64_t m_every = 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nanoflann.hpp>
 #include <numeric>
+#include <utility>
 
 namespace rubble {
 
@@ -90,6 +91,29 @@ private:
     const Visit& m_visit;
 };
 
+/// Whether a cell may hold points of a cylinder.
+class CylinderCull {
+public:
+    CylinderCull(const Vec3& centre, const Vec3& axis, double radius, double halfLength)
+        : m_centre(centre), m_axis(axis), m_steep(axis.cwiseAbs()), m_radius(radius), m_halfLength(halfLength) {}
+
+    bool operator()(const Vec3& middle, const Vec3& half) const {
+        const Vec3 from = middle - m_centre;
+        const double along = m_axis.dot(from);
+        const double beside = m_radius + half.norm();
+        constexpr double wider = 1.0 + roundingShare;
+        return std::abs(along) <= (m_halfLength + m_steep.dot(half)) * wider + 1e-12 &&
+               from.squaredNorm() - along * along <= (beside * beside + from.squaredNorm() * roundingShare) * wider + 1e-12;
+    }
+
+private:
+    Vec3 m_centre;
+    Vec3 m_axis;
+    Vec3 m_steep;  ///< by how much of each side a cell reaches along the axis
+    double m_radius;
+    double m_halfLength;
+};
+
 /// Sums of products of whole numbers of 30 bits, each in two halves, so that 2^31 of them fit.
 class ProductSums {
 public:
@@ -143,8 +167,42 @@ struct PointIndex::Tree {
         index.findNeighbors(ball, centre.data(), {});
     }
 
+    /// Hands over the points of all leaves whose cells a test does not cull. @param meets  (middle, half the sides) of a cell
+    template <class Meets, class Visit>
+    void visitCells(const Meets& meets, const Visit& visit) const {
+        if (index.root_node != nullptr) {
+            Vec3 low, high;
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                low[axis] = index.root_bbox[static_cast<std::size_t>(axis)].low;
+                high[axis] = index.root_bbox[static_cast<std::size_t>(axis)].high;
+            }
+            visitCell(*index.root_node, low, high, meets, visit);
+        }
+    }
+
     PointList list;
     Index index;
+
+private:
+    template <class Node, class Meets, class Visit>
+    void visitCell(const Node& node, Vec3& low, Vec3& high, const Meets& meets, const Visit& visit) const {
+        if (!meets(Vec3(0.5 * (low + high)), Vec3(0.5 * (high - low)))) {
+            return;
+        }
+        if (node.child1 == nullptr) {
+            for (std::size_t k = node.node_type.lr.left; k < node.node_type.lr.right; ++k) {
+                visit(index.vAcc[k]);
+            }
+            return;
+        }
+        const auto axis = static_cast<Eigen::Index>(node.node_type.sub.divfeat);
+        const double before = std::exchange(high[axis], node.node_type.sub.divlow);
+        visitCell(*node.child1, low, high, meets, visit);
+        high[axis] = before;
+        const double under = std::exchange(low[axis], node.node_type.sub.divhigh);
+        visitCell(*node.child2, low, high, meets, visit);
+        low[axis] = under;
+    }
 };
 
 std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube) {
@@ -239,24 +297,14 @@ void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double rad
                                 std::vector<double>& offsets) const {
     offsets.clear();
     const std::vector<Vec3>& places = m_tree->list.places;
-    // A long cylinder is searched by balls about its parts, each of which takes the points of its own part.
-    const auto parts = std::max<std::int64_t>(1, std::llround(std::min(halfLength / radius, 1e4)));
-    const double length = 2.0 * halfLength / static_cast<double>(parts);
-    const double ball = std::hypot(radius, 0.5 * length);
-    for (std::int64_t part = 0; part < parts; ++part) {
-        const double middle = -halfLength + (static_cast<double>(part) + 0.5) * length;
-        m_tree->visitBall(centre + middle * axis, ball, [&](std::uint32_t i) {
-            const Vec3 from = places[i] - centre;
-            const double along = axis.dot(from);
-            if (std::abs(along) > halfLength || from.squaredNorm() - along * along > radius * radius) {
-                return;
-            }
-            const auto own = static_cast<std::int64_t>(std::floor((along + halfLength) / length));
-            if (std::clamp<std::int64_t>(own, 0, parts - 1) == part) {
-                offsets.push_back(along);
-            }
-        });
-    }
+    const CylinderCull cull(centre, axis, radius, halfLength);
+    m_tree->visitCells(cull, [&](std::uint32_t i) {
+        const Vec3 from = places[i] - centre;
+        const double along = axis.dot(from);
+        if (std::abs(along) <= halfLength && from.squaredNorm() - along * along <= radius * radius) {
+            offsets.push_back(along);
+        }
+    });
 }
 
 }  // namespace rubble

@@ -139,17 +139,23 @@ void LazPoints::decode(ArithmeticDecoder& decoder, unsigned char* record) {
     std::copy(m_last.begin(), m_last.end(), record);
 }
 
-void LazPoints::decodeTogether(const std::array<LazPoints*, lanes>& points, const std::array<ArithmeticDecoder*, lanes>& decoders,
-                               const std::array<unsigned char*, lanes>& records) {
+template <std::size_t Count>
+void LazPoints::decodeTogether(const std::array<LazPoints*, Count>& points, const std::array<ArithmeticDecoder*, Count>& decoders,
+                               const std::array<unsigned char*, Count>& records) {
     decodeSteps(points[0]->m_layout, points[0]->hasRest(), [&](auto step) {
-        for (std::size_t k = 0; k < lanes; ++k) {
+        for (std::size_t k = 0; k < Count; ++k) {
             step(*points[k], *decoders[k]);
         }
     });
-    for (std::size_t k = 0; k < lanes; ++k) {
+    for (std::size_t k = 0; k < Count; ++k) {
         std::copy(points[k]->m_last.begin(), points[k]->m_last.end(), records[k]);
     }
 }
+
+template void LazPoints::decodeTogether<2>(const std::array<LazPoints*, 2>&, const std::array<ArithmeticDecoder*, 2>&,
+                                           const std::array<unsigned char*, 2>&);
+template void LazPoints::decodeTogether<3>(const std::array<LazPoints*, 3>&, const std::array<ArithmeticDecoder*, 3>&,
+                                           const std::array<unsigned char*, 3>&);
 
 void LazPoints::decodeChanged(ArithmeticDecoder& decoder) {
     m_changes = decoder.symbol(m_changeModel);

@@ -23,8 +23,10 @@ public:
     static constexpr std::size_t lanes = 3;
     /// The same of some chunks at once. Each symbol waits for the one before it in its chunk only, so that a processor works on
     /// all of them.
-    static void decodeTogether(const std::array<LazPoints*, lanes>& points, const std::array<ArithmeticDecoder*, lanes>& decoders,
-                               const std::array<unsigned char*, lanes>& records);
+    /// @tparam Count  2 or 3 chunks
+    template <std::size_t Count>
+    static void decodeTogether(const std::array<LazPoints*, Count>& points, const std::array<ArithmeticDecoder*, Count>& decoders,
+                               const std::array<unsigned char*, Count>& records);
 
 private:
     // The steps of a point in their order, of one symbol each as a rule.

@@ -1,7 +1,7 @@
 #include "io/site/clouds/las/laz_unpacker.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <utility>
 
 namespace rubble::io {
@@ -41,40 +41,70 @@ LazRecords LazUnpacker::unpack(LazChunk chunk) {
     return overrun() ? std::nullopt : LazRecords(std::move(records));
 }
 
+/// A chunk that is unpacked beside others.
+struct LazUnpacker::Lane {
+    LazPoints* points = nullptr;
+    ArithmeticDecoder* decoder = nullptr;
+    unsigned char* at = nullptr;  ///< the record that was written last
+    std::size_t left = 0;         ///< records
+};
+
+template <std::size_t Count>
+void LazUnpacker::unpackLanes(std::span<Lane> open, std::size_t recordBytes) {
+    std::array<LazPoints*, Count> points{};
+    std::array<ArithmeticDecoder*, Count> decoders{};
+    std::array<unsigned char*, Count> at{};
+    for (std::size_t k = 0; k < Count; ++k) {
+        points[k] = open[k].points;
+        decoders[k] = open[k].decoder;
+        at[k] = open[k].at;
+    }
+    const std::size_t common = open.back().left;
+    for (std::size_t done = 0; done < common; ++done) {
+        for (unsigned char*& record : at) {
+            record += recordBytes;
+        }
+        LazPoints::decodeTogether<Count>(points, decoders, at);
+    }
+    for (std::size_t k = 0; k < Count; ++k) {
+        open[k].at = at[k];
+        open[k].left -= common;
+    }
+}
+
 std::vector<LazRecords> LazUnpacker::unpackTogether(std::span<const std::unique_ptr<LazUnpacker>> unpackers,
                                                     std::span<const LazChunk> chunks) {
     std::vector<LazRecords> records(chunks.size());
     // Layers are decoded beside each other as they are.
-    if (chunks.size() < lanes || unpackers[0]->m_layered) {
+    if (chunks.size() < 2 || unpackers[0]->m_layered) {
         for (std::size_t k = 0; k < chunks.size(); ++k) {
             records[k] = unpackers[k]->unpack(chunks[k]);
         }
         return records;
     }
     const std::size_t bytes = unpackers[0]->m_head.recordBytes;
-    std::array<LazPoints*, lanes> points{};
-    std::array<ArithmeticDecoder*, lanes> decoders{};
-    std::array<unsigned char*, lanes> at{};
-    std::size_t common = std::numeric_limits<std::size_t>::max();
-    for (std::size_t k = 0; k < lanes; ++k) {
+    std::vector<Lane> open;
+    for (std::size_t k = 0; k < chunks.size(); ++k) {
         records[k] = unpackers[k]->roomFor(chunks[k]);
-        at[k] = records[k]->data();
         LazChunk chunk = chunks[k];
-        unpackers[k]->start(chunk, true, at[k]);
-        points[k] = &unpackers[k]->m_points;
-        decoders[k] = &*unpackers[k]->m_decoder;
-        common = std::min(common, records[k]->size());
+        unpackers[k]->start(chunk, true, records[k]->data());
+        open.push_back({&unpackers[k]->m_points, &*unpackers[k]->m_decoder, records[k]->data(), records[k]->size() / bytes - 1});
     }
-    for (std::size_t done = bytes; done < common; done += bytes) {
-        for (unsigned char*& record : at) {
-            record += bytes;
+    // The shortest ends first; the others go on together.
+    std::sort(open.begin(), open.end(), [](const Lane& one, const Lane& other) { return one.left > other.left; });
+    for (; !open.empty(); open.pop_back()) {
+        if (open.size() == lanes) {
+            unpackLanes<lanes>(open, bytes);
+        } else if (open.size() == 2) {
+            unpackLanes<2>(open, bytes);
         }
-        LazPoints::decodeTogether(points, decoders, at);
+        Lane& shortest = open.back();
+        for (; shortest.left > 0; --shortest.left) {
+            shortest.at += bytes;
+            shortest.points->decode(*shortest.decoder, shortest.at);
+        }
     }
-    for (std::size_t k = 0; k < lanes; ++k) {
-        for (std::size_t rest = common; rest < records[k]->size(); rest += bytes) {
-            unpackers[k]->decode(records[k]->data() + rest);
-        }
+    for (std::size_t k = 0; k < chunks.size(); ++k) {
         if (unpackers[k]->overrun()) {
             records[k].reset();
         }

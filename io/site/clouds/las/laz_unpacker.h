@@ -49,7 +49,11 @@ private:
     bool m_layered;
     LazPoints m_points;
     LazLayers m_layers;
+    struct Lane;
     std::vector<unsigned char> roomFor(const LazChunk& chunk);
+    /// Goes on with all lanes until the last one, which has the fewest records left, ends.
+    template <std::size_t Count>
+    static void unpackLanes(std::span<Lane> open, std::size_t recordBytes);
 
     std::vector<unsigned char> m_room;
     std::optional<PackedBytes> m_bytes;

@@ -11747,6 +11747,14 @@
         <source>reading what is kept of {0} members of the ensemble</source>
         <translation>正在读取系综 {0} 个成员中已保存的内容</translation>
     </message>
+    <message>
+        <source>Show its points anew, and export then.</source>
+        <translation>请重新显示其点，然后再导出。</translation>
+    </message>
+    <message>
+        <source>{0} changed after its points were read</source>
+        <translation>{0} 在读取其点之后已改变</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

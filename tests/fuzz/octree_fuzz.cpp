@@ -53,7 +53,7 @@ void makeOne(const std::uint8_t* bytes, std::size_t size) {
     for (const io::OctreeNode& node : opened.octree->nodes()) {
         sum += node.points;
     }
-    if (opened.made && sum != opened.summary.points()) {
+    if (opened.summary && sum != opened.summary->points()) {
         __builtin_trap();
     }
 }

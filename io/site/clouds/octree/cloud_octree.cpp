@@ -21,9 +21,9 @@ namespace {
                   "Delete it: it is made anew from the cloud when it is needed.");
 }
 
-/// Places in it are numbers.
+/// Places in it are numbers, and it is no smaller than any is made.
 bool isSound(const OctreeFootCube& cube) {
-    bool sound = std::isfinite(cube.side) && cube.side > 0.0;
+    bool sound = std::isfinite(cube.side) && cube.side >= 1e-3;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // 2^31 steps lead to its far end.
         sound = sound && cube.step[axis] > 0.0 && std::isfinite(cube.low[axis] + 2147483648.0 * cube.step[axis]);

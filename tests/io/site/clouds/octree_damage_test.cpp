@@ -119,6 +119,7 @@ TEST(OctreeDamage, CubesAndIntensitiesThatAreNoNumbersAreRefused) {
     EXPECT_TRUE(refused([](OctreeFoot& foot, std::string&) { foot.farCube.step[2] = 0.0; }));
     EXPECT_TRUE(refused([](OctreeFoot& foot, std::string&) { foot.cube.step[0] = 1e305; }));
     EXPECT_TRUE(refused([](OctreeFoot& foot, std::string&) { foot.cube.side = -1.0; }));
+    EXPECT_TRUE(refused([](OctreeFoot& foot, std::string&) { foot.cube.side = 1e-310; }));
     EXPECT_TRUE(refused([](OctreeFoot& foot, std::string&) { foot.intensityMost = static_cast<float>(nan); }));
     EXPECT_TRUE(refused([](OctreeFoot&, std::string& bytes) { bytes.replace(octreeStart + 12, 4, 4, '\xff'); }));
 }

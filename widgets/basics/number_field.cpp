@@ -2,26 +2,12 @@
 
 #include <QLocale>
 #include <QStyle>
-#include <cmath>
 
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
-
-namespace {
-
-std::optional<double> parsed(const QString& text) {
-    bool ok = false;
-    double number = QLocale().toDouble(text, &ok);
-    if (!ok) {
-        number = QLocale::c().toDouble(text, &ok);
-    }
-    return ok && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
-}  // namespace
 
 NumberField::NumberField(const QString& name, QWidget* parent) : QLineEdit(parent) {
     setAccessibleName(name);
@@ -62,16 +48,13 @@ void NumberField::take() {
     }
     setModified(false);
     const QString typed = text().trimmed();
-    std::optional<double> number = parsed(typed);
-    if (number) {
-        *number = typedIn(*number, m_unit);
-    }
+    const std::optional<double> number = typedNumber(typed, m_unit);
     const bool good = typed.isEmpty() ? m_mayBeEmpty : number && *number >= m_low && *number <= m_high;
     setProperty("wrong", !good);
     style()->unpolish(this);
     style()->polish(this);
     if (good && number != m_number) {
-        m_number = number;
+        setNumber(number);
         emit edited(number);
     }
 }

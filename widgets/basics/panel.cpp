@@ -143,6 +143,7 @@ ParameterEditor* PanelGroup::addParameter(const Parameter& parameter, const std:
     name->setToolTip(editor->toolTip());
     name->setBuddy(editor);
     auto* of = new UnitLabel(editor->siUnit());
+    QObject::connect(editor, &ParameterEditor::unitShown, of, &UnitLabel::follow);
     m_grid->addWidget(name, row, 0);
     m_grid->addWidget(editor, row, 1);
     m_grid->addWidget(of, row, 2);

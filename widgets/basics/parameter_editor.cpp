@@ -47,16 +47,23 @@ QString ParameterEditor::label() const {
     return said("parameters", m_row.label);
 }
 
-QString ParameterEditor::unit() const {
-    return figures::shownUnit(siUnit().toStdString()).name;
-}
-
 QString ParameterEditor::siUnit() const {
     return qt(m_row.unit).replace(QStringLiteral("x d"), QStringLiteral("× d"));
 }
 
 QString ParameterEditor::numberText(double value) const {
-    return QLocale().toString(value * figures::shownUnit(m_row.unit).perSi, 'g', 6);
+    return QLocale().toString(value * figures::shownUnit(m_row.unit, value).perSi, 'g', 6);
+}
+
+QString ParameterEditor::withUnit(double bound) const {
+    const QString unit = figures::shownUnit(siUnit().toStdString(), bound).name;
+    return unit.isEmpty() ? numberText(bound) : numberText(bound) + QChar(0x00A0) + unit;
+}
+
+// What decides the unit of a time.
+double ParameterEditor::shownSize() const {
+    const auto* number = std::get_if<double>(&m_value);
+    return number != nullptr ? *number : std::holds_alternative<std::monostate>(m_value) ? m_automaticValue : 0.0;
 }
 
 QString ParameterEditor::textOf(const ParameterValue& value) const {
@@ -78,9 +85,9 @@ bool ParameterEditor::event(QEvent* event) {
 QString ParameterEditor::tip() const {
     QString text = QStringLiteral("<p>") + said("parameters", m_row.help).toHtmlEscaped() + QStringLiteral("</p>");
     if (std::isfinite(m_row.low) || std::isfinite(m_row.high)) {
-        const QString low = std::isfinite(m_row.low) ? numberText(m_row.low) : QStringLiteral("−∞");
-        const QString high = std::isfinite(m_row.high) ? numberText(m_row.high) : QStringLiteral("∞");
-        text += QStringLiteral("<p>") + tr("From %1 to %2 %3").arg(low, high, unit()) + QStringLiteral("</p>");
+        const QString low = std::isfinite(m_row.low) ? withUnit(m_row.low) : QStringLiteral("−∞");
+        const QString high = std::isfinite(m_row.high) ? withUnit(m_row.high) : QStringLiteral("∞");
+        text += QStringLiteral("<p>") + tr("From %1 to %2").arg(low, high) + QStringLiteral("</p>");
     }
     return text + QStringLiteral("<p><code>") + key().toHtmlEscaped() + QStringLiteral("</code></p>");
 }
@@ -211,7 +218,8 @@ void ParameterEditor::setValue(const ParameterValue& value) {
 }
 
 void ParameterEditor::setAutomaticValue(double value) {
-    setAutomaticText(std::isfinite(value) ? shownIn(value, m_row.unit) : QString());
+    m_automaticValue = std::isfinite(value) ? value : 0.0;
+    setAutomaticText(std::isfinite(value) ? shownNumber(value * figures::shownUnit(m_row.unit, value).perSi) : QString());
 }
 
 void ParameterEditor::setAutomaticText(const QString& text) {
@@ -260,6 +268,9 @@ void ParameterEditor::show(const ParameterValue& value) {
     }
     m_field->setProperty("wrong", false);
     m_complaint->hide();
+    if (m_row.unit == "s") {
+        emit unitShown(figures::shownUnit("s", shownSize()).name);
+    }
 }
 
 void ParameterEditor::refuse(const QString& why) {
@@ -294,20 +305,16 @@ void ParameterEditor::commitText() {
         }
         return;
     }
-    bool ok = false;
-    double number = QLocale().toDouble(text, &ok);
-    if (!ok) {
-        number = QLocale::c().toDouble(text, &ok);
-    }
-    if (!ok || !std::isfinite(number)) {
+    const std::optional<double> typedValue = typedNumber(text, m_row.unit, shownSize());
+    if (!typedValue) {
         refuse(tr("“%1” is not a number.").arg(text));
         return;
     }
+    double number = *typedValue;
     if (m_row.kind == ParameterKind::Integer && number != std::floor(number)) {
         refuse(tr("A whole number is needed."));
         return;
     }
-    number = typedIn(number, m_row.unit);
     // A bound as it is shown is rounded.
     for (const double bound : {m_row.low, m_row.high}) {
         if (std::abs(number - bound) <= 1e-5 * std::abs(bound)) {
@@ -315,7 +322,7 @@ void ParameterEditor::commitText() {
         }
     }
     if (number < m_row.low || number > m_row.high) {
-        refuse(tr("Between %1 and %2, please.").arg(numberText(m_row.low), numberText(m_row.high)));
+        refuse(tr("Between %1 and %2, please.").arg(withUnit(m_row.low), withUnit(m_row.high)));
         return;
     }
     const ParameterValue typed =

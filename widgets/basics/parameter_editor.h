@@ -31,8 +31,7 @@ public:
     const Parameter& row() const { return m_row; }
     QString key() const;
     QString label() const;
-    /// The unit that is shown, and that of the row.
-    QString unit() const;
+    /// The unit of the row.
     QString siUnit() const;
     /// Shows a value without emitting edited().
     void setValue(const ParameterValue& value);
@@ -48,6 +47,8 @@ public:
 signals:
     /// The user settled on a value (never emitted by setValue).
     void edited(const QString& key, const rubble::ParameterValue& value);
+    /// The field shows its value in this unit from now on: times do in the one that suits them.
+    void unitShown(const QString& unit);
 
 protected:
     bool event(QEvent* event) override;
@@ -63,11 +64,14 @@ private:
     QString tip() const;
     QString textOf(const ParameterValue& value) const;
     QString numberText(double value) const;
+    QString withUnit(double bound) const;
+    double shownSize() const;
 
     const Parameter& m_row;
     std::string m_subject;
     ParameterValue m_value;
     QString m_automatic;
+    double m_automaticValue = 0.0;
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
     QButtonGroup* m_segments = nullptr;

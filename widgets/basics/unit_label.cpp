@@ -28,9 +28,16 @@ void UnitLabel::setUnit(const QString& unit) {
     setText(figures::shownUnit(unit.toStdString()).name);
 }
 
+void UnitLabel::follow(const QString& shown) {
+    m_follows = true;
+    setText(shown);
+}
+
 bool UnitLabel::event(QEvent* event) {
     if (event->type() == unitsChanged()) {
-        setUnit(m_unit);
+        if (!m_follows) {
+            setUnit(m_unit);
+        }
         return true;
     }
     return QLabel::event(event);

@@ -13,12 +13,15 @@ public:
     /// @param unit  "m", "kg/m3", ...; others stand as they are
     explicit UnitLabel(const QString& unit, QWidget* parent = nullptr);
     void setUnit(const QString& unit);
+    /// What is shown is said from now on by the field beside it, whose unit depends on its value.
+    void follow(const QString& shown);
 
 protected:
     bool event(QEvent* event) override;
 
 private:
     QString m_unit;
+    bool m_follows = false;
 };
 
 /// The event that tells a widget that other units are shown from now on.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/scenario/parameters.h"
 #include "widgets/basics/fixed_number.h"
@@ -67,13 +68,14 @@ QString withNamesOfSettings(QString text) {
 
 QString shownArgument(const Argument& argument) {
     QString text;
-    const figures::ShownUnit unit = figures::shownUnit(argument.unit);
+    const auto* number = std::get_if<double>(&argument.value);
+    const figures::ShownUnit unit = figures::shownUnit(argument.unit, number != nullptr ? *number : 0.0);
     if (const auto* words = std::get_if<std::string>(&argument.value)) {
         text = spokenText(*words);
     } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
         text = shownCount(*whole);
     } else {
-        text = shownNumber(std::get<double>(argument.value) * unit.perSi, 4);
+        text = shownNumber(*number * unit.perSi, 4);
     }
     return argument.unit.empty() ? text : text + QChar(0x00A0) + unit.name;
 }
@@ -129,7 +131,8 @@ QString shownIn(double value, std::string_view unit, int significant) {
 }
 
 QString shownWith(double value, std::string_view unit, int significant) {
-    return shownIn(value, unit, significant) + QChar(0x00A0) + figures::shownUnit(unit).name;
+    const figures::ShownUnit shown = figures::shownUnit(unit, value);
+    return shownNumber(value * shown.perSi, significant) + QChar(0x00A0) + shown.name;
 }
 
 QString shownLength(double metres, int significant) {
@@ -145,6 +148,42 @@ QString shownPlace(double metres, int decimals) {
 
 double typedIn(double shown, std::string_view unit) {
     return shown / figures::shownUnit(unit).perSi;
+}
+
+std::optional<double> typedNumber(const QString& text, std::string_view unit, double near) {
+    static const QRegularExpression form(QStringLiteral("^(.*?)\\s*([^\\d\\s.,]*)$"));
+    const auto parsed = [](const QString& digits) -> std::optional<double> {
+        bool ok = false;
+        double number = QLocale().toDouble(digits, &ok);
+        if (!ok) {
+            number = QLocale::c().toDouble(digits, &ok);
+        }
+        return ok && std::isfinite(number) ? std::optional(number) : std::nullopt;
+    };
+    const QString typed = text.trimmed();
+    const figures::ShownUnit shown = figures::shownUnit(unit, near);
+    if (const auto plain = parsed(typed)) {
+        return *plain / shown.perSi;
+    }
+    const QRegularExpressionMatch parts = form.match(typed);
+    const auto number = parsed(parts.captured(1));
+    const QString said = parts.captured(2);
+    if (!number || said.isEmpty()) {
+        return std::nullopt;
+    }
+    if (said == shown.name) {
+        return *number / shown.perSi;
+    }
+    if (unit == "s") {
+        static const std::map<QString, double> times{{QStringLiteral("s"), 1.0},
+                                                     {QStringLiteral("ms"), 1e-3},
+                                                     {QStringLiteral("us"), 1e-6},
+                                                     {QStringLiteral("µs"), 1e-6},
+                                                     {QStringLiteral("\u03BCs"), 1e-6}};
+        const auto time = times.find(said);
+        return time != times.end() ? std::optional(*number * time->second) : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 QString shownEnergy(double joules) {

@@ -29,6 +29,9 @@ QString shownLength(double metres, int significant = 3);
 QString shownPlace(double metres, int decimals = 2);
 /// Numbers typed in the units that are shown, in SI.
 double typedIn(double shown, std::string_view unit);
+/// A number that was typed in the locale's or the plain way, in SI; nothing where it is none. Its unit may follow ("70 µs", "70
+/// us", "2 s"); without, it is in the unit in which figures::shownUnit() shows a value like the one that stood there.
+std::optional<double> typedNumber(const QString& text, std::string_view unit, double near = 0.0);
 /// An energy in the unit that keeps its number readable: "7.89 GJ".
 QString shownEnergy(double joules);
 /// A mass in the unit that keeps its number readable: "65,870 t", "591 g".

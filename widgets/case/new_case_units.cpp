@@ -42,6 +42,12 @@ NewCaseUnits::NewCaseUnits(QWidget* parent)
       m_findings(new FindingList) {
     PanelGroup* units = addGroup(tr("Units of the file"));
     addParameter(units, "units");
+    // The first two are words of case files, not units.
+    units
+        ->addNote(tr("%1: kilograms, metres and seconds, unless the case names another unit of length.\n%2: the system that the "
+                     "densities, size and free fall of the file fit, if only one does.")
+                      .arg(shownName("frame"), shownName("auto")))
+        ->setObjectName(QStringLiteral("unitsWords"));
     units->addWide(m_unitsProposal);
     m_takeUnits->setObjectName(QStringLiteral("takeUnits"));
     units->addWide(m_takeUnits);
@@ -49,6 +55,10 @@ NewCaseUnits::NewCaseUnits(QWidget* parent)
     units->addWide(m_fits);
     PanelGroup* axes = addGroup(tr("Which axis points up"));
     addParameter(axes, "up_axis");
+    axes->addNote(
+            tr("%1: the axis that the case names, z where it names none.\n%2: the one against which free nodes are seen to fall.")
+                .arg(shownName("frame"), shownName("auto")))
+        ->setObjectName(QStringLiteral("axisWords"));
     axes->addWide(m_axisProposal);
     m_takeAxis->setObjectName(QStringLiteral("takeAxis"));
     axes->addWide(m_takeAxis);

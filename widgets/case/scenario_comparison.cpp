@@ -16,6 +16,7 @@
 #include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -197,7 +198,7 @@ void ScenarioComparison::showResults(const ScenarioSide& left, const ScenarioSid
     row(tr("Bodies at most"), {}, [](const RunEntry& run) { return shownCount(run.bodies); });
     row(tr("Wall time"), {}, [](const RunEntry& run) { return shownDuration(run.wallSeconds); });
     row(tr("Step, mean"), tr("ms"), [](const RunEntry& run) { return shownNumber(run.msPerStep, 2); });
-    row(tr("The end"), tr("s"), [](const RunEntry& run) { return QLocale().toString(run.endTime, 'f', 2); });
+    row(tr("The end"), {}, [](const RunEntry& run) { return figures::timeText(run.endTime); });
     row(tr("Asleep at the end"), {}, [](const RunEntry& run) { return shownShare(run.asleepAtEnd); });
     row(tr("Highest speed"), tr("m/s"), [](const RunEntry& run) { return shownIn(run.maxSpeed, "m/s"); });
     row(tr("Bulking of the pile"), {}, [](const RunEntry& run) { return shownNumber(run.bulkingFactor); });

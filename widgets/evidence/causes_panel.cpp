@@ -14,6 +14,7 @@
 
 #include "widgets/basics/study_start.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
@@ -135,12 +136,15 @@ void CausesPanel::askForTime() {
     constexpr double far = 1e6;
     const QString metres = figures::shownUnit("m").name;
     const double perMetre = figures::shownUnit("m").perSi;
-    auto* time = field("seconds", tr("Time"), 0.0, far, 0.0, tr("s"),
-                       tr("Seconds after the first debris came down anywhere: by a witness, a video, a gauge"));
+    // Debris of a blast comes down long after its microseconds.
+    const figures::ShownUnit told = figures::timeUnit(1e-3);
+    auto* time = field("seconds", tr("Time"), 0.0, far, 0.0, told.name,
+                       tr("After the first debris came down anywhere: by a witness, a video, a gauge"));
     auto* x = field("x", tr("x of the place"), -far, far, 0.0, metres, tr("In the frame of the case"));
     auto* y = field("y", tr("y of the place"), -far, far, 0.0, metres, tr("In the frame of the case"));
     auto* radius = field("radius", tr("Within"), 0.01, far, usualTimeRadius * perMetre, metres, tr("Around the place"));
-    auto* accuracy = field("accuracy", tr("Give or take"), 0.0, far, usualTimeAccuracy, tr("s"), tr("How far the time may be off"));
+    auto* accuracy = field("accuracy", tr("Give or take"), 0.0, far, usualTimeAccuracy * told.perSi, told.name,
+                           tr("How far the time may be off"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Add"));
     buttons->button(QDialogButtonBox::Ok)->setDefault(true);
@@ -148,8 +152,8 @@ void CausesPanel::askForTime() {
     connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     if (dialog.exec() == QDialog::Accepted) {
-        emit timeTold(timeEvidence(time->value(), {typedIn(x->value(), "m"), typedIn(y->value(), "m")},
-                                   typedIn(radius->value(), "m"), accuracy->value()));
+        emit timeTold(timeEvidence(time->value() / told.perSi, {typedIn(x->value(), "m"), typedIn(y->value(), "m")},
+                                   typedIn(radius->value(), "m"), accuracy->value() / told.perSi));
     }
 }
 

@@ -159,10 +159,13 @@ void EvidencePanel::buildTime() {
     m_atRest->setToolTip(tr("The photograph shows the debris after all has come to rest: it is held against the end of the run"));
     group->addWide(m_atRest);
     m_time->setRange(-1e6, 1e6);
-    group->addField(tr("taken at"), m_time, tr("s"), tr("When the photograph was taken, seconds on the clock of the FE result"));
+    m_time->setUnit("s");
+    group->addField(tr("taken at"), m_time, QStringLiteral("s"),
+                    tr("When the photograph was taken, on the clock of the FE result"));
     m_uncertainty->setRange(0.0, 1e6);
-    group->addField(tr("give or take"), m_uncertainty, tr("s"),
-                    tr("How far the time may be off, seconds, as much before as after. From 0 to 1,000,000 s"));
+    m_uncertainty->setUnit("s");
+    group->addField(tr("give or take"), m_uncertainty, QStringLiteral("s"),
+                    tr("How far the time may be off, as much before as after. From 0 to 1,000,000 s"));
     m_note->setAccessibleName(tr("Note"));
     m_note->setPlaceholderText(tr("note: who took it, from where"));
     m_note->setToolTip(tr("A note on the photograph, kept in the case"));

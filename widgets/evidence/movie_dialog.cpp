@@ -13,19 +13,22 @@
 
 #include "core/base/error.h"
 #include "widgets/basics/form_row.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
 namespace {
 
-QDoubleSpinBox* seconds(const char* name, double low, double high, double value) {
+/// A time in the units of the result.
+QDoubleSpinBox* instantBox(const char* name, double low, double high, double value) {
+    const figures::ShownUnit unit = figures::timeUnit();
     auto* box = new QDoubleSpinBox;
     box->setObjectName(QLatin1String(name));
     box->setDecimals(3);
-    box->setRange(low, high);
-    box->setSingleStep(0.1);
-    box->setValue(value);
-    box->setSuffix(QStringLiteral(" s"));
+    box->setRange(low * unit.perSi, high * unit.perSi);
+    box->setSingleStep(unit.perSi > 1.0 ? 1.0 : 0.1);
+    box->setValue(value * unit.perSi);
+    box->setSuffix(u' ' + unit.name);
     return box;
 }
 
@@ -33,8 +36,8 @@ QDoubleSpinBox* seconds(const char* name, double low, double high, double value)
 
 MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent)
     : QDialog(parent),
-      m_from(seconds("movieFrom", choice.settings.from, choice.settings.to, choice.settings.from)),
-      m_to(seconds("movieTo", choice.settings.from, choice.settings.to, choice.settings.to)),
+      m_from(instantBox("movieFrom", choice.settings.from, choice.settings.to, choice.settings.from)),
+      m_to(instantBox("movieTo", choice.settings.from, choice.settings.to, choice.settings.to)),
       m_pace(new QComboBox),
       m_fps(new QSpinBox),
       m_size(new QComboBox),
@@ -45,6 +48,12 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
     setWindowTitle(tr("Movie"));
     setObjectName(QStringLiteral("movieDialog"));
     m_pace->setObjectName(QStringLiteral("moviePace"));
+    if (const double perSi = figures::timeUnit().perSi; perSi > 1.0) {
+        // A blast in real time is over with its first picture.
+        for (const double perSecond : {10.0, 1.0, 100.0}) {
+            m_pace->addItem(figures::paceText(perSecond / perSi), perSecond / perSi);
+        }
+    }
     m_pace->addItem(tr("Real time"), 1.0);
     m_pace->addItem(tr("Half as fast"), 0.5);
     m_pace->addItem(tr("A quarter as fast"), 0.25);
@@ -69,8 +78,8 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(8);
-    addRow(*form, tr("From"), m_from, tr("Where the movie begins, on the clock of the FE result, s"));
-    addRow(*form, tr("To"), m_to, tr("Where it ends, s; the run may go on after the FE result"));
+    addRow(*form, tr("From"), m_from, tr("Where the movie begins, on the clock of the FE result"));
+    addRow(*form, tr("To"), m_to, tr("Where it ends; the run may go on after the FE result"));
     addRow(*form, tr("Pace"), m_pace, tr("How fast the collapse runs in the movie; other paces than real time are printed on it"));
     addRow(*form, tr("Pictures per second"), m_fps, tr("1 to 120; 25 is usual"));
     addRow(*form, tr("Size"), m_size, tr("Width and height in pixels"));
@@ -102,8 +111,9 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
 
 MovieChoice MovieDialog::choice() const {
     MovieChoice choice;
-    choice.settings = {m_from->value(), m_to->value(), static_cast<double>(m_fps->value()), m_pace->currentData().toDouble(),
-                       m_along->isChecked() ? m_cameras : std::vector<CameraKey>()};
+    const double perSi = figures::timeUnit().perSi;
+    choice.settings = {m_from->value() / perSi, m_to->value() / perSi, static_cast<double>(m_fps->value()),
+                       m_pace->currentData().toDouble(), m_along->isChecked() ? m_cameras : std::vector<CameraKey>()};
     choice.pixels = m_size->currentData().toSize();
     choice.encoded = m_format->currentData().toBool();
     return choice;

@@ -275,8 +275,9 @@ private:
 void printTime(QImage& picture, double time, double pace, render::Theme theme, double textHeight, bool besideAxes) {
     QString text = QStringLiteral("t = ") + timeText(time);
     if (std::abs(pace - 1.0) > 1e-9) {
-        text += QStringLiteral(" · ") +
-                (pace < 1.0 ? tr("%1 times slower").arg(numberText(1.0 / pace)) : tr("%1 times faster").arg(numberText(pace)));
+        text += QStringLiteral(" · ") + (pace < 1e-2 && briefSpan() > 0.0 ? tr("%1 of collapse in a second").arg(timeText(pace))
+                                         : pace < 1.0                     ? tr("%1 times slower").arg(numberText(1.0 / pace))
+                                                                          : tr("%1 times faster").arg(numberText(pace)));
     }
     QFont font;
     font.setPixelSize(std::max(8, static_cast<int>(std::lround(1.4 * textHeight))));
@@ -298,7 +299,7 @@ void printTime(QImage& picture, double time, double pace, render::Theme theme, d
 }  // namespace
 
 std::size_t movieLength(const MovieSettings& settings) {
-    const bool sound = settings.fps >= 1.0 && settings.fps <= 120.0 && settings.pace >= 1e-3 && settings.pace <= 1e3 &&
+    const bool sound = settings.fps >= 1.0 && settings.fps <= 120.0 && settings.pace >= 1e-8 && settings.pace <= 1e3 &&
                        std::isfinite(settings.from) && settings.to > settings.from;
     const double pictures = sound ? std::floor((settings.to - settings.from) / settings.pace * settings.fps + 1e-6) + 1.0
                                   : std::numeric_limits<double>::infinity();
@@ -308,7 +309,7 @@ std::size_t movieLength(const MovieSettings& settings) {
              "A movie from {0} to {1} with {2} pictures per second at {3} times the pace of the collapse cannot be made",
              {{settings.from, "s"}, {settings.to, "s"}, settings.fps, settings.pace}},
             {"movie.settings.remedy",
-             "Ask for 1 to 120 pictures per second, a pace from 0.001 to 1000 and at most {0} pictures in all.",
+             "Ask for 1 to 120 pictures per second, a pace from 0.00000001 to 1000 and at most {0} pictures in all.",
              {longest}});
     }
     return static_cast<std::size_t>(pictures);

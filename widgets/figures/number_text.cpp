@@ -5,8 +5,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "widgets/figures/shown_units.h"
-
 namespace rubble::figures {
 namespace {
 
@@ -24,7 +22,8 @@ QString countText(std::size_t count) {
 
 namespace {
 
-constexpr double briefest = 0.1;  // s: from there on hundredths of a second tell instants apart
+constexpr double briefest = 0.1;       // s: from there on hundredths of a second tell instants apart
+constexpr double slowestFactor = 0.1;  // paces below it are told in units of a brief result a second
 std::atomic<double> resultSpan{0.0};
 
 }  // namespace
@@ -33,23 +32,32 @@ void setResultSpan(double seconds) {
     resultSpan = seconds;
 }
 
-double briefUnit() {
+double briefSpan() {
     const double span = resultSpan;
-    return span <= 0.0 || span >= briefest ? 1.0 : span < 1e-3 ? 1e-6 : 1e-3;
+    return span >= briefest ? 0.0 : span;
+}
+
+// A settling time of seconds is not told in millions of microseconds.
+ShownUnit timeUnit(double seconds) {
+    const double brief = briefSpan();
+    if (brief <= 0.0 || std::abs(seconds) >= 1.0) {
+        return {QStringLiteral("s"), 1.0};
+    }
+    return brief >= 1e-3 || std::abs(seconds) >= 1e-3 ? ShownUnit{QStringLiteral("ms"), 1e3} : ShownUnit{QStringLiteral("µs"), 1e6};
 }
 
 QString timeText(double seconds) {
-    const double unit = briefUnit();
-    if (unit < 1.0 && std::abs(seconds) < 1.0) {
-        // A settling time of seconds is not told in millions of microseconds.
-        const double told = std::abs(seconds) >= 1e-3 ? 1e-3 : unit;
-        const QString name = told == 1e-3 ? QStringLiteral(" ms") : QStringLiteral(" µs");
-        const double value = seconds / told;
-        return numbers().toString(std::abs(value) < 0.005 ? 0.0 : value, 'f', std::abs(value) < 100.0 ? 2 : 1) + name;
-    }
+    const ShownUnit unit = timeUnit(seconds);
     // Times near zero must not read "-0.00 s".
-    const double value = std::abs(seconds) < 0.005 ? 0.0 : seconds;
-    return numbers().toString(value, 'f', 2) + QStringLiteral(" s");
+    const double value = std::abs(seconds * unit.perSi) < 0.005 ? 0.0 : seconds * unit.perSi;
+    const int decimals = unit.perSi > 1.0 && std::abs(value) >= 100.0 ? 1 : 2;
+    return numbers().toString(value, 'f', decimals) + u' ' + unit.name;
+}
+
+QString paceText(double pace) {
+    const ShownUnit unit = timeUnit();
+    return unit.perSi > 1.0 && pace < slowestFactor ? numberText(pace * unit.perSi) + u' ' + unit.name + QStringLiteral("/s")
+                                                    : numberText(pace) + QStringLiteral(" ×");
 }
 
 QString numberText(double value) {

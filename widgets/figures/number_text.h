@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "widgets/figures/shown_units.h"
+
 namespace rubble::figures {
 
 /// A count with thousands grouped: "49,561".
@@ -13,8 +15,12 @@ QString timeText(double seconds);
 /// A result that lasts less than a tenth of a second has its times told in ms and µs from now on.
 /// @param seconds  that the FE result at hand lasts; 0: none is open
 void setResultSpan(double seconds);
-/// s in one unit of times below a second: 1 unless the result at hand is brief.
-double briefUnit();
+/// s that the FE result at hand lasts where that is brief; 0: it is not, or none is open.
+double briefSpan();
+/// What a time of this size is told in: "s"; of a brief result below a second "ms" or "µs". 0 s: the unit of its instants.
+ShownUnit timeUnit(double seconds = 0.0);
+/// How fast a collapse is played: "0.5 ×"; of a brief result "5 µs/s". @param pace  seconds of collapse in one second
+QString paceText(double pace);
 /// A length with its unit: "25 m", "0.5 m", "2 km".
 QString lengthText(double metres);
 /// A speed with its unit: "25 m/s".

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "core/base/standard_gravity.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::figures {
 
@@ -58,6 +59,13 @@ UnitSet unitSet() {
 }
 
 ShownUnit shownUnit(std::string_view unit) {
+    return shownUnit(unit, 0.0);
+}
+
+ShownUnit shownUnit(std::string_view unit, double value) {
+    if (unit == "s" && filesBeingWritten() == 0) {
+        return timeUnit(value);
+    }
     const UnitSet set = unitSet();
     QString plain = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
     plain.replace(u'²', u'2').replace(u'³', u'3');

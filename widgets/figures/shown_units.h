@@ -20,9 +20,11 @@ struct ShownUnit {
     double perSi = 1.0;  ///< shown units in one unit of SI: value shown = value x perSi
 };
 
-/// What is shown in place of a unit: "m", "m2", "m3", "kg", "t", "kg/m3", "m/s", "m/s2", "Pa", "J" or "N"; others, and all of them
-/// while a file is written, stay as they are, with raised digits.
+/// What is shown in place of a unit: "m", "m2", "m3", "kg", "t", "kg/m3", "m/s", "m/s2", "Pa", "J" or "N"; "s" as timeUnit();
+/// others, and all of them while a file is written, stay as they are, with raised digits.
 ShownUnit shownUnit(std::string_view unit);
+/// The same for a value of this size, in SI: a time is told in the unit that suits it.
+ShownUnit shownUnit(std::string_view unit, double value);
 
 /// While one lives, what this thread draws or says is for a file: SI.
 class FileUnits {

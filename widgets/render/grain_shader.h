@@ -41,9 +41,9 @@ inline constexpr const char* fragment = R"(//VTK::Color::Impl
   float coarse = grainNoise(grainVS.xyz * 0.9);
   float fine = grainNoise(grainVS.xyz * 5.3);
   float tone = 1.0 + grainVS.w * (0.42 * (coarse - 0.5) + 0.34 * (fine - 0.5));
-  tone *= 1.0 - shadeVS;
-  ambientColor *= tone;
-  diffuseColor *= tone;
+  // A shadow takes the light of the sun; of what comes from everywhere only hollows take a part.
+  ambientColor *= tone * (1.0 - 0.4 * shadeVS);
+  diffuseColor *= tone * (1.0 - shadeVS);
 }
 )";
 

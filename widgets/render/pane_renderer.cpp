@@ -108,6 +108,8 @@ vtkSmartPointer<vtkCellArray> cells(const std::vector<std::int32_t>& connectivit
 constexpr double lampAlone = 1.25;
 constexpr double lampBesideSun = 0.5;
 constexpr double sunlight = 0.9;
+/// From the other side than lamp and sun: what neither reaches, such as the far sides of piers, still shows its shape.
+constexpr double fillBesideSun = 0.55;
 
 double channel(std::uint8_t value) {
     return value / 255.0;
@@ -119,6 +121,7 @@ PaneRenderer::PaneRenderer()
     : m_renderer(vtkSmartPointer<vtkRenderer>::New()),
       m_lamp(vtkSmartPointer<vtkLight>::New()),
       m_sun(vtkSmartPointer<vtkLight>::New()),
+      m_fill(vtkSmartPointer<vtkLight>::New()),
       m_points(vtkSmartPointer<vtkPoints>::New()),
       m_coordinates(vtkSmartPointer<vtkFloatArray>::New()),
       m_rgba(vtkSmartPointer<vtkUnsignedCharArray>::New()),
@@ -151,6 +154,12 @@ PaneRenderer::PaneRenderer()
     m_sun->SetIntensity(sunlight);
     m_sun->SwitchOff();
     m_renderer->AddLight(m_sun);
+    m_fill->SetLightTypeToCameraLight();
+    m_fill->SetPosition(1.0, 0.15, 0.35);
+    m_fill->SetFocalPoint(0.0, 0.0, 0.0);
+    m_fill->SetIntensity(fillBesideSun);
+    m_fill->SwitchOff();
+    m_renderer->AddLight(m_fill);
 }
 
 PaneRenderer::~PaneRenderer() = default;
@@ -263,6 +272,7 @@ void PaneRenderer::setShade(const GroundShade* shade, const SceneColours& colour
     m_site.setShade(shade, colours);
     setPointShade(shade);
     m_sun->SetSwitch(shade != nullptr);
+    m_fill->SetSwitch(shade != nullptr);
     m_lamp->SetIntensity(shade ? lampBesideSun : lampAlone);
 }
 

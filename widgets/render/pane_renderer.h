@@ -67,6 +67,7 @@ private:
     vtkSmartPointer<vtkRenderer> m_renderer;
     vtkSmartPointer<vtkLight> m_lamp;
     vtkSmartPointer<vtkLight> m_sun;
+    vtkSmartPointer<vtkLight> m_fill;
     vtkSmartPointer<vtkPoints> m_points;
     vtkSmartPointer<vtkFloatArray> m_coordinates;
     vtkSmartPointer<vtkUnsignedCharArray> m_rgba;

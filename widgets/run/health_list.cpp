@@ -25,11 +25,11 @@ namespace rubble::widgets {
 namespace {
 
 QString interval(const HealthBreach& breach) {
-    const double unit = figures::briefUnit();
-    if (breach.to - breach.from < 0.005 * unit) {
+    const bool brief = figures::briefSpan() > 0.0;
+    if (breach.to - breach.from < 0.005 / figures::timeUnit().perSi) {
         return HealthList::tr("at %1").arg(figures::timeText(breach.from));
     }
-    const QString from = unit < 1.0 ? figures::timeText(breach.from) : QLocale().toString(breach.from, 'f', 2);
+    const QString from = brief ? figures::timeText(breach.from) : QLocale().toString(breach.from, 'f', 2);
     return HealthList::tr("%1–%2").arg(from, figures::timeText(breach.to));
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/evidence/cautions.h"
 #include "core/simulation/effects/held_islands.h"
+#include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/run/effects_panel.h"
@@ -37,6 +38,7 @@ RunPanel::RunPanel(QWidget* parent)
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
       m_notHeld(new Notice),
+      m_brief(new Notice),
       m_runs(new RunList),
       m_findings(new FindingList) {
     auto* buttons = new QWidget;
@@ -82,12 +84,35 @@ void RunPanel::buildSettings() {
     }
     addRemaining(Stage::Simulation, tr("Rest and recording"), isEffectParameter);
     addWide(m_notHeld);
+    addWide(m_brief);
 }
 
 void RunPanel::setScenario(const Scenario& scenario) {
     Panel::setScenario(scenario);
     const std::optional<Finding> finding = notHeld(scenario);
     m_notHeld->set(Notice::Kind::Note, finding ? worded(finding->what) : QString(), finding ? worded(finding->remedy) : QString());
+    showBriefResult();
+}
+
+bool RunPanel::event(QEvent* event) {
+    if (event->type() == unitsChanged()) {
+        showBriefResult();
+    }
+    return Panel::event(event);
+}
+
+// Debris of a blast flies on for seconds: nobody is to take these for the span of the FE result.
+void RunPanel::showBriefResult() {
+    const double span = figures::briefSpan();
+    m_brief->setObjectName(QStringLiteral("briefResult"));
+    m_brief->set(Notice::Kind::Note,
+                 span > 0.0 ? tr("The FE result lasts %1. Its debris has at most the settle time to come to rest; each of the two "
+                                 "has half of the timeline.")
+                                  .arg(figures::timeText(span))
+                            : QString(),
+                 span > 0.0 ? tr("Steps per second are those of the settling: every state of the FE result is a step of its own. "
+                                 "Times can be typed with a unit: 500 us, 20 ms, 2 s.")
+                            : QString());
 }
 
 void RunPanel::setOtherSettings(bool other) {

@@ -41,6 +41,9 @@ public:
     void setReady(bool ready, bool running, const QString& why = {});
     void setScenario(const Scenario& scenario) override;
 
+protected:
+    bool event(QEvent* event) override;
+
 signals:
     void simulateRequested();
     void liveRequested();
@@ -51,6 +54,7 @@ signals:
 private:
     void buildSettings();
     void buildOutcome();
+    void showBriefResult();
     void clearOutcome();
 
     QPushButton* m_simulate;
@@ -58,6 +62,7 @@ private:
     QPushButton* m_cancel;
     QLabel* m_why;
     Notice* m_notHeld;
+    Notice* m_brief;
     PanelGroup* m_healthGroup;
     HealthList* m_health;
     RunList* m_runs;

@@ -158,7 +158,7 @@ QString FragmentModel::textOf(FragmentId id, Column column) const {
                        : QString();
         }
         case Birth:
-            return QLocale().toString(figure, 'f', 2);
+            return QLocale().toString(figure * figures::shownUnit("s").perSi, 'f', 2);
         case Mass:
             return shownIn(figure, "kg");
         case Size:

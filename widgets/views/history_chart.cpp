@@ -78,8 +78,8 @@ ChartAxis timeAxis(const HistoryChart::Content& content, double count) {
     const double to = std::max(content.to, content.from + 1e-9);
     ChartAxis axis{content.from, to, false, {}};
     const double step = figures::roundStep(to - content.from, count);
-    for (double tick = std::ceil((content.from - content.timeOrigin) / step - 1e-9) * step + content.timeOrigin; tick <= to + 1e-9;
-         tick += step) {
+    for (double tick = std::ceil((content.from - content.timeOrigin) / step - 1e-9) * step + content.timeOrigin;
+         tick <= to + std::min(1e-9, 1e-6 * step); tick += step) {
         axis.ticks.push_back(tick);
     }
     return axis;
@@ -176,9 +176,10 @@ void HistoryChart::paintChart(QPainter& painter, const QRectF& area, const QFont
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const ChartField& field = fields[i];
         const bool last = i + 1 == fields.size();
-        const AxisWords across{last ? tr("time, s") : QString(), [&](double tick) {
-                                   return last ? QLocale().toString(std::round(1e9 * (tick - m_content.timeOrigin)) / 1e9, 'g', 6)
-                                               : QString();
+        const figures::ShownUnit unit = figures::timeUnit(m_content.to - m_content.from);
+        const AxisWords across{last ? tr("time, %1").arg(unit.name) : QString(), [&](double tick) {
+                                   const double told = (tick - m_content.timeOrigin) * unit.perSi;
+                                   return last ? QLocale().toString(std::round(1e9 * told) / 1e9, 'g', 6) : QString();
                                }};
         field.paintAxes(painter, font, palette, across, {nameOf(i), [i](double tick) { return figureOf(i, tick); }});
         double right = field.frame.right();

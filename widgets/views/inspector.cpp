@@ -25,15 +25,15 @@ constexpr std::size_t mostComponents = 6;
 
 /// The number of an instant for a row whose unit is secondsUnit(); of a brief result with its own unit.
 QString seconds(double time) {
-    return figures::briefUnit() < 1.0 ? figures::timeText(time) : QLocale().toString(time, 'f', 3);
+    return figures::briefSpan() > 0.0 ? figures::timeText(time) : QLocale().toString(time, 'f', 3);
 }
 
 QString secondsUnit() {
-    return figures::briefUnit() < 1.0 ? QString() : Inspector::tr("s");
+    return figures::briefSpan() > 0.0 ? QString() : Inspector::tr("s");
 }
 
 QString instant(double time) {
-    return figures::briefUnit() < 1.0 ? seconds(time) : Inspector::tr("%1 s").arg(seconds(time));
+    return figures::briefSpan() > 0.0 ? seconds(time) : Inspector::tr("%1 s").arg(seconds(time));
 }
 
 QString metres(double value) {

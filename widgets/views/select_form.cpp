@@ -47,8 +47,8 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
     m_component->setMinimumContentsLength(10);
     m_component->setAccessibleName(tr("Component"));
     m_component->setToolTip(tr("Elements of this component"));
-    m_bornFrom = addField(tr("Born from"), tr("Fragments born at or after this time, s; %1").arg(open));
-    m_bornTo = addField(tr("Born to"), tr("Fragments born at or before this time, s; %1").arg(open));
+    m_bornFrom = addField(tr("Born from"), tr("Fragments born at or after this time; %1").arg(open));
+    m_bornTo = addField(tr("Born to"), tr("Fragments born at or before this time; %1").arg(open));
     m_cluster = addField(tr("Cluster"), tr("Fragments of the cluster with this number; empty: any"));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
@@ -66,7 +66,7 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
         grid->addWidget(of, row, 4);
     };
     put(0, tr("component"), m_component, nullptr, {});
-    put(1, tr("born"), m_bornFrom, m_bornTo, tr("s"));
+    put(1, tr("born"), m_bornFrom, m_bornTo, QStringLiteral("s"));
     put(2, tr("cluster"), m_cluster, nullptr, {});
     for (std::size_t i = 0; i < 3; ++i) {
         const QString axis(QLatin1Char(axes[i]));
@@ -113,19 +113,15 @@ void SelectForm::setFound(std::size_t count) {
     m_found->setText(count == 0 ? tr("Nothing fits.") : tr("%1 elements fit.").arg(shownCount(static_cast<std::int64_t>(count))));
 }
 
-std::optional<double> SelectForm::numberIn(const QLineEdit* field, const QString& name, QString& complaint) const {
+std::optional<double> SelectForm::numberIn(const QLineEdit* field, const QString& name, QString& complaint,
+                                           const char* unit) const {
     const QString text = field->text().trimmed();
     if (text.isEmpty()) {
         return std::nullopt;
     }
-    bool ok = false;
-    double value = QLocale().toDouble(text, &ok);
-    if (!ok) {
-        value = text.toDouble(&ok);
-    }
-    if (!ok || !std::isfinite(value)) {
+    const std::optional<double> value = typedNumber(text, unit);
+    if (!value) {
         complaint = tr("%1: “%2” is no number.").arg(name, text);
-        return std::nullopt;
     }
     return value;
 }
@@ -134,8 +130,8 @@ SelectForm::Criteria SelectForm::criteria() const {
     QString complaint;
     Criteria criteria;
     criteria.component = m_component->currentData().toString().toStdString();
-    criteria.bornFrom = numberIn(m_bornFrom, tr("Born from"), complaint);
-    criteria.bornTo = numberIn(m_bornTo, tr("Born to"), complaint);
+    criteria.bornFrom = numberIn(m_bornFrom, tr("Born from"), complaint, "s");
+    criteria.bornTo = numberIn(m_bornTo, tr("Born to"), complaint, "s");
     if (const auto number = numberIn(m_cluster, tr("Cluster"), complaint)) {
         if (*number < 0.0 || *number != std::floor(*number) || *number > 4e9) {
             complaint = tr("A cluster has a whole number from 0.");

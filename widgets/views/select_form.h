@@ -42,7 +42,7 @@ signals:
 
 private:
     QLineEdit* addField(const QString& name, const QString& tip);
-    std::optional<double> numberIn(const QLineEdit* field, const QString& name, QString& complaint) const;
+    std::optional<double> numberIn(const QLineEdit* field, const QString& name, QString& complaint, const char* unit = "") const;
     void ask(How how);
 
     QComboBox* m_component;

@@ -143,7 +143,7 @@ bool Timeline::showToolTip(const QPointF& point, const QPoint& global) {
         text = tr("%1\n%2; double-click to change").arg(note, shownTime(mark.time));
     } else if (const auto photograph = photographAt(point)) {
         const PhotographTime& mark = m_photographs[*photograph];
-        text = tr("Photograph %1\n%2 ± %3 s").arg(mark.name, shownTime(mark.time), QLocale().toString(mark.uncertainty, 'g', 3));
+        text = tr("Photograph %1\n%2 ± %3").arg(mark.name, shownTime(mark.time), shownWith(mark.uncertainty, "s"));
     } else if (const auto marks = marksAt(point); !marks.empty()) {
         text = wordsOf(marks);
     } else if (const auto handOver = handOverAt(point)) {

@@ -51,7 +51,8 @@ void Timeline::paintAxis(QPainter& painter, const Rows& r) const {
 }
 
 void Timeline::paintTicks(QPainter& painter, const Rows& r, double first, double last) const {
-    const double unit = last - first < 1.0 ? figures::briefUnit() : 1.0;
+    const figures::ShownUnit told = figures::timeUnit(last - first);
+    const double unit = 1.0 / told.perSi;
     const double step = figures::roundStep((last - first) / unit, (toX(last) - toX(first)) / 56.0);
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     painter.setPen(tints().muted);
@@ -63,7 +64,7 @@ void Timeline::paintTicks(QPainter& painter, const Rows& r, double first, double
         painter.drawLine(QPointF(x, r.axis), QPointF(x, r.axis + 3));
         QString label = QLocale().toString(k * step, 'f', decimals);
         if (k == begin) {
-            label += unit == 1.0 ? QStringLiteral(" s") : unit == 1e-3 ? QStringLiteral(" ms") : QStringLiteral(" µs");
+            label += u' ' + told.name;
         }
         const double half = painter.fontMetrics().horizontalAdvance(label) / 2.0;
         painter.drawText(QPointF(x - half, r.axis + 5 + painter.fontMetrics().ascent()), label);

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QToolButton>
 #include <array>
 #include <cmath>
@@ -98,8 +97,8 @@ void Transport::setTime(double time) {
 }
 
 double Transport::usualRate() {
-    const double unit = figures::briefUnit();
-    return unit < 1.0 ? 10.0 * unit : 1.0;
+    const double perSi = figures::timeUnit().perSi;
+    return perSi > 1.0 ? 10.0 / perSi : 1.0;
 }
 
 // Of a brief result in its own units of time a second, and those of what comes after it.
@@ -107,13 +106,12 @@ void Transport::offerRates() {
     m_offered = usualRate();
     m_rate->clear();
     if (m_offered < 1.0) {
-        const QString unit = figures::briefUnit() < 1e-3 ? QStringLiteral(" µs/s") : QStringLiteral(" ms/s");
         for (const double rate : rates) {
-            m_rate->addItem(QLocale().toString(10.0 * rate) + unit, rate * m_offered);
+            m_rate->addItem(figures::paceText(rate * m_offered), rate * m_offered);
         }
     }
     for (const double rate : rates) {
-        m_rate->addItem(QLocale().toString(rate) + QStringLiteral(" ×"), rate);
+        m_rate->addItem(figures::paceText(rate), rate);
     }
 }
 

@@ -432,13 +432,13 @@ void CausesDisplay::showPanel() {
     }
     for (const Timed& each : m_kept.times) {
         const TimeEvidence& time = each.time;
-        const QString name = tr("%1 s at %2, %3")
-                                 .arg(widgets::shownNumber(time.time, 4), widgets::shownIn(time.place.x(), "m"),
+        const QString name = tr("%1 at %2, %3")
+                                 .arg(widgets::shownWith(time.time, "s", 4), widgets::shownIn(time.place.x(), "m"),
                                       widgets::shownWith(time.place.y(), "m"));
         content.evidence.push_back({name,
                                     tr("Debris came within %1 of this place so long after the first debris that came down "
-                                       "anywhere, give or take %2 s")
-                                        .arg(widgets::shownLength(time.radius), widgets::shownNumber(time.accuracy)),
+                                       "anywhere, give or take %2")
+                                        .arg(widgets::shownLength(time.radius), widgets::shownWith(time.accuracy, "s")),
                                     each.used, true, true});
     }
     content.available = !m_document.empty();

@@ -22,6 +22,7 @@
 #include "app/gui/views/inspection.h"
 #include "app/gui/views/selection_display.h"
 #include "io/fe/fe_reader.h"
+#include "widgets/basics/unit_label.h"
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/case/start_page.h"
 #include "widgets/figures/export_record.h"
@@ -178,9 +179,9 @@ void Opening::showRefreshed(const FeResult& before, const render::View& view, do
     const io::FeGrowth growth = io::growthBetween(before, fe);
     m_shown.scene.setView(view);
     m_shown.playback.scrub(std::clamp(time, fe.times().front(), fe.times().back()));
-    m_session.tell(growth.states > 0 ? tr("%1 states more, to %2 s; %3 elements more are dead")
+    m_session.tell(growth.states > 0 ? tr("%1 states more, to %2; %3 elements more are dead")
                                            .arg(growth.states)
-                                           .arg(QLocale().toString(fe.times().back(), 'g', 4))
+                                           .arg(figures::timeText(fe.times().back()))
                                            .arg(growth.deaths)
                                      : tr("The result was read again: %1 states").arg(fe.stateCount()));
 }
@@ -264,7 +265,11 @@ void Opening::takeOpened(const Opened& opened) {
 // Of the result that is open; a wizard tells those of another one meanwhile.
 void Opening::tellTimes() {
     const auto& fe = m_computation.inputs().fe;
+    const double before = figures::briefSpan();
     figures::setResultSpan(fe != nullptr && fe->stateCount() > 0 ? fe->times().back() - fe->times().front() : 0.0);
+    if (figures::briefSpan() != before) {
+        widgets::tellUnitsChanged();
+    }
 }
 
 void Opening::scenarioChanged() {

@@ -102,6 +102,33 @@ TEST_F(EnsembleStudy, MassOfAMemberIsThatOfItsDebris) {
     EXPECT_GT(make().members[0].of(MemberMeasure::Mass), 1.01 * mass);
 }
 
+TEST_F(EnsembleStudy, SaysThatItReadsWhatIsKeptWhereNothingIsSimulated) {
+    MemoryStore store;
+    options.store = &store;
+    const auto stages = [this] {
+        std::map<std::string, Message> told;
+        std::mutex mutex;
+        const Execution execution([&](const Progress& progress) {
+            const std::scoped_lock lock(mutex);
+            told.emplace(progress.stage.id, progress.stage);
+        });
+        EXPECT_EQ(make(execution).members.size(), 4u);
+        return told;
+    };
+    const auto making = stages();
+    EXPECT_TRUE(making.contains("evidence.ensemble"));
+    EXPECT_FALSE(making.contains("evidence.ensemble_kept"));
+    ASSERT_EQ(store.worlds.size(), 4u);
+    options.choice = WorldChoice::none();
+    const auto reading = stages();
+    ASSERT_TRUE(reading.contains("evidence.ensemble_kept"));
+    EXPECT_EQ(englishText(reading.at("evidence.ensemble_kept")), "reading what is kept of 4 members of the ensemble");
+    EXPECT_FALSE(reading.contains("evidence.ensemble")) << "nothing is simulated";
+    store.worlds.clear();
+    EXPECT_TRUE(stages().contains("evidence.ensemble_kept"));
+    EXPECT_TRUE(store.worlds.empty());
+}
+
 TEST_F(EnsembleStudy, GoesOnFromWhatIsKept) {
     MemoryStore store;
     options.store = &store;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -16,16 +17,24 @@
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/new_case.h"
 #include "app/gui/case/project_display.h"
+#include "app/gui/case/project_files.h"
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/view_area.h"
 #include "app/gui/views/inspection.h"
 #include "core/fe/units.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/basics/unit_label.h"
+#include "widgets/case/case_panel.h"
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/evidence/causes_panel.h"
+#include "widgets/evidence/movie_dialog.h"
 #include "widgets/evidence/report_panel.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/run/run_panel.h"
+#include "widgets/views/fragment_model.h"
+#include "widgets/views/status_line.h"
 #include "widgets/views/timeline.h"
 #include "widgets/views/transport.h"
 
@@ -124,6 +133,34 @@ TEST_F(SecondHour, ARunWithOtherSettingsThanTheCaseLendsThem) {
     EXPECT_TRUE(take->isEnabled());
 }
 
+TEST_F(SecondHour, ABareResultSaysWhatItIsAndWhatItsKeptRunWasMadeWith) {
+    openAndAwait(smallAs("east.exo"));
+    Document& document = session->document();
+    document.setParameter(QStringLiteral("friction"), 0.3);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    simulateToEnd();
+    document.undoStack().setClean();
+    openAndAwait(timedAs("west.exo", 1.1));
+    openAndAwait(folder.filePath(QStringLiteral("east.exo")));
+    ASSERT_TRUE(document.path().isEmpty()) << "no case";
+    EXPECT_EQ(parameterValue(document.scenario(), "friction"), parameterValue(Scenario(), "friction"));
+    QStringList found;
+    for (const auto* notice : window->rooms().deck->casePanel().findChildren<widgets::Notice*>()) {
+        if (notice->isVisible()) {
+            found << notice->text();
+        }
+    }
+    EXPECT_TRUE(found.join(u'\n').contains(QStringLiteral("XXX"))) << qPrintable(found.join(u'\n'));
+    QStringList told;
+    QObject::connect(session.get(), &Session::told, window, [&](const QString& what) { told << what; });
+    RunHistory& history = session->part<ProjectFiles>().runs;
+    ASSERT_EQ(history.runs().size(), 1U) << "kept beside nothing, found again";
+    history.show(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().currentRun() != nullptr && !told.empty(); }, patience));
+    EXPECT_TRUE(told.last().contains(QStringLiteral("It has other settings than the case"))) << qPrintable(told.join(u'\n'));
+    EXPECT_TRUE(window->findChild<widgets::StatusLine*>()->activityText().contains(QStringLiteral("other settings")));
+}
+
 TEST_F(SecondHour, ABlastOfMicrosecondsIsToldInItsOwnUnitsAndHasHalfOfTheTimeline) {
     openAndAwait(timedAs("blast.exo", 1.4e-4));
     EXPECT_EQ(shown("timeFigures"), QStringLiteral("0.00 µs"));
@@ -150,6 +187,62 @@ TEST_F(SecondHour, ABlastOfMicrosecondsIsToldInItsOwnUnitsAndHasHalfOfTheTimelin
     EXPECT_EQ(window->rooms().playback->clock().rate(), 1.0);
 }
 
+TEST_F(SecondHour, TimesOfABlastAreTypedAndSaidInUnitsThatSuitThem) {
+    openAndAwait(timedAs("blast.exo", 1.4e-4));
+    clickPanel(PanelDeck::Run);
+    auto* panel = window->findChild<widgets::RunPanel*>();
+    auto* editor = panel->findChild<widgets::ParameterEditor*>(QStringLiteral("settle_time"));
+    ASSERT_NE(editor, nullptr);
+    auto* field = editor->findChild<QLineEdit*>();
+    // The unit stands right of its field.
+    const auto unit = [&] {
+        const QPoint middle = editor->mapTo(panel->widget(), editor->rect().center());
+        for (const auto* label : panel->findChildren<widgets::UnitLabel*>()) {
+            const QRect place(label->mapTo(panel->widget(), QPoint(0, 0)), label->size());
+            if (std::abs(place.center().y() - middle.y()) < 4 && place.left() > middle.x()) {
+                return label->text();
+            }
+        }
+        return QString();
+    };
+    const auto type = [&](const QString& text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        return std::get<double>(parameterValue(session->document().scenario(), "settle_time"));
+    };
+    EXPECT_EQ(field->text() + unit(), QStringLiteral("10s"));
+    const auto* said = panel->findChild<widgets::Notice*>(QStringLiteral("briefResult"));
+    EXPECT_TRUE(said->text().contains(QStringLiteral("70.00 µs"))) << qPrintable(said->text());
+    EXPECT_DOUBLE_EQ(type(QStringLiteral("500 us")), 5e-4);
+    EXPECT_EQ(field->text() + unit(), QStringLiteral("500µs"));
+    EXPECT_DOUBLE_EQ(type(QStringLiteral("70")), 7e-5) << "a bare number is in the unit beside the field";
+    EXPECT_DOUBLE_EQ(type(QStringLiteral("20ms")), 0.02);
+    EXPECT_EQ(field->text() + unit(), QStringLiteral("20ms"));
+    EXPECT_DOUBLE_EQ(type(QStringLiteral("2 s")), 2.0);
+    EXPECT_EQ(field->text() + unit(), QStringLiteral("2s"));
+    EXPECT_DOUBLE_EQ(type(QStringLiteral("3 kg")), 2.0) << "no time";
+    auto& rates = *window->findChild<widgets::Transport*>()->findChild<QComboBox*>();
+    EXPECT_GE(rates.findText(QStringLiteral("10 µs/s")), 0);
+    EXPECT_GE(rates.findText(QStringLiteral("1 ×")), 0);
+    widgets::MovieChoice choice;
+    choice.settings.to = 70e-6;
+    widgets::MovieDialog movie(choice, false);
+    EXPECT_EQ(movie.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->text(), QStringLiteral("70.000 µs"));
+    EXPECT_NEAR(movie.choice().settings.to, 70e-6, 1e-9);
+    EXPECT_EQ(figures::movieLength(movie.choice().settings), 176U) << "seven seconds to watch";
+    widgets::FragmentModel model;
+    EXPECT_EQ(model.headerData(widgets::FragmentModel::Birth, Qt::Horizontal, Qt::DisplayRole), QStringLiteral("born, µs"));
+    session->document().undoStack().setClean();
+    openAndAwait(smallAs("east.exo"));
+    EXPECT_TRUE(said->isHidden());
+    EXPECT_EQ(model.headerData(widgets::FragmentModel::Birth, Qt::Horizontal, Qt::DisplayRole), QStringLiteral("born, s"));
+    EXPECT_EQ(field->text() + unit(), QStringLiteral("10s"));
+    EXPECT_DOUBLE_EQ(type(QStringLiteral("0.05")), 0.05);
+    EXPECT_EQ(field->text() + unit(), QStringLiteral("0.05s")) << "only a brief result has other units";
+}
+
 TEST_F(SecondHour, TheWizardReadsAFileInTheUnitsThatFitIt) {
     io::ExodusBuilder builder = cli::smallCollapse();
     for (Vec3& node : builder.nodes) {
@@ -171,6 +264,13 @@ TEST_F(SecondHour, TheWizardReadsAFileInTheUnitsThatFitIt) {
     QTest::qWait(200);
     ASSERT_TRUE(QTest::qWaitFor([&] { return making->settled(); }, patience));
     EXPECT_EQ(units(), "frame") << "taking it back lasts";
+    for (const char* note : {"unitsWords", "axisWords"}) {
+        const auto* words = making->wizard().findChild<QLabel*>(QLatin1String(note));
+        ASSERT_NE(words, nullptr);
+        EXPECT_TRUE(words->isVisible()) << note;
+        EXPECT_TRUE(words->text().contains(QStringLiteral("frame: ")) && words->text().contains(QStringLiteral("auto: ")))
+            << qPrintable(words->text());
+    }
     QTest::keyClick(&making->wizard(), Qt::Key_Escape);
 }
 

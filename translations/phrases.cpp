@@ -8,6 +8,7 @@
 
 #include "core/fe/mesh.h"
 #include "core/scenario/parameters.h"
+#include "core/selftest/suite.h"
 #include "translations/literals.h"
 
 namespace {
@@ -22,9 +23,10 @@ struct Phrases {
     std::set<std::string> messages;
     std::set<std::string> parameters;
     std::set<std::string> choices;
+    std::set<std::string> selfTest;
 };
 
-/// Files without text for the window: self tests speak on the command line only, parameters are read from their table.
+/// Files without text for the window: of self tests reports say the criteria alone, parameters are read from their table.
 bool passedOver(const std::string& path) {
     static const char* const silent[] = {"core/selftest/", "core/scenario/parameter_table.cpp",
                                          "core/scenario/effect_parameters.cpp", "widgets/figures/palette", "io/base/machine.cpp"};
@@ -57,6 +59,9 @@ void collectParameters(Phrases& phrases) {
     for (const rubble::Parameter& row : rubble::parameterTable()) {
         phrases.parameters.emplace(row.label);
         phrases.parameters.emplace(row.help);
+        if (row.unit.find(" or ") != std::string_view::npos) {
+            phrases.parameters.emplace(row.unit);
+        }
         for (const std::string_view choice : row.choices) {
             std::string shown(choice);
             std::replace(shown.begin(), shown.end(), '_', ' ');
@@ -65,6 +70,12 @@ void collectParameters(Phrases& phrases) {
     }
     for (int shape = 0; shape <= static_cast<int>(rubble::ElementShape::Beam); ++shape) {
         phrases.choices.emplace(rubble::shapeName(static_cast<rubble::ElementShape>(shape)));
+    }
+}
+
+void collectSelfTest(Phrases& phrases) {
+    for (const rubble::selftest::HardCase& hardCase : rubble::selftest::hardCases()) {
+        phrases.selfTest.emplace(hardCase.criterion);
     }
 }
 
@@ -89,11 +100,13 @@ int main(int argc, char** argv) {
     Phrases phrases;
     collectMessages(argv[1], phrases);
     collectParameters(phrases);
+    collectSelfTest(phrases);
     std::ofstream out(argv[2]);
     out << "const char* const phrases[] = {\n";
     write(out, "messages", phrases.messages);
     write(out, "parameters", phrases.parameters);
     write(out, "choices", phrases.choices);
+    write(out, "selftest", phrases.selfTest);
     out << "};\n";
     out.flush();
     if (!out) {

@@ -27,12 +27,9 @@ std::string reportNotesPath(const std::string& casePath) {
     return casePath + ".report.json";
 }
 
-ReportNotes readReportNotes(const std::string& file) {
-    std::error_code failed;
-    if (!fs::exists(fs::symlink_status(file, failed))) {
-        return {};
-    }
-    const nlohmann::json document = readJsonDocument(file, notesKind);
+namespace {
+
+ReportNotes notesOf(const nlohmann::json& document, const std::string& file) {
     const JsonCursor top(document, file);
     ReportNotes notes;
     notes.question = top["question"].text();
@@ -40,6 +37,20 @@ ReportNotes readReportNotes(const std::string& file) {
     notes.causes = top["causes"].text();
     notes.words = {top["custody"].text(), top["alternatives"].text(), top["change"].text(), top["summary"].text()};
     return notes;
+}
+
+}  // namespace
+
+ReportNotes readReportNotes(const std::string& file) {
+    std::error_code failed;
+    if (!fs::exists(fs::symlink_status(file, failed))) {
+        return {};
+    }
+    return notesOf(readJsonDocument(file, notesKind), file);
+}
+
+ReportNotes reportNotesFrom(const std::string& text, const std::string& name) {
+    return notesOf(jsonDocumentFrom(text, name, notesKind), name);
 }
 
 void writeReportNotes(const std::string& file, const ReportNotes& notes) {

@@ -22,6 +22,9 @@ std::string reportNotesPath(const std::string& casePath);
 /// The notes of a file; empty ones if there is none. Throws WorldError, ParseError naming file and place.
 ReportNotes readReportNotes(const std::string& file);
 
+/// The notes in a text. @param name  what errors call it. Throws ParseError.
+ReportNotes reportNotesFrom(const std::string& text, const std::string& name);
+
 /// Writes them atomically; empty ones remove the file. Throws WorldError; the old file is then unchanged.
 void writeReportNotes(const std::string& file, const ReportNotes& notes);
 

@@ -38,7 +38,11 @@ std::string contentOf(const std::string& path, const JsonKind& kind) {
 }  // namespace
 
 nlohmann::json readJsonDocument(const std::string& path, const JsonKind& kind) {
-    nlohmann::json document = parseJson(contentOf(path, kind), path);
+    return jsonDocumentFrom(contentOf(path, kind), path, kind);
+}
+
+nlohmann::json jsonDocumentFrom(const std::string& text, const std::string& path, const JsonKind& kind) {
+    nlohmann::json document = parseJson(text, path);
     const JsonCursor top(document, path);
     if (top["format"].text() != kind.format) {
         top["format"].fail(std::string("\"") + kind.format + "\"");

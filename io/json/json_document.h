@@ -16,5 +16,7 @@ struct JsonKind {
 /// Reads a file of a kind. Throws WorldError if it cannot be read, ParseError if it is too large, of another format or version, or
 /// damaged; each names the file.
 nlohmann::json readJsonDocument(const std::string& path, const JsonKind& kind);
+/// The same of a text that was read already. @param name  what errors call it
+nlohmann::json jsonDocumentFrom(const std::string& text, const std::string& name, const JsonKind& kind);
 
 }  // namespace rubble::io

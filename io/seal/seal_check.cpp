@@ -10,6 +10,7 @@
 #include "io/base/files.h"
 #include "io/base/sha256.h"
 #include "io/case/journal_check.h"
+#include "io/exports/report_notes.h"
 #include "io/seal/bag.h"
 
 namespace rubble::io {
@@ -34,6 +35,7 @@ public:
             checkStatement();
             checkSignature();
             checkJournal();
+            checkNotes();
             checkRuns();
         }
         checkRecords();
@@ -55,6 +57,7 @@ private:
     void checkStamp(const std::string& signature);
     void checkTimes();
     void checkJournal();
+    void checkNotes();
     void checkRuns();
     void checkRecords();
     void checkRecord(const std::string& place, std::int64_t number);
@@ -301,6 +304,20 @@ void BundleCheck::checkJournal() {
         fault(place, {"io.seal.journal_later",
                       "the journal goes on until {0}, after the time of sealing, {1}",
                       {journal.last, statement.sealedAt}});
+    }
+}
+
+/// Words of the author are opened with the case: others than those that were sealed must not pass for them.
+void BundleCheck::checkNotes() {
+    const std::string place = reportNotesPath(m_check.statement.casePlace);
+    if (!m_found.contains(place)) {
+        return;
+    }
+    try {
+        reportNotesFrom(textOr(place), place);
+        m_check.notes = place;
+    } catch (const ParseError& error) {
+        fault(place, error.message());
     }
 }
 

@@ -40,6 +40,7 @@ struct SealCheck {
     std::vector<CheckedRecord> records;  ///< in their order
     std::vector<SealFault> faults;       ///< what is not as it was sealed
     std::vector<SealFault> doubts;       ///< what nothing in the bundle proves
+    std::string notes;                   ///< where the words of the report's author lie; empty: none were sealed
 
     bool sound() const { return faults.empty(); }
     /// Digest that the next record names.

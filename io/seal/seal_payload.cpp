@@ -13,6 +13,7 @@
 #include "io/case/case_file.h"
 #include "io/case/input_check.h"
 #include "io/case/journal_check.h"
+#include "io/exports/report_notes.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
@@ -267,6 +268,21 @@ void SealPayload::addCase() {
     m_statement.journalEntries = static_cast<std::int64_t>(journal.entries);
     m_statement.journalHead = journal.head;
     addText(m_statement.casePlace, std::move(*text));
+    addNotes();
+}
+
+/// What the author of the report has said lies beside the case, and the other side finds it there.
+void SealPayload::addNotes() {
+    const std::string path = reportNotesPath(m_request.casePath);
+    const ReportNotes notes = readReportNotes(path);
+    if (notes.empty()) {
+        return;
+    }
+    addFile(reportNotesPath(m_statement.casePlace), path);
+    if (!notes.causes.empty()) {
+        m_findings.add({"io.seal.causes_home", "the comparison of causes that the report names does not travel by itself", {}},
+                       {"io.seal.causes_home.remedy", "add it: --report FILE", {}}, notes.causes);
+    }
 }
 
 void SealPayload::addInputs() {

@@ -53,6 +53,7 @@ public:
 
 private:
     void addCase();
+    void addNotes();
     void addInputs();
     void addRuns();
     void addExtras();

@@ -1,7 +1,6 @@
 #include "widgets/figures/page_pictures.h"
 
 #include <QBuffer>
-#include <QTranslator>
 
 #include <algorithm>
 #include <memory>
@@ -107,19 +106,6 @@ std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const P
         pictures.push_back(pictureOf(photo));
     }
     return pictures;
-}
-
-std::function<std::string(const Message&)> chineseWords() {
-    const auto catalogue = std::make_shared<QTranslator>();
-    const bool there = catalogue->load(QStringLiteral(":/translations/rubble_zh_CN.qm"));
-    return [catalogue, there](const Message& message) {
-        Message said = message;
-        if (const QString pattern = there ? catalogue->translate("messages", message.pattern.c_str()) : QString();
-            !pattern.isEmpty()) {
-            said.pattern = pattern.toStdString();
-        }
-        return englishText(said);
-    };
 }
 
 }  // namespace rubble::figures

@@ -28,7 +28,4 @@ std::vector<double> pageTimes(const render::SceneData& data, const std::vector<B
 /// Draws them off screen. Call ensureGuiApplication() first. Throws what a Studio throws, and Cancelled.
 std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const PageDrawing& drawing, const Execution& execution);
 
-/// Says a message in Chinese, whatever language the program speaks, where the program carries the catalogue; else as it is.
-std::function<std::string(const Message&)> chineseWords();
-
 }  // namespace rubble::figures

@@ -95,6 +95,7 @@ void print(const std::string& path, const io::SealCheck& check, const std::vecto
               check.stamp && check.stamp->matches ? io::utcOfSeconds(check.stamp->time) + " by " + check.stamp->service : "none");
     facts.add("SHA-256 of the statement", check.sealSha256);
     facts.add("head of the journal", statement.journalHead.empty() ? "none" : statement.journalHead);
+    facts.add("words of the report's author", check.notes.empty() ? "none" : check.notes);
     facts.print(out);
     printFaults(out, "Not as it was sealed", check.faults);
     printFaults(out, "Not proven", check.doubts);
@@ -118,6 +119,7 @@ Json asJson(const std::string& path, const io::SealCheck& check, const std::vect
     object["seal_sha256"] = check.sealSha256;
     object["key_sha256"] = check.signature.signer.fingerprint;
     object["stamped_at"] = check.stamp && check.stamp->matches ? Json(io::utcOfSeconds(check.stamp->time)) : Json();
+    object["report_notes"] = check.notes.empty() ? Json() : Json(check.notes);
     object["faults"] = faultsJson(check.faults);
     object["doubts"] = faultsJson(check.doubts);
     object["records"] = recordsJson(check);

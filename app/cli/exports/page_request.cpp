@@ -15,6 +15,7 @@
 #include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/page_pictures.h"
+#include "widgets/figures/report/report_language.h"
 
 namespace rubble::cli {
 

@@ -24,6 +24,7 @@
 #include "io/exports/report_facts.h"
 #include "io/run/run_history.h"
 #include "io/site/site_place.h"
+#include "widgets/figures/report/report_language.h"
 #include "widgets/figures/report/report_pictures.h"
 
 namespace rubble::cli {
@@ -114,6 +115,14 @@ void checkSelfTest(const Arguments& arguments) {
     }
 }
 
+std::string languageOf(const Arguments& arguments) {
+    const std::string code = arguments.value("--language").value_or("en");
+    if (code != "en" && code != "zh_CN") {
+        throw wrongValue("--language", code, "en or zh_CN");
+    }
+    return code;
+}
+
 io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& subject, const Inputs& inputs) {
     io::ReportRequest request;
     request.run = subject.run;
@@ -180,6 +189,7 @@ ExitCode report(const Arguments& arguments, Session& session) {
                          {"cli.no_report.remedy", "Name a folder: --out FOLDER; it gets report.html and report.pdf.", {}});
     }
     checkSelfTest(arguments);
+    const std::string language = languageOf(arguments);
     if (!checkOnly) {
         io::makeFolderOf(*folder);
     }
@@ -195,12 +205,14 @@ ExitCode report(const Arguments& arguments, Session& session) {
     addSelfTest(facts, arguments, session);
     quietQt();
     figures::ensureGuiApplication();
+    const figures::WrittenLanguage written(language);
     const VirtualDisplay display;
     const RunSurroundings around =
         subject.theCase ? surroundingsOfRun(*subject.theCase, subject.casePath, subject.run->origin(), inputs, session)
                         : RunSurroundings();
-    const figures::ReportPictures pictures =
+    figures::ReportPictures pictures =
         figures::drawReportPictures(sceneOfRun(subject.run, inputs, around), facts, mapStyle(*subject.run), session.execution());
+    pictures.say = written.say();
     const io::ExportRecord record{"report",
                                   {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}},
                                   {},
@@ -257,6 +269,7 @@ Command reportCommand() {
              {"--causes", "FILE", false, "other causes that were compared: what rubble-cli compare --json printed"},
              {"--words", "FILE", false, "what only its author can say: text with # custody, # alternatives, # change, # summary"},
              {"--repeats", "N", false, "repeats simulated for the spread of the results, 0 for none (default: 2)"},
+             {"--language", "CODE", false, "language of the report: en (default) or zh_CN"},
              {"--self-test", "SCOPE", false, "all, closed-form (default) or none"},
              {"--cache", "FOLDER", false, "where studies of accuracy are kept (default: RUBBLE_CACHE, else the user's cache)"},
              cachedOption(),

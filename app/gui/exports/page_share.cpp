@@ -8,6 +8,7 @@
 #include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/page_pictures.h"
+#include "widgets/figures/report/report_language.h"
 
 namespace rubble {
 

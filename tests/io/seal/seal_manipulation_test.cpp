@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "io/exports/report_notes.h"
 #include "io/seal/bag.h"
 #include "io/seal/seal_check.h"
 #include "io/seal/signature.h"
@@ -92,6 +93,7 @@ protected:
     static constexpr const char* m_south = "data/inputs/south/south.jpg";
     static constexpr const char* m_run = "data/runs/small.run.h5";
     static constexpr const char* m_case = "data/case/small.rubble";
+    static constexpr const char* m_notes = "data/case/small.rubble.report.json";
     const SealedSmallCase& m_sealed = SealedSmallCase::the();
     TemporaryFolder m_folder;
     std::string m_altered = m_folder / "altered.rubblecase";
@@ -238,6 +240,36 @@ TEST_F(Manipulation, OfAThousandEveryOneIsNamed) {
             break;
         }
     }
+}
+
+// Words of the report's author lie beside the case and are opened with it.
+TEST_F(Manipulation, OtherWordsOfTheAuthorThanThoseSealedAreNamed) {
+    const SealCheck whole = checkBundle(m_sealed.bundle(), m_trust, Execution());
+    EXPECT_TRUE(whole.sound());
+    EXPECT_EQ(whole.notes, m_notes);
+    PackedFiles files = m_files;
+    std::string& notes = contentAt(files, m_notes);
+    EXPECT_EQ(reportNotesFrom(notes, m_notes).words.custody, "from the police");
+    notes.replace(notes.find("from the police"), 15, "found by myself");
+    EXPECT_THAT(placesOf(files), testing::Contains(m_notes));
+    PackedFiles listed = files;
+    listAnew(listed);
+    EXPECT_THAT(placesOf(listed), testing::Contains(bag::manifest)) << "the list of files was signed";
+    signAnew(files);
+    EXPECT_THAT(placesOf(files), testing::Contains(bag::signature));
+    // Left out, cut short by whoever sealed, or put where none were.
+    PackedFiles less = m_files;
+    std::erase_if(less, [](const auto& file) { return file.first.ends_with(m_notes); });
+    EXPECT_THAT(placesOf(less), testing::Contains(m_notes));
+    PackedFiles cut = m_files;
+    contentAt(cut, m_notes).resize(20);
+    signAnew(cut);
+    EXPECT_THAT(placesOf(cut), testing::Contains(m_notes)) << "no notes, whoever signs";
+    PackedFiles more = less;
+    signAnew(more);
+    EXPECT_THAT(placesOf(more), testing::Not(testing::Contains(m_notes)));
+    more.push_back({more.front().first.substr(0, more.front().first.find('/') + 1) + m_notes, contentAt(m_files, m_notes)});
+    EXPECT_THAT(placesOf(more), testing::Contains(m_notes));
 }
 
 // What is packed by another hand, with the same files in it, is told apart from what was altered.

@@ -12,6 +12,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/open_case.h"
+#include "io/exports/report_notes.h"
 #include "io/run/run_file.h"
 #include "io/seal/bag.h"
 #include "tests/support/small_collapse.h"
@@ -119,6 +120,7 @@ SealedSmallCase::SealedSmallCase() {
     theCase = saveCase(casePath(), theCase);
     theCase.scenarios[0].note = "as the witness tells it";
     saveCase(casePath(), theCase);
+    writeReportNotes(reportNotesPath(casePath()), {"Where did the deck go?", "A. Engineer", {"from the police", {}, {}, {}}, {}});
     runSmallCase(casePath(), runPath());
     makeKey(key());
     m_report = sealCase(bundle(), request(), Execution());

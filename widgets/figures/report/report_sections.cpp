@@ -49,9 +49,39 @@ QString nameOf(Material material) {
     return QCoreApplication::translate("choices", words.c_str()).toHtmlEscaped();
 }
 
-QString valueOf(const ParameterValue& value) {
+/// Switches and choices are words of the language; numbers and texts stand as in the case.
+QString valueOf(const Parameter& row, const ParameterValue& value) {
+    if (std::holds_alternative<std::monostate>(value)) {
+        return ReportSections::tr("auto");
+    }
+    if (const auto* on = std::get_if<bool>(&value)) {
+        return *on ? ReportSections::tr("on") : ReportSections::tr("off");
+    }
     const std::string text = valueText(value);
+    if (row.kind == ParameterKind::Choice) {
+        std::string words = text;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        const QString said = QCoreApplication::translate("choices", words.c_str());
+        if (said != QString::fromStdString(words)) {
+            return said.toHtmlEscaped();
+        }
+    }
     return text.empty() ? QStringLiteral("–") : code(QString::fromStdString(text));
+}
+
+QString unitOf(const Parameter& row) {
+    return unitShown(QCoreApplication::translate("parameters", std::string(row.unit).c_str()));
+}
+
+constexpr std::size_t mostSubjects = 60;  // named where a setting is the same for many
+
+QString namesOf(const std::vector<std::string>& subjects) {
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(subjects.size(), mostSubjects); ++i) {
+        names << escaped(subjects[i]);
+    }
+    const QString all = names.join(ReportSections::tr(", ", "between names"));
+    return subjects.size() > mostSubjects ? ReportSections::tr("%1 and %2 more").arg(all).arg(subjects.size() - mostSubjects) : all;
 }
 
 }  // namespace
@@ -165,12 +195,12 @@ void ReportSections::addInputs() {
         table.shares = {0.26, 0.37, 0.14, 0.14, 0.09};
         for (const SharedDifference& shared : sharedDifferences(differences)) {
             const SettingDifference& difference = shared.change;
-            const std::string_view unit = difference.row->unit;
             const QString label = labelOf(*difference.row);
             const std::size_t many = shared.subjects.size();
-            table.rows.push_back({many == 1 ? label : tr("%1, set alike for %2").arg(label).arg(many),
-                                  code(QString::fromStdString(shared.key())), valueOf(difference.first), valueOf(difference.second),
-                                  unitShown(QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())))});
+            table.rows.push_back(
+                {many == 1 ? label : tr("%1, set alike for %2: %3").arg(label).arg(many).arg(namesOf(shared.subjects)),
+                 code(QString::fromStdString(shared.key())), valueOf(*difference.row, difference.first),
+                 valueOf(*difference.row, difference.second), unitOf(*difference.row)});
         }
         table.source = source();
         m_blocks.push_back(std::move(table));
@@ -346,7 +376,8 @@ void ReportSections::addSelfTest() {
     table.small = true;
     for (const ReportCheck& check : m_facts.selfTest) {
         const QString unit = QLatin1Char(' ') + unitShown(escaped(check.unit));
-        table.rows.push_back({escaped(check.id), criterionShown(escaped(check.criterion)), reportNumber(check.measured, 2) + unit,
+        const QString criterion = QCoreApplication::translate("selftest", std::string(check.criterion).c_str());
+        table.rows.push_back({escaped(check.id), criterionShown(criterion.toHtmlEscaped()), reportNumber(check.measured, 2) + unit,
                               reportNumber(check.limit, 2) + unit, check.passed ? tr("passed") : tr("<b>failed</b>")});
     }
     m_blocks.push_back(std::move(table));
@@ -384,9 +415,9 @@ void ReportSections::addParameters() {
     const Scenario delivered;
     for (const Parameter& row : parameterTable()) {
         for (const std::string& subject : row.subjectsIn(m_facts.scenario)) {
-            table.rows.push_back({code(QString::fromStdString(row.keyFor(subject))), valueOf(row.get(m_facts.scenario, subject)),
-                                  unitShown(QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size()))),
-                                  valueOf(row.get(delivered, subject))});
+            table.rows.push_back({code(QString::fromStdString(row.keyFor(subject))),
+                                  valueOf(row, row.get(m_facts.scenario, subject)), unitOf(row),
+                                  valueOf(row, row.get(delivered, subject))});
         }
     }
     table.source = source();

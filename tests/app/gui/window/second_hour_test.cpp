@@ -381,7 +381,7 @@ TEST_F(SecondHour, ATimeAtWhichDebrisReachedAPlaceIsEvidence) {
         }
     }
     ASSERT_EQ(list->count(), 1);
-    EXPECT_EQ(list->item(0)->text(), QStringLiteral("3.200 s at 12.0, -4.00\u00A0m")) << qPrintable(list->item(0)->text());
+    EXPECT_EQ(list->item(0)->text(), QStringLiteral("3.200\u00A0s at 12.0, -4.00\u00A0m")) << qPrintable(list->item(0)->text());
     EXPECT_EQ(list->item(0)->checkState(), Qt::Checked);
     list->setCurrentRow(0);
     for (auto* button : panel.findChildren<QPushButton*>()) {

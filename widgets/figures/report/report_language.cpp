@@ -1,0 +1,62 @@
+#include "widgets/figures/report/report_language.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTranslator>
+
+namespace rubble::figures {
+
+namespace {
+
+const char* const catalogueFile = ":/translations/rubble_zh_CN.qm";
+
+/// Names of components and files have no translation and stay as they are.
+std::string inChinese(const QTranslator& catalogue, const std::string& english) {
+    const QString said = catalogue.translate("messages", english.c_str());
+    return said.isEmpty() ? english : said.toStdString();
+}
+
+}  // namespace
+
+std::function<std::string(const Message&)> chineseWords() {
+    const auto catalogue = std::make_shared<QTranslator>();
+    const bool there = catalogue->load(QLatin1String(catalogueFile));
+    return [catalogue, there](const Message& message) {
+        Message said = message;
+        if (there) {
+            said.pattern = inChinese(*catalogue, message.pattern);
+            for (Argument& argument : said.arguments) {
+                if (auto* words = std::get_if<std::string>(&argument.value)) {
+                    *words = inChinese(*catalogue, *words);
+                }
+            }
+        }
+        return englishText(said);
+    };
+}
+
+WrittenLanguage::WrittenLanguage(const std::string& code) {
+    if (code == "zh_CN") {
+        m_words = std::make_unique<QTranslator>();
+        if (m_words->load(QLatin1String(catalogueFile))) {
+            QCoreApplication::installTranslator(m_words.get());
+            QLocale::setDefault(QLocale(QString::fromStdString(code)));
+        }
+    }
+}
+
+WrittenLanguage::~WrittenLanguage() {
+    if (m_words != nullptr) {
+        QCoreApplication::removeTranslator(m_words.get());
+        QLocale::setDefault(QLocale::c());
+    }
+}
+
+std::function<QString(const Message&)> WrittenLanguage::say() const {
+    if (m_words == nullptr) {
+        return {};
+    }
+    return [words = chineseWords()](const Message& message) { return QString::fromStdString(words(message)); };
+}
+
+}  // namespace rubble::figures

@@ -11752,15 +11752,15 @@
         </message>
         <message>
             <source>Ask for 1 to 120 pictures per second, a pace from 0.00000001 to 1000 and at most {0} pictures in all.</source>
-            <translation type="unfinished">请要求每秒 1 至 120 张图片、速度 0.001 至 1000,总共最多 {0} 张图片。 {1 ?} {120 ?} {0.00000001 ?} {1000 ?} {0}?}</translation>
+            <translation>请设为每秒 1 至 120 幅、快慢 0.00000001 至 1000，总共至多 {0} 幅。</translation>
         </message>
         <message>
             <source>add it: --report FILE</source>
-            <translation type="unfinished" />
+            <translation>将其加入：--report FILE</translation>
         </message>
         <message>
             <source>the comparison of causes that the report names does not travel by itself</source>
-            <translation type="unfinished" />
+            <translation>报告所引用的原因比较不会自动随包携带</translation>
         </message>
     </context>
     <context>
@@ -12574,7 +12574,7 @@
         </message>
         <message>
             <source>m or m2</source>
-            <translation type="unfinished" />
+            <translation>m 或 m2</translation>
         </message>
     </context>
     <context>
@@ -12988,11 +12988,11 @@
         </message>
         <message>
             <source>%1 at %2, %3</source>
-            <translation type="unfinished" />
+            <translation>%1，位于 %2, %3</translation>
         </message>
         <message>
             <source>Debris came within %1 of this place so long after the first debris that came down anywhere, give or take %2</source>
-            <translation type="unfinished" />
+            <translation>碎块在任一处首次落下之后经过这段时间，有碎块到达距此处 %1 以内，误差 %2</translation>
         </message>
     </context>
     <context>
@@ -13905,7 +13905,7 @@
         </message>
         <message>
             <source>%1 states more, to %2; %3 elements more are dead</source>
-            <translation type="unfinished" />
+            <translation>增加 %1 个状态，至 %2；另有 %3 个单元失效</translation>
         </message>
     </context>
     <context>
@@ -15003,7 +15003,7 @@
         </message>
         <message>
             <source>%1 of collapse in a second</source>
-            <translation type="unfinished" />
+            <translation>每秒播放倒塌过程的 %1</translation>
         </message>
     </context>
     <context>
@@ -16443,7 +16443,7 @@
         </message>
         <message>
             <source>%1, set alike for %2: %3</source>
-            <translation type="unfinished" />
+            <translation>%1，以下 %2 个取值相同：%3</translation>
         </message>
     </context>
     <context>
@@ -18112,7 +18112,7 @@ What the file fits: %2.</source>
         </message>
         <message>
             <source>After the first debris came down anywhere: by a witness, a video, a gauge</source>
-            <translation type="unfinished" />
+            <translation>自任一处首次落下碎块之后：据目击者、录像或仪器</translation>
         </message>
     </context>
     <context>
@@ -19266,11 +19266,11 @@ What the file fits: %2.</source>
         </message>
         <message>
             <source>When the photograph was taken, on the clock of the FE result</source>
-            <translation type="unfinished" />
+            <translation>照片拍摄的时刻，按有限元结果的时间</translation>
         </message>
         <message>
             <source>How far the time may be off, as much before as after. From 0 to 1,000,000 s</source>
-            <translation type="unfinished" />
+            <translation>时刻可能的偏差，前后相同。从 0 到 1,000,000 s</translation>
         </message>
     </context>
     <context>
@@ -20041,7 +20041,7 @@ What the file fits: %2.</source>
         </message>
         <message>
             <source>time, %1</source>
-            <translation type="unfinished" />
+            <translation>时间，%1</translation>
         </message>
     </context>
     <context>
@@ -20707,11 +20707,11 @@ What the file fits: %2.</source>
         </message>
         <message>
             <source>Where the movie begins, on the clock of the FE result</source>
-            <translation type="unfinished" />
+            <translation>影片的起点，按有限元结果的时间</translation>
         </message>
         <message>
             <source>Where it ends; the run may go on after the FE result</source>
-            <translation type="unfinished" />
+            <translation>影片的终点；计算可在有限元结果之后继续</translation>
         </message>
     </context>
     <context>
@@ -21135,12 +21135,14 @@ What the file fits: %2.</source>
         <message>
             <source>%1: kilograms, metres and seconds, unless the case names another unit of length.
 %2: the system that the densities, size and free fall of the file fit, if only one does.</source>
-            <translation type="unfinished" />
+            <translation>%1：千克、米、秒，除非算例指定了其他长度单位。
+%2：文件中的密度、尺寸和自由落体相符的单位制，仅当只有一种相符时。</translation>
         </message>
         <message>
             <source>%1: the axis that the case names, z where it names none.
 %2: the one against which free nodes are seen to fall.</source>
-            <translation type="unfinished" />
+            <translation>%1：算例指定的轴，未指定时为 z。
+%2：自由结点下落方向的反向。</translation>
         </message>
     </context>
     <context>
@@ -21317,7 +21319,7 @@ What the file fits: %2.</source>
         </message>
         <message>
             <source>From %1 to %2</source>
-            <translation type="unfinished">%1 至 %2</translation>
+            <translation>从 %1 到 %2</translation>
         </message>
     </context>
     <context>
@@ -22840,11 +22842,11 @@ Program: %3</source>
         </message>
         <message>
             <source>The FE result lasts %1. Its debris has at most the settle time to come to rest; each of the two has half of the timeline.</source>
-            <translation type="unfinished" />
+            <translation>有限元结果历时 %1。其碎块至多有稳定时间来静止；两者各占时间轴的一半。</translation>
         </message>
         <message>
             <source>Steps per second are those of the settling: every state of the FE result is a step of its own. Times can be typed with a unit: 500 us, 20 ms, 2 s.</source>
-            <translation type="unfinished" />
+            <translation>每秒步数只用于稳定阶段：有限元结果的每个状态本身就是一步。输入时间可带单位：500 us、20 ms、2 s。</translation>
         </message>
     </context>
     <context>
@@ -23306,11 +23308,11 @@ Program: %3</source>
         </message>
         <message>
             <source>Fragments born at or after this time; %1</source>
-            <translation type="unfinished" />
+            <translation>在此时刻或之后产生的碎块；%1</translation>
         </message>
         <message>
             <source>Fragments born at or before this time; %1</source>
-            <translation type="unfinished" />
+            <translation>在此时刻或之前产生的碎块；%1</translation>
         </message>
     </context>
     <context>
@@ -24120,7 +24122,8 @@ Program: %3</source>
         <message>
             <source>Photograph %1
 %2 ± %3</source>
-            <translation type="unfinished" />
+            <translation>照片 %1
+%2 ± %3</translation>
         </message>
     </context>
     <context>
@@ -24514,258 +24517,258 @@ Program: %3</source>
         <message>
             <source>, </source>
             <comment>between names</comment>
-            <translation type="unfinished" />
+            <translation>、</translation>
         </message>
         <message>
             <source>%1 and %2 more</source>
-            <translation type="unfinished" />
+            <translation>%1，另有 %2 个</translation>
         </message>
     </context>
     <context>
         <name>selftest</name>
         <message>
             <source>0.90 to 1.05 of e2 h at 60 steps per second, 1 +- 0.03 at 240</source>
-            <translation type="unfinished" />
+            <translation>每秒 60 步时为 e2 h 的 0.90 至 1.05，240 步时为 1 +- 0.03</translation>
         </message>
         <message>
             <source>1 mm after 2 s</source>
-            <translation type="unfinished" />
+            <translation>2 s 后偏差 1 mm 以内</translation>
         </message>
         <message>
             <source>99 % overlap below 5 % of a side, gain below 0.1 %, no faster than a fall, none below ground</source>
-            <translation type="unfinished" />
+            <translation>99 % 的重叠小于边长的 5 %，能量增加低于 0.1 %，不快于下落，无一低于地面</translation>
         </message>
         <message>
             <source>Coulomb's law at every impact, way within 1 %</source>
-            <translation type="unfinished" />
+            <translation>每次撞击符合库仑定律，路程偏差 1 % 以内</translation>
         </message>
         <message>
             <source>F L / (E A) within 1e-6 m; breaks at its elongation, when s = F t2 / m says</source>
-            <translation type="unfinished" />
+            <translation>F L / (E A) 偏差 1e-6 m 以内；按 s = F t2 / m 的时刻在其伸长处断裂</translation>
         </message>
         <message>
             <source>acceleration within 0.5 %</source>
-            <translation type="unfinished" />
+            <translation>加速度偏差 0.5 % 以内</translation>
         </message>
         <message>
             <source>all fall within 0.5 s, none below ground</source>
-            <translation type="unfinished" />
+            <translation>0.5 s 内全部下落，无一低于地面</translation>
         </message>
         <message>
             <source>all finite, none below ground, gain below 0.1 %, no faster than a fall</source>
-            <translation type="unfinished" />
+            <translation>数值均有限，无一低于地面，能量增加低于 0.1 %，不快于下落</translation>
         </message>
         <message>
             <source>angle of repose 30 to 45 degrees</source>
-            <translation type="unfinished" />
+            <translation>休止角 30 至 45 度</translation>
         </message>
         <message>
             <source>angular momentum within 0.1 %, energy within 1 % over 5 s</source>
-            <translation type="unfinished" />
+            <translation>5 s 内角动量偏差 0.1 % 以内，能量偏差 1 % 以内</translation>
         </message>
         <message>
             <source>angular momentum within 0.1 %, energy within 1 %, tumbles</source>
-            <translation type="unfinished" />
+            <translation>角动量偏差 0.1 % 以内，能量偏差 1 % 以内，发生翻转</translation>
         </message>
         <message>
             <source>at least 95 % of the height after 5 s</source>
-            <translation type="unfinished" />
+            <translation>5 s 后至少保持高度的 95 %</translation>
         </message>
         <message>
             <source>at most 5 cm deep, bodies below 1.3 v</source>
-            <translation type="unfinished" />
+            <translation>嵌入至多 5 cm，刚体速度低于 1.3 v</translation>
         </message>
         <message>
             <source>below 1 mm in 1 s</source>
-            <translation type="unfinished" />
+            <translation>1 s 内小于 1 mm</translation>
         </message>
         <message>
             <source>below 1 mm in 1 s at 60 degrees</source>
-            <translation type="unfinished" />
+            <translation>60 度时 1 s 内小于 1 mm</translation>
         </message>
         <message>
             <source>below 2 v, centre above ground</source>
-            <translation type="unfinished" />
+            <translation>速度低于 2 v，质心在地面以上</translation>
         </message>
         <message>
             <source>below one step of gravity, moves less than 1 cm, keeps 99 % of its height</source>
-            <translation type="unfinished" />
+            <translation>速度低于重力一步之值，移动小于 1 cm，保持高度的 99 %</translation>
         </message>
         <message>
             <source>bit for bit the run at zero</source>
-            <translation type="unfinished" />
+            <translation>与原点处的计算逐位相同</translation>
         </message>
         <message>
             <source>bit for bit the same</source>
-            <translation type="unfinished" />
+            <translation>逐位相同</translation>
         </message>
         <message>
             <source>bit for bit the whole run</source>
-            <translation type="unfinished" />
+            <translation>与完整计算逐位相同</translation>
         </message>
         <message>
             <source>distance within 1 %, heading 0.1 degrees</source>
-            <translation type="unfinished" />
+            <translation>距离偏差 1 % 以内，方向偏差 0.1 度以内</translation>
         </message>
         <message>
             <source>draught as the densities within 0.1 mm, terminal speed within 1e-6</source>
-            <translation type="unfinished" />
+            <translation>吃水按密度比，偏差 0.1 mm 以内，终速偏差 1e-6 以内</translation>
         </message>
         <message>
             <source>e2 h within 3 %</source>
-            <translation type="unfinished" />
+            <translation>e2 h，偏差 3 % 以内</translation>
         </message>
         <message>
             <source>each refused at birth by name</source>
-            <translation type="unfinished" />
+            <translation>每个在产生时即被点名拒绝</translation>
         </message>
         <message>
             <source>energy never rises by over 0.1 %</source>
-            <translation type="unfinished" />
+            <translation>能量增加从不超过 0.1 %</translation>
         </message>
         <message>
             <source>g (sin a - mu cos a) within 0.5 %</source>
-            <translation type="unfinished" />
+            <translation>g (sin a - mu cos a)，偏差 0.5 % 以内</translation>
         </message>
         <message>
             <source>gain below 0.1 %, 99 % overlap below 10 % of a side</source>
-            <translation type="unfinished" />
+            <translation>能量增加低于 0.1 %，99 % 的重叠小于边长的 10 %</translation>
         </message>
         <message>
             <source>gain below 0.1 %, 99 % overlap below 10 % of a side, none below ground</source>
-            <translation type="unfinished" />
+            <translation>能量增加低于 0.1 %，99 % 的重叠小于边长的 10 %，无一低于地面</translation>
         </message>
         <message>
             <source>gain below 0.1 %, no faster than a fall, none below ground</source>
-            <translation type="unfinished" />
+            <translation>能量增加低于 0.1 %，不快于下落，无一低于地面</translation>
         </message>
         <message>
             <source>keeps its speed within 0.1 % for 3 s</source>
-            <translation type="unfinished" />
+            <translation>3 s 内速度保持，偏差 0.1 % 以内</translation>
         </message>
         <message>
             <source>m g = rho C_d A v2 / 2, speed within 0.2 %</source>
-            <translation type="unfinished" />
+            <translation>m g = rho C_d A v2 / 2，速度偏差 0.2 % 以内</translation>
         </message>
         <message>
             <source>mean height and spread within 5 % of the finest, the last halving within 2.5 %, beyond two standard errors of 8 seeds</source>
-            <translation type="unfinished" />
+            <translation>平均高度与展布同最细步长相差 5 % 以内，最后一次减半 2.5 % 以内，均不计 8 个种子的两倍标准误差</translation>
         </message>
         <message>
             <source>mean height within 0.1 % (1 % without freezing), nobody above 0.5 m/s, in a middle heap</source>
-            <translation type="unfinished" />
+            <translation>居中的堆：平均高度变化 0.1 % 以内（不冻结时 1 %），无一超过 0.5 m/s</translation>
         </message>
         <message>
             <source>momentum to 1e-9, speeds within 1 % of the approach</source>
-            <translation type="unfinished" />
+            <translation>动量偏差 1e-9，速度与接近速度相差 1 % 以内</translation>
         </message>
         <message>
             <source>never faster than 1 cm/s, then apart</source>
-            <translation type="unfinished" />
+            <translation>速度从不超过 1 cm/s，随后分开</translation>
         </message>
         <message>
             <source>no faster than a fall, gain below 0.1 %, none below ground</source>
-            <translation type="unfinished" />
+            <translation>不快于下落，能量增加低于 0.1 %，无一低于地面</translation>
         </message>
         <message>
             <source>no faster than a fall, upwards below 1 m/s, gain below 0.1 %, no higher than poured by over 5 %, solid fraction below 0.70</source>
-            <translation type="unfinished" />
+            <translation>不快于下落，向上低于 1 m/s，能量增加低于 0.1 %，高度不超过倾倒堆 5 %，密实度低于 0.70</translation>
         </message>
         <message>
             <source>no faster than press and fall, no rise above 0.1 m, gain below 0.1 %</source>
-            <translation type="unfinished" />
+            <translation>不快于压下与下落，上升不超过 0.1 m，能量增加低于 0.1 %</translation>
         </message>
         <message>
             <source>none below ground, none above 1.1 sqrt(2 g h), end below 1 m/s, in each of several heaps</source>
-            <translation type="unfinished" />
+            <translation>多个堆中：无一低于地面，无一超过 1.1 sqrt(2 g h)，结束时低于 1 m/s</translation>
         </message>
         <message>
             <source>none of 100 below</source>
-            <translation type="unfinished" />
+            <translation>100 个中无一在下方</translation>
         </message>
         <message>
             <source>none of 100 through</source>
-            <translation type="unfinished" />
+            <translation>100 个中无一穿过</translation>
         </message>
         <message>
             <source>none of 64 through, no faster than the fall</source>
-            <translation type="unfinished" />
+            <translation>64 个中无一穿过，不快于下落</translation>
         </message>
         <message>
             <source>place within 1 mm</source>
-            <translation type="unfinished" />
+            <translation>位置偏差 1 mm 以内</translation>
         </message>
         <message>
             <source>places and corners within 2 cm after 0.8 s</source>
-            <translation type="unfinished" />
+            <translation>0.8 s 后位置与角点偏差 2 cm 以内</translation>
         </message>
         <message>
             <source>refused, with a remedy</source>
-            <translation type="unfinished" />
+            <translation>被拒绝，并给出补救办法</translation>
         </message>
         <message>
             <source>run-out 1.6 a^0.5: exponent +- 0.12, factor 1.6; height within a factor of 1.6</source>
-            <translation type="unfinished" />
+            <translation>散落距离 1.6 a^0.5：指数 +- 0.12，系数 1.6 倍以内；高度 1.6 倍以内</translation>
         </message>
         <message>
             <source>run-out 1.9 a^(2/3): exponent +- 0.12, factor 1.6; height within a factor of 1.6</source>
-            <translation type="unfinished" />
+            <translation>散落距离 1.9 a^(2/3)：指数 +- 0.12，系数 1.6 倍以内；高度 1.6 倍以内</translation>
         </message>
         <message>
             <source>run-out scatters by 20 % or more, 95 % at rest after 40 s</source>
-            <translation type="unfinished" />
+            <translation>散落距离离散 20 % 以上，40 s 后 95 % 静止</translation>
         </message>
         <message>
             <source>sinks less than a quarter of the small side, below 1 m/s</source>
-            <translation type="unfinished" />
+            <translation>下陷小于较小边长的四分之一，低于 1 m/s</translation>
         </message>
         <message>
             <source>solid fraction at most 0.70, none below ground, 99 % overlap less than 5 cm</source>
-            <translation type="unfinished" />
+            <translation>密实度至多 0.70，无一低于地面，99 % 的重叠小于 5 cm</translation>
         </message>
         <message>
             <source>stands, asleep, drifts less than 10 cm</source>
-            <translation type="unfinished" />
+            <translation>直立、休眠、漂移小于 10 cm</translation>
         </message>
         <message>
             <source>stands, asleep, drifts less than 2 cm</source>
-            <translation type="unfinished" />
+            <translation>直立、休眠、漂移小于 2 cm</translation>
         </message>
         <message>
             <source>stays a fragment, counted</source>
-            <translation type="unfinished" />
+            <translation>仍为碎块，并计数</translation>
         </message>
         <message>
             <source>stays with its element, counted</source>
-            <translation type="unfinished" />
+            <translation>留在其单元上，并计数</translation>
         </message>
         <message>
             <source>the body leaves at that state</source>
-            <translation type="unfinished" />
+            <translation>刚体在该状态离开</translation>
         </message>
         <message>
             <source>the same, momentum handed over to 1e-9</source>
-            <translation type="unfinished" />
+            <translation>同上，移交的动量偏差 1e-9</translation>
         </message>
         <message>
             <source>the same, no half extent below 2.5 % of the longest or 5 mm, counted</source>
-            <translation type="unfinished" />
+            <translation>同上，半尺寸不小于最长者的 2.5 % 或 5 mm，并计数</translation>
         </message>
         <message>
             <source>travels within 1 % after the slip</source>
-            <translation type="unfinished" />
+            <translation>滑动之后路程偏差 1 % 以内</translation>
         </message>
         <message>
             <source>v2 / (2 mu g) within 1 %</source>
-            <translation type="unfinished" />
+            <translation>v2 / (2 mu g)，偏差 1 % 以内</translation>
         </message>
         <message>
             <source>way and speed within 1 %</source>
-            <translation type="unfinished" />
+            <translation>路程与速度偏差 1 % 以内</translation>
         </message>
         <message>
             <source>within 0.3 degrees of 18.43</source>
-            <translation type="unfinished" />
+            <translation>与 18.43 相差 0.3 度以内</translation>
         </message>
     </context>
 </TS>

@@ -42,7 +42,7 @@ inline constexpr const char* fragment = R"(//VTK::Color::Impl
   float fine = grainNoise(grainVS.xyz * 5.3);
   float tone = 1.0 + grainVS.w * (0.42 * (coarse - 0.5) + 0.34 * (fine - 0.5));
   // A shadow takes the light of the sun; of what comes from everywhere only hollows take a part.
-  ambientColor *= tone * (1.0 - 0.4 * shadeVS);
+  ambientColor *= tone * (1.0 - 0.5 * shadeVS);
   diffuseColor *= tone * (1.0 - shadeVS);
 }
 )";

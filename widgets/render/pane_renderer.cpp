@@ -109,7 +109,7 @@ constexpr double lampAlone = 1.25;
 constexpr double lampBesideSun = 0.5;
 constexpr double sunlight = 0.9;
 /// From the other side than lamp and sun: what neither reaches, such as the far sides of piers, still shows its shape.
-constexpr double fillBesideSun = 0.55;
+constexpr double fillBesideSun = 0.35;
 
 double channel(std::uint8_t value) {
     return value / 255.0;
@@ -155,7 +155,7 @@ PaneRenderer::PaneRenderer()
     m_sun->SwitchOff();
     m_renderer->AddLight(m_sun);
     m_fill->SetLightTypeToCameraLight();
-    m_fill->SetPosition(1.0, 0.15, 0.35);
+    m_fill->SetPosition(1.0, 0.1, 0.15);
     m_fill->SetFocalPoint(0.0, 0.0, 0.0);
     m_fill->SetIntensity(fillBesideSun);
     m_fill->SwitchOff();

@@ -1,7 +1,6 @@
 #include "widgets/figures/report/report_language.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QTranslator>
 
 namespace rubble::figures {
@@ -48,7 +47,7 @@ WrittenLanguage::WrittenLanguage(const std::string& code) {
 WrittenLanguage::~WrittenLanguage() {
     if (m_words != nullptr) {
         QCoreApplication::removeTranslator(m_words.get());
-        QLocale::setDefault(QLocale::c());
+        QLocale::setDefault(m_before);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLocale>
 #include <QString>
 #include <functional>
 #include <memory>
@@ -29,6 +30,7 @@ public:
 
 private:
     std::unique_ptr<QTranslator> m_words;
+    QLocale m_before;
 };
 
 }  // namespace rubble::figures

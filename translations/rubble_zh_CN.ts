@@ -12682,6 +12682,15 @@
             <comment>two parts of a line</comment>
             <translation>%1；%2</translation>
         </message>
+        <message>
+            <source>%1 and %2 more</source>
+            <translation>%1，另有 %2 个</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <comment>names of a list</comment>
+            <translation>%1、%2</translation>
+        </message>
     </context>
     <context>
         <name>rubble::AccuracyDisplay</name>
@@ -15583,7 +15592,7 @@
         </message>
         <message>
             <source>case</source>
-            <translation>算例</translation>
+            <translation>案例</translation>
         </message>
         <message>
             <source>must hold</source>
@@ -21135,13 +21144,13 @@ What the file fits: %2.</source>
         <message>
             <source>%1: kilograms, metres and seconds, unless the case names another unit of length.
 %2: the system that the densities, size and free fall of the file fit, if only one does.</source>
-            <translation>%1：千克、米、秒，除非算例指定了其他长度单位。
+            <translation>%1：千克、米、秒，除非案例指定了其他长度单位。
 %2：文件中的密度、尺寸和自由落体相符的单位制，仅当只有一种相符时。</translation>
         </message>
         <message>
             <source>%1: the axis that the case names, z where it names none.
 %2: the one against which free nodes are seen to fall.</source>
-            <translation>%1：算例指定的轴，未指定时为 z。
+            <translation>%1：案例指定的轴，未指定时为 z。
 %2：自由结点下落方向的反向。</translation>
         </message>
     </context>
@@ -23988,14 +23997,6 @@ Program: %3</source>
             <translation>静止</translation>
         </message>
         <message>
-            <source>Instant on the clock of the FE result that the survey shows, s; empty: all lay at rest. Kept in the case</source>
-            <translation>测量所示的时刻，按有限元结果的时钟，s；为空：全部静止。保存在案例中</translation>
-        </message>
-        <message>
-            <source>Shows, s</source>
-            <translation>所示时刻，s</translation>
-        </message>
-        <message>
             <source>Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, x_m, y_m, z_m</source>
             <translation>用三处或更多的地方把测量移到应在之处，取自含 survey_x、survey_y、survey_z、x_m、y_m、z_m 各列的表</translation>
         </message>
@@ -24022,6 +24023,14 @@ Program: %3</source>
         <message>
             <source>control points: accuracy not known</source>
             <translation>控制点：精度未知</translation>
+        </message>
+        <message>
+            <source>Instant on the clock of the FE result that the survey shows; empty: all lay at rest. Kept in the case</source>
+            <translation>测量所示的时刻，按有限元结果的时间；留空：全部已静止。保存在案例中</translation>
+        </message>
+        <message>
+            <source>Shows</source>
+            <translation>显示时刻</translation>
         </message>
     </context>
     <context>
@@ -24514,15 +24523,6 @@ Program: %3</source>
     </context>
     <context>
         <name>ReportSections</name>
-        <message>
-            <source>, </source>
-            <comment>between names</comment>
-            <translation>、</translation>
-        </message>
-        <message>
-            <source>%1 and %2 more</source>
-            <translation>%1，另有 %2 个</translation>
-        </message>
     </context>
     <context>
         <name>selftest</name>

@@ -13,10 +13,10 @@
 
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/prediction_box.h"
-#include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -87,7 +87,7 @@ void FindingList::set(const Findings& findings) {
             text = tr("%1×: %2").arg(shownCount(finding.count), text);
         }
         if (!finding.example.empty()) {
-            text += QStringLiteral(" (") + tr("first: %1").arg(spokenText(finding.example)) + QStringLiteral(")");
+            text += QStringLiteral(" (") + tr("first: %1").arg(figures::spokenText(finding.example)) + QStringLiteral(")");
         }
         // Before it shows itself: without a parent it would be a window.
         m_column->addWidget(notice);

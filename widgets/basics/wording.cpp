@@ -11,7 +11,7 @@
 #include "core/scenario/parameters.h"
 #include "widgets/basics/fixed_number.h"
 #include "widgets/basics/language.h"
-#include "widgets/basics/spoken_text.h"
+#include "widgets/figures/report/spoken_text.h"
 #include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
@@ -71,7 +71,7 @@ QString shownArgument(const Argument& argument) {
     const auto* number = std::get_if<double>(&argument.value);
     const figures::ShownUnit unit = figures::shownUnit(argument.unit, number != nullptr ? *number : 0.0);
     if (const auto* words = std::get_if<std::string>(&argument.value)) {
-        text = spokenText(*words);
+        text = figures::spokenText(*words);
     } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
         text = shownCount(*whole);
     } else {

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "core/fe/unit_evidence.h"
-#include "widgets/basics/spoken_text.h"
 #include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/report/spoken_text.h"
 #include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
@@ -197,15 +197,15 @@ void CasePanel::showFile(const FeResult* fe) {
     const QString path = QString::fromStdString(c.path);
     m_name->setText(m_name->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
     m_name->setToolTip(path);
-    m_format->setText(spokenText(c.format));
+    m_format->setText(figures::spokenText(c.format));
     m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
     m_nodes->setText(shownCount(static_cast<std::int64_t>(fe->mesh().nodeCount())));
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_span->setText(QStringLiteral("%1 – %2").arg(figures::timeText(fe->times().front()), figures::timeText(fe->times().back())));
     showUnits(c);
     // What is in brackets says how it was recognised: the tip has room for that.
-    m_flag->setText(spokenText(c.activityFrom.substr(0, c.activityFrom.find(" ("))));
-    m_flag->setToolTip(spokenText(c.activityFrom));
+    m_flag->setText(figures::spokenText(c.activityFrom.substr(0, c.activityFrom.find(" ("))));
+    m_flag->setToolTip(figures::spokenText(c.activityFrom));
     m_velocity->setText(c.hasVelocity ? tr("in the file") : tr("from positions"));
     std::int64_t dead = 0;
     for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {
@@ -226,7 +226,7 @@ void CasePanel::showUnits(const FeResult::Contents& contents) {
     const bool other = !fitting.isEmpty() && fitting != name;
     m_units->setText(other ? tr("%1, fits %2").arg(name, fitting) : name);
     const QString reason = worded(proposal.reason);
-    m_units->setToolTip(tr("Taken: %1.\nWhat the file fits: %2.").arg(spokenText(contents.unitsFrom), reason));
+    m_units->setToolTip(tr("Taken: %1.\nWhat the file fits: %2.").arg(figures::spokenText(contents.unitsFrom), reason));
 }
 
 void CasePanel::showComponents(const FeResult* fe, const Components* components) {
@@ -242,7 +242,7 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
         }
         m_table->setItem(row, NameColumn, fixedCell(QString::fromStdString(component.name), true));
         m_table->item(row, NameColumn)->setToolTip(QString::fromStdString(component.name));
-        m_table->setItem(row, KindColumn, fixedCell(spokenText(component.kind), true));
+        m_table->setItem(row, KindColumn, fixedCell(figures::spokenText(component.kind), true));
         m_table->setItem(row, ElementsColumn, fixedCell(shownCount(static_cast<std::int64_t>(component.elements.size())), false));
         m_table->setItem(row, DeadColumn, fixedCell(shownCount(dead), false));
         auto* density = fixedCell(shownIn(component.density, "kg/m3", 4), false);

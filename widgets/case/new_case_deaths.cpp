@@ -8,11 +8,11 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "widgets/basics/spoken_text.h"
 #include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -160,7 +160,7 @@ void NewCaseDeaths::showAnomalies() {
         auto* notice = new Notice;
         m_anomalies->addWidget(notice);
         notice->set(Notice::Kind::Finding, tr("%1×: %2").arg(shownCount(anomaly.count), anomalyWords(anomaly.kind)),
-                    anomaly.example.empty() ? QString() : tr("first: %1").arg(spokenText(anomaly.example)));
+                    anomaly.example.empty() ? QString() : tr("first: %1").arg(figures::spokenText(anomaly.example)));
     }
     if (m_content->audit.anomalies.empty()) {
         auto* fine = new QLabel(tr("Nothing odd was found."));

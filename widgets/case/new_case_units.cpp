@@ -7,10 +7,10 @@
 #include <QTableWidget>
 #include <algorithm>
 
-#include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -133,7 +133,7 @@ void NewCaseUnits::setContent(const FeResult* fe, double mass) {
     m_span->setText(QStringLiteral("%1 – %2").arg(figures::timeText(fe->times().front()), figures::timeText(fe->times().back())));
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
-    m_format->setText(spokenText(contents.format));
+    m_format->setText(figures::spokenText(contents.format));
     const UnitSystem* taken = systemOf(contents.units);
     m_taken = taken != nullptr ? std::string(taken->id) : std::string();
     m_axis = contents.frame.upAxis;
@@ -180,7 +180,7 @@ void NewCaseUnits::showFits() {
         const QString reasons = reasonsOf(fit);
         const bool taken = fit.system->id == m_taken;
         auto* name = new QTableWidgetItem(taken ? tr("%1 (taken)").arg(nameOf(*fit.system)) : nameOf(*fit.system));
-        name->setToolTip(spokenText(std::string(fit.system->words)));
+        name->setToolTip(figures::spokenText(std::string(fit.system->words)));
         name->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
         QFont font = headingFont();
         font.setBold(taken);

@@ -12,9 +12,9 @@
 #include <QUrl>
 #include <utility>
 
-#include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -224,7 +224,7 @@ void ReportPanel::setGaps(const std::optional<Findings>& gaps, const std::vector
     QString lacking;
     const Findings none;
     for (const Finding& gap : (gaps ? *gaps : none).list()) {
-        const QString example = gap.example.empty() ? QString() : QStringLiteral(" (%1)").arg(spokenText(gap.example));
+        const QString example = gap.example.empty() ? QString() : QStringLiteral(" (%1)").arg(figures::spokenText(gap.example));
         lacking += QStringLiteral("<p style='margin:0 0 6px 0'>– %1<br/><span style='color:%2'>%3</span></p>")
                        .arg((worded(gap.what) + example).toHtmlEscaped(), tints().muted.name(), worded(gap.remedy).toHtmlEscaped());
     }

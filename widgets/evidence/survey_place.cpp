@@ -10,6 +10,7 @@
 
 #include "core/evidence/surveys/stated_survey.h"
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
@@ -69,8 +70,12 @@ SurveyPlace::SurveyPlace(QWidget* parent)
     form->addRow(m_before);
     m_instant->setEmptyMeans(tr("at rest"));
     m_instant->setToolTip(
-        tr("Instant on the clock of the FE result that the survey shows, s; empty: all lay at rest. Kept in the case"));
-    form->addRow(tr("Shows, s"), m_instant);
+        tr("Instant on the clock of the FE result that the survey shows; empty: all lay at rest. Kept in the case"));
+    m_instant->setUnit("s");
+    auto* instant = new QHBoxLayout;
+    instant->addWidget(m_instant, 1);
+    instant->addWidget(new UnitLabel(QStringLiteral("s")));
+    form->addRow(tr("Shows"), instant);
     m_placed->setWordWrap(true);
     m_placed->setObjectName(QStringLiteral("muted"));
     form->addRow(m_placed);

@@ -31,6 +31,7 @@ namespace {
 constexpr double mapTextPoints = 9.0;
 constexpr double smallPoints = 6.0;
 constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
+constexpr double aboveTitle = 4.2;  // lines that north takes above the legend
 
 QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -96,6 +97,7 @@ public:
           m_small(smallPoints / 72.0 * style.dpi) {
         m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
         m_line = QFontMetricsF(font(m_text)).height();
+        suitLowPicture();
         layOut();
         if (layer == MapLayer::Component) {
             chooseCategories();
@@ -142,6 +144,19 @@ private:
     /// Room of cautions and provenance, pixels.
     double belowCaption() const {
         return (m_style.cautions.empty() ? 0.0 : cautionHeight(m_text)) + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+    }
+
+    /// Where the column of the legend is low, north stands beside its title, and words are smaller.
+    void suitLowPicture() {
+        constexpr double smallest = 0.7;
+        const auto lines = [this] { return (m_style.pixels.height() - belowCaption()) / m_line - 4.2; };
+        // Title and bar, what is marked on the map, the scale.
+        const double needed = 7.2 + (showsLive() ? entryPitch : 0.0) + entryPitch * lineEntries();
+        m_low = lines() < needed + aboveTitle;
+        if (lines() < needed) {
+            m_text *= std::clamp(lines() / needed, smallest, 1.0);
+            m_line = QFontMetricsF(font(m_text)).height();
+        }
     }
 
     /// The map fills what legend, coordinates and caption leave.
@@ -343,7 +358,7 @@ private:
 
     /// Without a coordinate system or control points nobody said that y is north.
     void drawNorth(QPainter& painter) {
-        const double x = m_legend.left() + 0.5 * m_line;
+        const double x = m_low ? m_legend.right() - 0.5 * m_line : m_legend.left() + 0.5 * m_line;
         const double top = m_legend.top() + 1.2 * m_line;
         const QString letter = northOf(m_style.place, m_style.system) ? tr("N") : QStringLiteral("y");
         painter.save();
@@ -361,9 +376,10 @@ private:
     }
 
     void drawLegend(QPainter& painter) {
-        double y = m_legend.top() + 4.2 * m_line;
-        write(painter, QRectF(m_legend.left(), y, m_legend.width(), m_line), legendTitle(), static_cast<int>(Qt::AlignLeft),
-              m_text * std::min(1.0, m_legend.width() / QFontMetricsF(font(m_text)).horizontalAdvance(legendTitle())));
+        double y = m_legend.top() + (m_low ? 0.0 : aboveTitle * m_line);
+        const double room = m_legend.width() - (m_low ? 2.0 * m_line : 0.0);
+        write(painter, QRectF(m_legend.left(), y, room, m_line), legendTitle(), static_cast<int>(Qt::AlignLeft),
+              m_text * std::min(1.0, room / QFontMetricsF(font(m_text)).horizontalAdvance(legendTitle())));
         y += 1.5 * m_line;
         if (m_layer == MapLayer::Separation && m_map.hypotheses.size() == 2) {
             drawEntry(painter, y, colourAt(m_layer, 1.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[0])));
@@ -416,7 +432,8 @@ private:
         std::iota(m_listed.begin(), m_listed.end(), std::size_t{0});
         std::stable_sort(m_listed.begin(), m_listed.end(), [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
         std::erase_if(m_listed, [&](std::size_t c) { return cells[c] == 0; });
-        const double room = (m_legend.height() - 9.0 * m_line) / (entryPitch * m_line) - (showsLive() ? 1.0 : 0.0) - lineEntries();
+        const double room =
+            (m_legend.height() - (m_low ? 4.8 : 9.0) * m_line) / (entryPitch * m_line) - (showsLive() ? 1.0 : 0.0) - lineEntries();
         if (const auto most = static_cast<std::size_t>(std::max(1.0, std::floor(room))); m_listed.size() > most) {
             m_unlisted = m_listed.size() - (most - 1);
             m_listed.resize(most - 1);
@@ -506,6 +523,7 @@ private:
     double m_text;
     double m_small;
     double m_line = 0.0;
+    bool m_low = false;                 ///< the column of the legend has no room for all below each other
     std::vector<std::size_t> m_listed;  ///< components in the legend
     std::size_t m_unlisted = 0;
     std::vector<QColor> m_categories;  ///< [component]

@@ -11,10 +11,10 @@
 #include <cmath>
 
 #include "widgets/basics/panel.h"
-#include "widgets/basics/spoken_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -216,8 +216,9 @@ void Inspector::addDeath(const ElementFacts& facts) {
         if (facts.exactDeath) {
             addRow(death, tr("died at"), seconds(*facts.exactDeath), secondsUnit(), tr("The exact time that the file gives"));
         }
-        death->addNote(facts.reportedBy.empty() ? tr("The file gives no cause.")
-                                                : tr("Reported by %1; the file gives no cause.").arg(spokenText(facts.reportedBy)));
+        death->addNote(facts.reportedBy.empty()
+                           ? tr("The file gives no cause.")
+                           : tr("Reported by %1; the file gives no cause.").arg(figures::spokenText(facts.reportedBy)));
     }
 }
 

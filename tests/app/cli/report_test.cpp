@@ -89,6 +89,28 @@ TEST_F(ReportCommand, SpeaksEnglishWhateverTheSystemSpeaks) {
     }
 }
 
+TEST_F(ReportCommand, SpeaksChineseWhereItIsAsked) {
+    std::vector<std::string> alike;
+    for (const char* name : {"deck", "girder", "pier"}) {
+        alike.insert(alike.end(), {"--set", std::string("component[") + name + "].density=2400"});
+    }
+    m_ran = run(alike, "0.5");
+    const Outcome outcome = report({m_out, "--language", "zh_CN", "--repeats", "0"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string page = html();
+    EXPECT_THAT(page, HasSubstr("<html lang=\"zh-CN\">"));
+    EXPECT_THAT(page, HasSubstr("2 s 后偏差 1 mm 以内")) << "a criterion of the self-test";
+    EXPECT_THAT(page, HasSubstr("以下 3 个取值相同：deck、girder、pier"));
+    for (const char* english : {"<code>true</code>", "<code>false</code>", "within 1 mm", "is active", "set alike for"}) {
+        EXPECT_THAT(page, testing::Not(HasSubstr(english))) << english;
+    }
+    const Outcome wrong = report({m_out, "--language", "de"});
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("en or zh_CN"));
+    ASSERT_EQ(report({m_out, "--self-test", "none", "--repeats", "0"}).exitCode, 0);
+    EXPECT_THAT(html(), HasSubstr("set alike for 3: deck, girder, pier"));
+}
+
 TEST_F(ReportCommand, CheckListsWhatItLacksAndWritesNothing) {
     const Outcome bare = cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--repeats", "0"});
     EXPECT_EQ(bare.exitCode, 1) << bare.err;

@@ -31,9 +31,9 @@
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/accuracy/accuracy_panel.h"
-#include "widgets/basics/spoken_text.h"
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/case/preferences_dialog.h"
+#include "widgets/figures/report/spoken_text.h"
 #include "widgets/views/status_line.h"
 
 namespace rubble {
@@ -127,7 +127,7 @@ TEST_F(Languages, TheWizardOfANewCaseSpeaksChineseOnlyAndIsNotTakenAway) {
 
 TEST_F(Languages, PlacesOfWhatIsOddInAFileAreSaidWhole) {
     speak("zh_CN");
-    const auto said = [](const char* english) { return widgets::spokenText(english).toStdString(); };
+    const auto said = [](const char* english) { return figures::spokenText(english).toStdString(); };
     EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s)"), "状态 57 (2.85 s) 的单元 20,373（梁）");
     EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s), 0.48 times its first volume"),
               "状态 57 (2.85 s) 的单元 20,373（梁），体积为最初的 0.48 倍");

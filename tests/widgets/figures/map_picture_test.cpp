@@ -84,6 +84,25 @@ TEST_F(MapPicture, AMapThatLiesAcrossHasTheWidthOfANarrowPicture) {
     EXPECT_GT(columnsDrawn(across, 430), 0.7 * 430) << "its legend stands below";
 }
 
+TEST_F(MapPicture, NothingCoversAnotherInTheLegendOfALowPicture) {
+    for (const int height : {150, 180, 220}) {
+        style.pixels = {480, height};
+        const QImage picture = mapPicture(map, MapLayer::Height, style);
+        int live = 0, scale = 0;
+        for (int y = 0; y < height; ++y) {
+            int run = 0;
+            for (int x = 330; x < 480; ++x) {
+                const QColor c = picture.pixelColor(x, y);
+                live = c == palette(render::Theme::Print).released ? y : live;
+                run = c.lightness() < 90 && c.hslSaturation() < 60 ? run + 1 : 0;
+                scale = run > 24 ? y : scale;
+            }
+        }
+        ASSERT_GT(live, 0) << height;
+        EXPECT_GT(scale, live + 12) << height << ": the scale bar with its length stands below all entries";
+    }
+}
+
 TEST_F(MapPicture, EveryLayerIsDrawnOnWhite) {
     std::set<QByteArray> pictures;
     for (const MapLayer layer : map.present()) {

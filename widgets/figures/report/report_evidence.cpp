@@ -7,6 +7,7 @@
 #include "core/base/unknown.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/report/report_sections.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::figures {
 namespace {
@@ -54,8 +55,8 @@ void ReportSections::addEvidence() {
     const FeResult::Contents& fe = m_facts.fe->contents();
     text(tr("The FE result (%1) holds %2 elements and %3 states from %4 s to %5 s. Activity is decided by: %6. Units: %7.")
              .arg(escaped(fe.format), countText(m_facts.fe->mesh().elementCount()), countText(fe.times.size()),
-                  reportSeconds(fe.times.front()), reportSeconds(fe.times.back()), escaped(fe.activityFrom),
-                  unitShown(escaped(fe.unitsFrom))));
+                  reportSeconds(fe.times.front()), reportSeconds(fe.times.back()), spokenText(fe.activityFrom).toHtmlEscaped(),
+                  unitShown(spokenText(fe.unitsFrom).toHtmlEscaped())));
     addPhotographs();
     addSurveys();
 }

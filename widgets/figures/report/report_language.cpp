@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QTranslator>
 
+#include "widgets/figures/report/spoken_text.h"
+
 namespace rubble::figures {
 
 namespace {
@@ -55,7 +57,16 @@ std::function<QString(const Message&)> WrittenLanguage::say() const {
     if (m_words == nullptr) {
         return {};
     }
-    return [words = chineseWords()](const Message& message) { return QString::fromStdString(words(message)); };
+    return [](const Message& message) {
+        Message said = message;
+        said.pattern = spokenText(message.pattern).toStdString();
+        for (Argument& argument : said.arguments) {
+            if (auto* words = std::get_if<std::string>(&argument.value)) {
+                *words = spokenText(*words).toStdString();
+            }
+        }
+        return QString::fromStdString(englishText(said));
+    };
 }
 
 }  // namespace rubble::figures

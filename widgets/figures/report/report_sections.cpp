@@ -76,12 +76,14 @@ QString unitOf(const Parameter& row) {
 constexpr std::size_t mostSubjects = 60;  // named where a setting is the same for many
 
 QString namesOf(const std::vector<std::string>& subjects) {
-    QStringList names;
+    QString all;
     for (std::size_t i = 0; i < std::min(subjects.size(), mostSubjects); ++i) {
-        names << escaped(subjects[i]);
+        const QString name = escaped(subjects[i]);
+        all = i == 0 ? name : QCoreApplication::translate("rubble", "%1, %2", "names of a list").arg(all, name);
     }
-    const QString all = names.join(ReportSections::tr(", ", "between names"));
-    return subjects.size() > mostSubjects ? ReportSections::tr("%1 and %2 more").arg(all).arg(subjects.size() - mostSubjects) : all;
+    return subjects.size() > mostSubjects
+               ? QCoreApplication::translate("rubble", "%1 and %2 more").arg(all).arg(subjects.size() - mostSubjects)
+               : all;
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
-#include "widgets/basics/spoken_text.h"
+#include "widgets/figures/report/spoken_text.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <QStringList>
 #include <array>
 #include <vector>
 
-#include "widgets/basics/language.h"
-#include "widgets/basics/wording.h"
-
-namespace rubble::widgets {
+namespace rubble::figures {
 
 namespace {
+
+QString spokenMessage(const QByteArray& english) {
+    return QCoreApplication::translate("messages", english.constData());
+}
 
 /// Places and reasons that core makes into texts before they become part of a message.
 constexpr std::array madeTexts = {
@@ -98,7 +98,7 @@ QString filledText(const QString& english) {
         if (!match.hasMatch()) {
             continue;
         }
-        QString text = said("messages", made.text);
+        QString text = spokenMessage(made.text);
         for (int i = 0; i < 5; ++i) {
             const QString value = match.captured(QStringLiteral("v%1").arg(i));
             text.replace(QStringLiteral("{%1}").arg(i), value.isEmpty() ? value : spokenText(value.toStdString()));
@@ -112,18 +112,19 @@ QString filledText(const QString& english) {
 
 QString spokenText(const std::string& english) {
     const QString text = QString::fromStdString(english);
-    if (const QString whole = said("messages", english); whole != text || text.isEmpty()) {
+    if (const QString whole = spokenMessage(text.toUtf8()); whole != text || text.isEmpty()) {
         return whole;
     }
     if (const QString filled = filledText(text); filled != text) {
         return filled;
     }
-    QStringList parts;
+    QString line;
     for (const QString& part : text.split(QStringLiteral("; "))) {
-        const QString exact = said("messages", part.toStdString());
-        parts << (exact != part ? exact : filledText(part));
+        const QString exact = spokenMessage(part.toUtf8());
+        const QString words = exact != part ? exact : filledText(part);
+        line = line.isNull() ? words : QCoreApplication::translate("rubble", "%1; %2", "two parts of a line").arg(line, words);
     }
-    return inOneLine(parts);
+    return line;
 }
 
-}  // namespace rubble::widgets
+}  // namespace rubble::figures

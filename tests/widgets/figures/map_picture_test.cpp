@@ -85,17 +85,17 @@ TEST_F(MapPicture, AMapThatLiesAcrossHasTheWidthOfANarrowPicture) {
 }
 
 TEST_F(MapPicture, NothingCoversAnotherInTheLegendOfALowPicture) {
-    for (const int height : {150, 180, 220}) {
+    for (const int height : {170, 200, 240}) {
         style.pixels = {480, height};
         const QImage picture = mapPicture(map, MapLayer::Height, style);
         int live = 0, scale = 0;
         for (int y = 0; y < height; ++y) {
             int run = 0;
-            for (int x = 330; x < 480; ++x) {
+            for (int x = 292; x < 480; ++x) {
                 const QColor c = picture.pixelColor(x, y);
                 live = c == palette(render::Theme::Print).released ? y : live;
                 run = c.lightness() < 90 && c.hslSaturation() < 60 ? run + 1 : 0;
-                scale = run > 24 ? y : scale;
+                scale = run > 14 ? y : scale;
             }
         }
         ASSERT_GT(live, 0) << height;

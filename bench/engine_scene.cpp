@@ -324,6 +324,7 @@ void forEachSetting(Take take) {
     take("freeze_delay", [](auto& s) -> auto& { return s.freezeDelay; });
     take("overlap_speed", [](auto& s) -> auto& { return s.overlapSpeed; });
     take("overlap_time", [](auto& s) -> auto& { return s.overlapTime; });
+    take("overlap_time_from_entry", [](auto& s) -> auto& { return s.overlapTimeFromEntry; });
     take("bounce_friction", [](auto& s) -> auto& { return s.bounceFriction; });
     take("parts_jammed", [](auto& s) -> auto& { return s.partsJammed; });
     take("splits_mass", [](auto& s) -> auto& { return s.splitsMass; });

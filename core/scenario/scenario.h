@@ -87,14 +87,14 @@ struct SimulationSettings {
     std::optional<double> frictionLevel;     ///< in the range of the source of each pair, 0 to 1; unset: the number of the table
     std::optional<double> restitutionLevel;  ///< the same
     bool freeze = true;
-    double freezeSpeed = 0.02;    ///< m/s of the fastest corner
-    double freezeDelay = 0.5;     ///< s below it
-    double overlapSpeed = 1.5;    ///< m/s at which overlap at birth is brought apart
-    double overlapTime = 7.0;     ///< s for each pair
-    bool bounceFriction = false;  ///< impulses of a bounce rub as well, soft-step solver
-    double settleTime = 10.0;     ///< s at most after the last FE state
-    double frameRate = 25.0;      ///< recorded frames per second
-    bool autoRemedy = false;      ///< halve the steps for a while after a health breach
+    double freezeSpeed = 0.02;          ///< m/s of the fastest corner
+    double freezeDelay = 0.5;           ///< s below it
+    double overlapSpeed = 1.5;          ///< m/s at which overlap at birth is brought apart
+    std::optional<double> overlapTime;  ///< s; unset: overlapTimeOf()
+    bool bounceFriction = false;        ///< impulses of a bounce rub as well, soft-step solver
+    double settleTime = 10.0;           ///< s at most after the last FE state
+    double frameRate = 25.0;            ///< recorded frames per second
+    bool autoRemedy = false;            ///< halve the steps for a while after a health breach
     friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 
@@ -151,6 +151,12 @@ inline int substepsOf(const Scenario& scenario) {
 /// The same from the end of the FE result on, when few spans are left that press on debris.
 inline int settlingSubstepsOf(const Scenario& scenario) {
     return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 8);
+}
+
+/// s, for which overlap at birth is brought apart: 7 for each contact, or 1 from when the later of two bodies was born where the
+/// engine moves loose structure. What falls there goes on being pressed together; a pile that is parted meanwhile does not rest.
+inline double overlapTimeOf(const Scenario& scenario) {
+    return scenario.simulation.overlapTime.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 7.0 : 1.0);
 }
 
 /// Friction and restitution of every pair of materials as a run takes them: at its levels, less what was set for pairs or for all.

@@ -108,4 +108,16 @@ TEST(Contributing, OnlyPathsAreTakenForPaths) {
     }
 }
 
+// A program that asks for an older minor version cannot be configured: before 1.0 each may change the interface.
+TEST(Contributing, ExamplesAskForThisVersion) {
+    const std::regex own(R"(^project\(Rubble VERSION (\d+\.\d+))"), asked(R"(find_package\(Rubble (\d+\.\d+))");
+    const std::vector<Said> versions = matchesIn("CMakeLists.txt", own);
+    const std::vector<Said> examples = matchesIn("resources/examples/library/CMakeLists.txt", asked);
+    ASSERT_EQ(versions.size(), 1u);
+    ASSERT_FALSE(examples.empty());
+    for (const Said& example : examples) {
+        EXPECT_EQ(example.text, versions.front().text) << example.place;
+    }
+}
+
 }  // namespace rubble::house

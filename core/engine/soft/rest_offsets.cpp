@@ -134,4 +134,10 @@ void RestOffsets::accountForPiece(SoftContact& contact, double pushed, double mo
     }
 }
 
+double overlapToPart(const SoftContact& contact, const WorldSettings& settings, double now) {
+    const double later = std::max(contact.a->entered, contact.b->entered);
+    const double since = settings.overlapTimeFromEntry ? now - later : contact.correctedFor;
+    return since < settings.overlapTime ? contact.offset : 0.0;
+}
+
 }  // namespace rubble

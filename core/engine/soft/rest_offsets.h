@@ -38,4 +38,9 @@ private:
     ContactReport& m_report;
 };
 
+/// m, of what a contact overlaps from birth that is to be brought apart now: all of it for its time, then none, so that a pile
+/// comes to rest with what it cannot get rid of.
+/// @param now  s, of the world's own time
+double overlapToPart(const SoftContact& contact, const WorldSettings& settings, double now);
+
 }  // namespace rubble

@@ -140,7 +140,7 @@ void SoftStepWorld::substeps(double dt) {
     const auto from = Clock::now();
     const int count = m_assembly.substepsFor(dt);
     const double h = dt / count;
-    m_assembly.build(m_solver, count, dt);
+    m_assembly.build(m_solver, count, dt, m_time);
     if (m_hook) {
         m_hooked.prepare(m_solids, m_solver, m_pool);
     }

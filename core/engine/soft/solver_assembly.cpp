@@ -250,7 +250,8 @@ void SolverAssembly::order(SoftSolver& solver) {
     });
 }
 
-void SolverAssembly::build(SoftSolver& solver, int substeps, double dt) {
+void SolverAssembly::build(SoftSolver& solver, int substeps, double dt, double now) {
+    m_now = now;
     m_substeps = substeps;
     m_h = dt / substeps;
     takeBodies(solver);
@@ -278,8 +279,7 @@ void SolverAssembly::prefetchFor(const SolverContact& c) const {
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
 double SolverAssembly::correctionOf(const SoftContact& contact, double thickness, double dt) const {
-    // Every pair has its time for it, so that a pile comes to rest with what it cannot get rid of.
-    const double overlap = contact.correctedFor < m_scene.settings.overlapTime ? contact.offset : 0.0;
+    const double overlap = overlapToPart(contact, m_scene.settings, m_now);
     // Where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
     double push = 0.0;
     for (const SoftContact::Point& point : std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {

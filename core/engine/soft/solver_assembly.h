@@ -41,7 +41,8 @@ public:
     /// Substeps that a step of dt [s] needs, so that thin bodies do not sink in too far.
     int substepsFor(double dt) const;
     /// Fills the solver for the substeps of dt [s], with the speeds that its bodies may get to.
-    void build(SoftSolver& solver, int substeps, double dt);
+    /// @param now  s, of the world's own time, at the start of the step
+    void build(SoftSolver& solver, int substeps, double dt, double now);
 
     /// Prefetches what a contact of the solver comes from and goes to.
     void prefetchFor(const SolverContact& c) const;
@@ -105,6 +106,7 @@ private:
     bool moves(std::uint32_t slot) const { return slot < m_scene.bodies.awake.size(); }
 
     AssemblyScene m_scene;
+    double m_now = 0.0;                             ///< s, of the world's own time, at the start of this step
     int m_substeps = 1;                             ///< of this step
     double m_h = 0.0;                               ///< s, length of its substeps
     double m_substepLength = 0.0;                   ///< s, of the step before, then of this one

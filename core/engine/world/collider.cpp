@@ -5,8 +5,9 @@
 namespace rubble {
 
 void Collider::keep(Archive& archive) {
-    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, birthDepth,
-            birthDepthApart, penetration, overlapLeft, lifted, smallestSide, volume, mass, loosePush, inertia, parts, nodes);
+    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, entered,
+            birthDepth, birthDepthApart, penetration, overlapLeft, lifted, smallestSide, volume, mass, loosePush, inertia, parts,
+            nodes);
 }
 
 OrientedBox boxAround(const CollisionShape& parts) {

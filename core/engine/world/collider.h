@@ -27,6 +27,7 @@ struct Collider {
     bool broken = false;       ///< a body that was given a velocity that is no number; it goes on without
     Material material = Material::Concrete;
     double radius = 0.0;           ///< m, of the farthest corner
+    double entered = 0.0;          ///< s, of the world's own time
     double birthDepth = 0.0;       ///< m, inside older colliders
     double birthDepthApart = 0.0;  ///< m, inside those of them that it was not joined to
     double penetration = 0.0;      ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted

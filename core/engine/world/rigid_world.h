@@ -74,8 +74,11 @@ struct WorldSettings {
     double freezeSpeed = 0.02;    ///< m/s
     double freezeDelay = 0.5;     ///< s
     double overlapSpeed = 1.5;    ///< m/s
-    double overlapTime = 7.0;     ///< s, for each pair
+    double overlapTime = 7.0;     ///< s, for each pair, or as the next says
     bool bounceFriction = false;  ///< what a bounce presses with rubs too, soft-step solver
+    /// That time counts for all contacts of two bodies alike, from when the later one entered. Off: for each contact from when its
+    /// overlap began, so that overlap which moves from pair to pair has its time anew in each, and stirs a pile for long.
+    bool overlapTimeFromEntry = false;
     /// Bodies that others have pressed into each other for a while (jamPatience) come apart by position. Off: only where overlap at
     /// birth pushes one of them.
     bool partsJammed = false;

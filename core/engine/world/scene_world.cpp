@@ -28,6 +28,7 @@ Collider& SceneWorld::enter(Colliders& list, ColliderKind kind, const CollisionS
     collider.index = static_cast<std::uint32_t>(list.size() - 1);
     collider.parts = shape;
     collider.material = material;
+    collider.entered = m_time;
     measure(collider);
     return collider;
 }
@@ -94,6 +95,7 @@ void SceneWorld::step(double dt) {
     const auto from = std::chrono::steady_clock::now();
     takeOut();
     advance(dt);
+    m_time += dt;
     settlePieces();
     m_costs.total += secondsSince(from);
 }
@@ -138,7 +140,7 @@ double SceneWorld::birthDepthApart(BodyId body) const {
 void SceneWorld::keepScene(Archive& archive) {
     keepColliders(archive, m_bodies, ColliderKind::Body);
     keepColliders(archive, m_pieces, ColliderKind::Piece);
-    archive(m_presentPieces, m_nextNumber, m_costs, m_report);
+    archive(m_time, m_presentPieces, m_nextNumber, m_costs, m_report);
     m_sleep.keep(archive, m_bodies);
     // What is about to leave, in that order.
     m_leaving.resize(archive.count(m_leaving.size()));

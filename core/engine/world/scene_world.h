@@ -62,6 +62,7 @@ protected:
     void keepScene(Archive& archive);
 
     WorldSettings m_settings;
+    double m_time = 0.0;  ///< s, of all steps so far
     StepCosts m_costs;
     ContactReport m_report;
     SubstepHook m_hook;

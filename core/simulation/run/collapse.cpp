@@ -49,10 +49,11 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     world.freezeSpeed = s.freezeSpeed;
     world.freezeDelay = s.freezeDelay;
     world.overlapSpeed = s.overlapSpeed;
-    world.overlapTime = s.overlapTime;
+    world.overlapTime = overlapTimeOf(description.scenario);
     world.bounceFriction = s.bounceFriction;
     world.partsJammed = description.scenario.effects.loose != LooseStructurePolicy::Fe;
     world.splitsMass = world.partsJammed;
+    world.overlapTimeFromEntry = world.partsJammed;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/engine/soft/rest_offsets.h"
 #include "core/engine/world/birth_overlap.h"
 #include "tests/core/simulation/world_scene.h"
 
@@ -95,6 +96,39 @@ TEST(Births, APileComesApartWithoutBoiling) {
     EXPECT_GE(asleep, 0.9 * static_cast<double>(scene.world().bodyCount()));
     EXPECT_GT(highest, 2.5) << "six boxes on each other, apart from what fell off the top";
     EXPECT_LT(highest, 3.4);
+}
+
+TEST(Births, OverlapHasItsTimeFromTheLaterBirth) {
+    WorldScene scene;
+    scene.solver = SolverKind::SoftStep;
+    scene.settings.overlapSpeed = 0.4;
+    scene.settings.overlapTime = 0.5;
+    scene.settings.overlapTimeFromEntry = true;
+    const BodyId lower = scene.box({0, 0, 0.5}, {1, 1, 1});
+    scene.run(2.0);
+    const BodyId upper = scene.box({0, 0, 0.6}, {1, 1, 1});
+    scene.run(3.0);
+    EXPECT_NEAR(scene.place(upper).z() - scene.place(lower).z(), 0.1 + 0.4 * 0.5, 0.05);
+}
+
+// Overlap that is pushed on to older bodies, or is found between other parts of the same two, has no time of its own.
+TEST(Births, OverlapOfOldBodiesIsNotBroughtApartByNewContacts) {
+    Collider older, younger;
+    older.entered = 1.0;
+    younger.entered = 3.0;
+    SoftContact contact;
+    contact.a = &older;
+    contact.b = &younger;
+    contact.offset = 0.3;
+    WorldSettings settings;
+    settings.overlapTime = 2.0;
+    EXPECT_EQ(overlapToPart(contact, settings, 9.0), 0.3) << "each contact has its own time";
+    contact.correctedFor = 2.0;
+    EXPECT_EQ(overlapToPart(contact, settings, 9.0), 0.0);
+    settings.overlapTimeFromEntry = true;
+    EXPECT_EQ(overlapToPart(contact, settings, 4.9), 0.3);
+    contact.correctedFor = 0.0;
+    EXPECT_EQ(overlapToPart(contact, settings, 5.0), 0.0);
 }
 
 TEST(Births, InsideAnOlderPileDoNotLaunchIt) {

@@ -64,6 +64,7 @@ TEST(StepRate, OfLooseStructureLastsUntilTheFeEnd) {
     EXPECT_EQ(loose.settling, 20.0);
     EXPECT_EQ(substepsOf(scenario), 12);
     EXPECT_EQ(settlingSubstepsOf(scenario), 8);
+    EXPECT_EQ(overlapTimeOf(scenario), 1.0);
     scenario.simulation.stepRate = 50.0;
     scenario.simulation.substeps = 6;
     EXPECT_EQ(chosenFor(5.0, scenario, 3, false).settling, 50.0);
@@ -76,6 +77,7 @@ TEST(StepRate, IsTheSameThroughoutWhereTheFeResultMovesWhatIsLoose) {
     const StepRate rate = chosenFor(0.6, scenario, 3, true);
     EXPECT_EQ(rate.settling, rate.perSecond);
     EXPECT_EQ(settlingSubstepsOf(scenario), substepsOf(scenario));
+    EXPECT_EQ(overlapTimeOf(scenario), 7.0);
 }
 
 TEST(StepRate, IsThatOfItsDefaultsForBullet) {

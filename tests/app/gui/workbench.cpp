@@ -14,7 +14,7 @@ QImage pictureOf(QWidget& shown) {
     for (auto* views : shown.findChildren<widgets::ViewWidget*>()) {
         if (views->isVisible()) {
             QPainter painter(&picture);
-            painter.drawImage(QRect(views->mapTo(&shown, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+            painter.drawImage(QRect(views->mapTo(&shown, QPoint(0, 0)), views->size()), views->picture());
         }
     }
     return picture;

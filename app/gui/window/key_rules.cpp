@@ -39,10 +39,13 @@ bool isPushed(const QWidget* widget) {
            qobject_cast<const QAbstractItemView*>(widget) != nullptr;
 }
 
-bool isOfNumbers(const QKeyEvent& key) {
-    static const QString characters = QStringLiteral("0123456789.,+-");
-    const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    return plain && key.text().size() == 1 && characters.contains(key.text());
+bool isCharacter(const QKeyEvent& key) {
+    const bool plain = (key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
+    return plain && key.text().size() == 1 && key.text().front().isPrint() && key.key() != Qt::Key_Space;
+}
+
+bool isPlainSpace(const QKeyEvent& key) {
+    return key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier;
 }
 
 bool movesWithin(const QKeyEvent& key, const QWidget* focus) {
@@ -95,6 +98,7 @@ bool KeyRules::handedOn(const QFocusEvent& event) const {
 void KeyRules::noteFocus(QWidget& widget, const QFocusEvent& event) {
     const bool passedOn = handedOn(event);
     m_focus = &widget;
+    m_inWord = false;
     if (passedOn) {
         m_byKeyboard = false;
         QMetaObject::invokeMethod(this, &KeyRules::leaveFields, Qt::QueuedConnection);
@@ -125,10 +129,23 @@ bool KeyRules::takesKey(const QKeyEvent& key) const {
     if (focus == nullptr || isTypedInto(focus)) {
         return false;
     }
-    const bool inForm =
-        std::any_of(m_forms.begin(), m_forms.end(), [focus](const QWidget* form) { return form->isAncestorOf(focus); });
-    return (key.key() == Qt::Key_Space && m_byKeyboard && isPushed(focus)) || movesWithin(key, focus) ||
-           (inForm && isOfNumbers(key));
+    return (key.key() == Qt::Key_Space && m_byKeyboard && isPushed(focus)) || movesWithin(key, focus) || m_beside;
+}
+
+bool KeyRules::typedBeside(const QKeyEvent& key) const {
+    QWidget* focus = QApplication::focusWidget();
+    if (focus == nullptr || isTypedInto(focus) ||
+        std::none_of(m_forms.begin(), m_forms.end(), [focus](const QWidget* form) { return form->isAncestorOf(focus); })) {
+        return false;
+    }
+    const bool row =
+        qobject_cast<const QAbstractItemView*>(focus) != nullptr && !key.text().isEmpty() && key.text().front().isLetter();
+    return (isCharacter(key) && !row) || (m_inWord && isPlainSpace(key));
+}
+
+/// A space would push a button that was clicked, and a letter would choose another line of a list that was.
+bool KeyRules::wouldAct(const QKeyEvent& key) const {
+    return isPlainSpace(key) || (!m_byKeyboard && qobject_cast<const QComboBox*>(QApplication::focusWidget()) != nullptr);
 }
 
 bool KeyRules::escapes() const {
@@ -164,8 +181,13 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() == QEvent::FocusIn) {
         noteFocus(*widget, *static_cast<QFocusEvent*>(event));
+    } else if (event->type() == QEvent::MouseButtonPress) {
+        m_inWord = false;
     } else if (event->type() == QEvent::ShortcutOverride) {
-        if (takesKey(*static_cast<QKeyEvent*>(event))) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        m_beside = typedBeside(key);
+        m_inWord = m_beside && isCharacter(key);
+        if (takesKey(key)) {
             event->accept();
             return true;
         }
@@ -174,6 +196,9 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
         // What nothing below has used comes to the window.
         if (isEscape(key) && widget == widget->window()) {
             return !key.isAutoRepeat() && escape();
+        }
+        if (m_beside && wouldAct(key)) {
+            return true;
         }
         m_byKeyboard = m_byKeyboard || key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;
     }

@@ -16,7 +16,8 @@ namespace rubble {
 /// Who gets a key of the main window: what has the focus, or the action that has the same key.
 /// - Space pushes only what was reached by the keyboard, and belongs to the transport else.
 /// - What vanishes or can be used no longer gives the keys to the window, not to whatever comes next.
-/// - Characters of numbers do nothing beside the fields of a form: who types them there missed a field.
+/// - Characters do nothing beside the fields of a form: who types them there missed a field. Nor does the space after a word.
+///   Lists and tables hand letters on, which stand for what is done with a row.
 /// - Esc leaves a field as it was, or closes what is open in front; only when nothing is, it cancels what runs.
 class KeyRules : public QObject {
     Q_OBJECT
@@ -42,6 +43,8 @@ private:
     void noteFocus(QWidget& widget, const QFocusEvent& event);
     bool handedOn(const QFocusEvent& event) const;
     bool takesKey(const QKeyEvent& key) const;
+    bool typedBeside(const QKeyEvent& key) const;
+    bool wouldAct(const QKeyEvent& key) const;
     bool escapes() const;
     bool escape();
 
@@ -49,6 +52,8 @@ private:
     std::vector<const QWidget*> m_forms;
     std::vector<Closable> m_closables;
     bool m_byKeyboard = false;  ///< what has the focus was reached by the keyboard
+    bool m_beside = false;      ///< the key at hand is typed beside the fields of a form
+    bool m_inWord = false;      ///< and the last one was a character
     QPointer<QWidget> m_focus;  ///< had the focus last
     QPointer<QLineEdit> m_field;
     QString m_before;  ///< what the field held when it got the focus

@@ -14,6 +14,8 @@
 #include <QUndoStack>
 #include <QWheelEvent>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
@@ -231,6 +233,50 @@ TEST_F(SteadyWindow, NumbersTypedBesideAFieldDoNothing) {
     QTest::mouseClick(&window->area().views(), Qt::LeftButton);
     press(Qt::Key_1);
     EXPECT_EQ(layout(), render::Layout::Stacked);
+}
+
+TEST_F(SteadyWindow, SentencesTypedBesideAFieldDoNothing) {
+    clickPanel(PanelDeck::Run);
+    QLineEdit* field = fieldOf("gravity");
+    auto* group = field->parentWidget()->parentWidget();
+    QTest::mouseClick(group, Qt::LeftButton, {}, QPoint(4, field->parentWidget()->y() + 4));
+    const auto docks = [&] {
+        std::vector<bool> shown;
+        for (const auto* dock : window->findChildren<QDockWidget*>()) {
+            shown.push_back(dock->isVisible());
+        }
+        return shown;
+    };
+    const auto typed = [&](const char* sentence) {
+        const render::View view = window->area().views().view();
+        const std::vector<bool> before = docks();
+        for (const char character : std::string(sentence)) {
+            QTest::keyClick(QApplication::focusWidget(), character);
+            EXPECT_FALSE(playing()) << character;
+        }
+        EXPECT_EQ(window->area().views().view(), view) << sentence;
+        EXPECT_EQ(docks(), before) << sentence;
+        EXPECT_EQ(window->area().views().tool(), widgets::ViewWidget::Tool::Select) << sentence;
+        EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << sentence;
+        EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << sentence;
+    };
+    typed("The pier, 2 m thick, came last but one");
+    // Nor do they choose in a list that was clicked.
+    auto* solver = window->rooms().deck->stack().currentWidget()->findChild<QComboBox*>();
+    ASSERT_NE(solver, nullptr);
+    solver->setFocus(Qt::MouseFocusReason);
+    const QString chosen = solver->currentText();
+    typed("first soft sand below it");
+    EXPECT_EQ(solver->currentText(), chosen);
+    // The next space is no part of a sentence.
+    press(Qt::Key_Space);
+    press(Qt::Key_Space);
+    EXPECT_TRUE(playing());
+    press(Qt::Key_Space);
+    // In the views letters are the window's.
+    QTest::mouseClick(&window->area().views(), Qt::LeftButton);
+    press(Qt::Key_C);
+    EXPECT_TRUE(window->area().views().view().clip.has_value());
 }
 
 TEST_F(SteadyWindow, EscLeavesAFieldAsItWas) {

@@ -36,15 +36,15 @@ struct ShownFile {
 /// A point cloud whose points a picture shows.
 struct ShownCloud {
     ShownFile file;
-    std::optional<Registration> placed;   ///< unset: it lies by its coordinates alone
-    std::uint64_t shown = 0;              ///< points, or places where distances were measured
-    std::uint64_t all = 0;                ///< of so many
-    std::uint64_t far = 0;                ///< points far from all others, which are not drawn
-    std::optional<double> finest;         ///< m, width of the cells of which the finest level drawn has one point each
-    bool whole = true;                    ///< no level was left out to keep their number
-    std::string colours;                  ///< what they say: "own", "intensity", "height", "class", "distance"
-    std::optional<double> detection;      ///< m, level of detection of distances in the median
-    bool registrationInDetection = false; ///< it holds the error of the registration
+    std::optional<Registration> placed;    ///< unset: it lies by its coordinates alone
+    std::uint64_t shown = 0;               ///< points, or places where distances were measured
+    std::uint64_t all = 0;                 ///< of so many
+    std::uint64_t far = 0;                 ///< points far from all others, which are not drawn
+    std::optional<double> finest;          ///< m, width of the cells of which the finest level drawn has one point each
+    bool whole = true;                     ///< no level was left out to keep their number
+    std::string colours;                   ///< what they say: "own", "intensity", "height", "class", "distance"
+    std::optional<double> detection;       ///< m, level of detection of distances in the median
+    bool registrationInDetection = false;  ///< it holds the error of the registration
 };
 
 /// What an export was made from and how; everything that an exported file carries.

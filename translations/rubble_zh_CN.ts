@@ -12574,8 +12574,8 @@
         <translation>m 或 m2</translation>
     </message>
     <message>
-        <source>How long two bodies are brought apart where one was born in the other, or was pressed into it by such; what is left then stays, so that the pile can come to rest. Longer: looser piles that rest later. Automatic: 7 s for each contact, or 1 s from the later birth of the two where the engine moves loose structure (loose_structure).</source>
-        <translation>两个刚体因产生时重叠或因此被压入彼此时，在多长时间内把它们分开；剩余的重叠保留，使堆积能够静止。时间越长：堆积越松散，静止越晚。自动：每个接触 7 s；松脱结构由引擎运动时（loose_structure），从两者中较晚产生者起 1 s。</translation>
+        <source>How long two bodies are brought apart where one was born in the other, or was pressed into it by such; what is left then stays, so that the pile can come to rest. Longer: looser piles that rest later. The time counts from the later birth of the two where the engine moves loose structure (loose_structure), else for each contact. Automatic: 1 s there, else 7 s.</source>
+        <translation>两个刚体因产生时重叠或因此被压入彼此时，在多长时间内把它们分开；剩余的重叠保留，使堆积能够静止。时间越长：堆积越松散，静止越晚。松脱结构由引擎运动时（loose_structure），时间从两者中较晚产生者起算，否则按每个接触计。自动：前者 1 s，后者 7 s。</translation>
     </message>
 </context>
 <context>

@@ -179,8 +179,10 @@ std::vector<Parameter> simulationRows() {
         .number(
             "overlap_time", "s", 0, 10000, RUBBLE_AT(simulation.overlapTime), "Overlap resolved for",
             "How long two bodies are brought apart where one was born in the other, or was pressed into it by such; what is left "
-            "then stays, so that the pile can come to rest. Longer: looser piles that rest later. Automatic: 7 s for each contact, "
-            "or 1 s from the later birth of the two where the engine moves loose structure (loose_structure).")
+            "then stays, so that the pile can come to rest. Longer: looser piles that rest later. The time counts from the later "
+            "birth of the two where the engine moves loose structure (loose_structure), else for each contact. Automatic: 1 s "
+            "there, "
+            "else 7 s.")
         .toggle("bounce_friction", RUBBLE_AT(simulation.bounceFriction), "Friction of bounces",
                 "The impulse of a bounce rubs by Coulomb's law as the impact does, soft-step solver only. Off: blocks that fly or "
                 "roll keep "

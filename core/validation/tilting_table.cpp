@@ -62,7 +62,8 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
     WorldSettings settings;
     settings.pairs = PairTable::uniform(wall.friction, 0.0);
     settings.ground = false;
-    // As a collapse takes them by default, so that what is found here holds there.
+    // As a collapse takes them by default, so that what is found here holds there. Its other rules find nothing here: no block is
+    // born in another, and none has contacts enough to be split.
     settings.substeps = substepsOf(Scenario());
     settings.partsJammed = true;
     settings.threads = execution.threads();

@@ -64,7 +64,8 @@ bool archStands(const VoussoirArch& arch, double thickness, const Execution& exe
     WorldSettings settings;
     settings.pairs = PairTable::uniform(arch.friction, 0.0);
     settings.ground = false;
-    // As a collapse takes them by default, so that what is found here holds there.
+    // As a collapse takes them by default, so that what is found here holds there. Its other rules find nothing here: no block is
+    // born in another, and none has contacts enough to be split.
     settings.substeps = substepsOf(Scenario());
     settings.partsJammed = true;
     settings.threads = execution.threads();

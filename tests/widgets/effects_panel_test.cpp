@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
@@ -141,6 +142,18 @@ TEST(EffectsPanel, SettingsUnfoldUnderTheirEffect) {
     fold->click();
     EXPECT_FALSE(level->isVisibleTo(row));
     EXPECT_FALSE(fold->accessibleName().isEmpty());
+}
+
+TEST(EffectsPanel, AnAutomaticTimeOfOverlapSaysWhatItComesTo) {
+    EffectsPanel panel;
+    const auto shown = [&](LooseStructurePolicy loose) {
+        Scenario scenario;
+        scenario.effects.loose = loose;
+        panel.setScenario(scenario);
+        return panel.editor(QStringLiteral("overlap_time"))->findChild<QLineEdit*>()->placeholderText();
+    };
+    EXPECT_EQ(shown(LooseStructurePolicy::AtOnce), QStringLiteral("1"));
+    EXPECT_EQ(shown(LooseStructurePolicy::Fe), QStringLiteral("7"));
 }
 
 TEST(EffectsPanel, CostsAddUpToTheLineBelow) {

@@ -111,6 +111,7 @@ void EffectsPanel::buildMaterials() {
 
 void EffectsPanel::setScenario(const Scenario& scenario) {
     Panel::setScenario(scenario);
+    editor(QStringLiteral("overlap_time"))->setAutomaticValue(overlapTimeOf(scenario));
     m_materials->setScenario(scenario);
     m_contact->setScenario(scenario);
     m_groundMaterial = scenario.effects.groundMaterial;

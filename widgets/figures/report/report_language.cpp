@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QTranslator>
 
+#include <cassert>
+
 #include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::figures {
@@ -21,15 +23,14 @@ std::string inChinese(const QTranslator& catalogue, const std::string& english) 
 
 std::function<std::string(const Message&)> chineseWords() {
     const auto catalogue = std::make_shared<QTranslator>();
-    const bool there = catalogue->load(QLatin1String(catalogueFile));
-    return [catalogue, there](const Message& message) {
+    [[maybe_unused]] const bool there = catalogue->load(QLatin1String(catalogueFile));
+    assert(there && "the catalogue is a resource of the program");
+    return [catalogue](const Message& message) {
         Message said = message;
-        if (there) {
-            said.pattern = inChinese(*catalogue, message.pattern);
-            for (Argument& argument : said.arguments) {
-                if (auto* words = std::get_if<std::string>(&argument.value)) {
-                    *words = inChinese(*catalogue, *words);
-                }
+        said.pattern = inChinese(*catalogue, message.pattern);
+        for (Argument& argument : said.arguments) {
+            if (auto* words = std::get_if<std::string>(&argument.value)) {
+                *words = inChinese(*catalogue, *words);
             }
         }
         return englishText(said);
@@ -39,10 +40,10 @@ std::function<std::string(const Message&)> chineseWords() {
 WrittenLanguage::WrittenLanguage(const std::string& code) {
     if (code == "zh_CN") {
         m_words = std::make_unique<QTranslator>();
-        if (m_words->load(QLatin1String(catalogueFile))) {
-            QCoreApplication::installTranslator(m_words.get());
-            QLocale::setDefault(QLocale(QString::fromStdString(code)));
-        }
+        [[maybe_unused]] const bool there = m_words->load(QLatin1String(catalogueFile));
+        assert(there && "the catalogue is a resource of the program");
+        QCoreApplication::installTranslator(m_words.get());
+        QLocale::setDefault(QLocale(QString::fromStdString(code)));
     }
 }
 

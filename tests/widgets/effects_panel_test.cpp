@@ -152,8 +152,8 @@ TEST(EffectsPanel, AnAutomaticTimeOfOverlapSaysWhatItComesTo) {
         panel.setScenario(scenario);
         return panel.editor(QStringLiteral("overlap_time"))->findChild<QLineEdit*>()->placeholderText();
     };
-    EXPECT_EQ(shown(LooseStructurePolicy::AtOnce), QStringLiteral("1"));
-    EXPECT_EQ(shown(LooseStructurePolicy::Fe), QStringLiteral("7"));
+    EXPECT_EQ(shown(LooseStructurePolicy::AtOnce), QStringLiteral("1.00"));
+    EXPECT_EQ(shown(LooseStructurePolicy::Fe), QStringLiteral("7.00"));
 }
 
 TEST(EffectsPanel, CostsAddUpToTheLineBelow) {

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t bulkSample = 65'536;
 constexpr double metresPerDegree = 111'000.0;
+/// So many sites can each have a hundredth.
+constexpr int sitesMost = 100;
 
 using Range = std::pair<double, double>;
 
@@ -116,18 +118,18 @@ void CloudBulk::add(const Vec3& place) {
     }
 }
 
-Aabb CloudBulk::box(const CloudUnits& units) const {
+Aabb CloudBulk::box(const CloudUnits& units, const Execution& execution) const {
     // Points beside those that were looked at are no far points.
-    const Bulk bulk = find(units);
+    const Bulk bulk = find(units, execution);
     return wider(bulk.all, units, 0.5 * widest(bulk.all, units));
 }
 
-Aabb CloudBulk::reach(const CloudUnits& units) const {
-    const Bulk bulk = find(units);
+Aabb CloudBulk::reach(const CloudUnits& units, const Execution& execution) const {
+    const Bulk bulk = find(units, execution);
     return wider(bulk.sites, units, farTimes * bulk.width);
 }
 
-CloudBulk::Bulk CloudBulk::find(const CloudUnits& units) const {
+CloudBulk::Bulk CloudBulk::find(const CloudUnits& units, const Execution& execution) const {
     std::vector<Vec3> places;
     places.reserve(m_drawn.size());
     for (const Drawn& drawn : m_drawn) {
@@ -138,12 +140,14 @@ CloudBulk::Bulk CloudBulk::find(const CloudUnits& units) const {
     };
     std::sort(places.begin(), places.end(), order);
     places.erase(std::unique(places.begin(), places.end()), places.end());
-    const auto dense = std::max<std::size_t>(16, static_cast<std::size_t>(denseShare * static_cast<double>(places.size())));
+    const auto dense = static_cast<std::size_t>(std::max(denseLeast, denseShare * static_cast<double>(places.size())));
     Bulk bulk;
     bulk.sites.setEmpty();
     bulk.all.setEmpty();
     // Two sites are no strays of each other, however far they lie apart.
-    while (bulk.sites.isEmpty() ? !places.empty() : places.size() >= dense) {
+    // Each round costs a sort of what is left, and noise may give hardly anything to one.
+    for (int round = 0; round < sitesMost && (round == 0 ? !places.empty() : places.size() >= dense); ++round) {
+        execution.check();
         const Aabb site = densest(places, metresOf(units));
         const double width = widest(site, units);
         const Aabb reach = wider(site, units, farTimes * width);
@@ -156,8 +160,7 @@ CloudBulk::Bulk CloudBulk::find(const CloudUnits& units) const {
             }
             return false;
         });
-        const bool first = bulk.sites.isEmpty();
-        if (first || (taken >= dense && widest(bulk.sites.merged(site), units) <= bulkWidthMost)) {
+        if (round == 0 || (taken >= dense && widest(bulk.sites.merged(site), units) <= bulkWidthMost)) {
             bulk.sites.extend(site);
             bulk.all.extend(near);
             bulk.width = std::max(bulk.width, width);

@@ -160,10 +160,10 @@ public:
             }
             // What was read tells all there is to know of the boxes: it fits now.
             m_box = m_laid.summary.bounds;
-            const Aabb bulk = m_laid.bulk.box(m_units);
+            const Aabb bulk = m_laid.bulk.box(m_units, m_execution);
             m_split = OctreeCube(m_box, m_units).side() > farTimes * OctreeCube(bulk, m_units).side();
             if (m_split) {
-                divideBox(m_laid.bulk.reach(m_units));
+                divideBox(m_laid.bulk.reach(m_units, m_execution));
             }
             m_known = true;
             layIn(path);
@@ -203,7 +203,7 @@ private:
             return false;
         }
         if (!m_known && (m_laid.outside > 0 || OctreeCube(all, m_units).side() * loose < m_cube.side() ||
-                         OctreeCube(m_laid.bulk.box(m_units), m_units).side() * farTimes < m_cube.side())) {
+                         OctreeCube(m_laid.bulk.box(m_units, m_execution), m_units).side() * farTimes < m_cube.side())) {
             return false;
         }
         const double colourMost = m_laid.summary.colourMost;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/unknown.h"
-#include "io/site/clouds/octree/cloud_bulk.h"
 #include "io/site/clouds/octree/octree_choice.h"
 #include "io/site/clouds/octree/octree_file.h"
 #include "widgets/figures/point_colours.h"
@@ -77,21 +76,6 @@ std::shared_ptr<const render::SitePoints::Patch> patchOf(const io::CloudBlock& b
     return patch;
 }
 
-/// Whether far points are looked at and the bulk is not: they are another site, and the nearer one.
-bool looksAtFar(const PointsWork::Opened& opened, const PointsWork::Look& look) {
-    const io::CloudOctree& octree = opened.octree->octree();
-    const std::vector<io::OctreeNode>& nodes = octree.nodes();
-    const auto far = std::find_if(nodes.begin(), nodes.end(), [](const io::OctreeNode& node) { return node.far; });
-    const double dense = io::denseShare * static_cast<double>(octree.head().points);
-    if (far == nodes.end() || look.panes.empty() || static_cast<double>(octree.head().farPoints) < dense) {
-        return false;
-    }
-    const std::vector<Aabb>& boxes = opened.octree->boxes();
-    const Vec3& focus = look.panes.front().second.focalPoint;
-    const Aabb& other = boxes[static_cast<std::size_t>(far - nodes.begin())];
-    return !other.isEmpty() && (boxes.front().isEmpty() || other.exteriorDistance(focus) < boxes.front().exteriorDistance(focus));
-}
-
 /// What a look at a cloud needs of it; what is there already is not read again.
 std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, const PointsWork::Look& look,
                                                     const std::string& name, bool& whole, const Execution& execution) {
@@ -102,7 +86,7 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
         opened.classes.clear();
     }
     const std::vector<Aabb>& boxes = opened.octree->boxes();
-    const bool far = looksAtFar(opened, look);
+    const bool far = !look.panes.empty() && opened.farSites.nearer(look.panes.front().second.focalPoint);
     if (far != opened.far) {
         opened.far = far;
         opened.read.clear();
@@ -246,6 +230,7 @@ void PointsWork::open(const Cloud& wanted) {
                       made->source = sourceOf(wanted);
                       made->octree =
                           std::make_unique<io::PlacedOctree>(wanted.path, wanted.frame, wanted.site, wanted.placed, execution);
+                      made->farSites = io::FarSites(*made->octree, execution);
                       made->heights = heightsOf(made->octree->read(0));
                   },
                   [this, made, wanted](const std::exception_ptr& thrown) {

@@ -13,6 +13,7 @@
 #include "core/fe/frame.h"
 #include "core/scenario/case.h"
 #include "io/case/case_photographs.h"
+#include "io/site/clouds/octree/far_sites.h"
 #include "io/site/clouds/octree/placed_octree.h"
 #include "io/site/clouds/run_distance.h"
 #include "widgets/render/basics/site_points.h"
@@ -40,6 +41,7 @@ public:
     /// A cloud that is open, and what was read of it.
     struct Opened {
         std::unique_ptr<io::PlacedOctree> octree;
+        io::FarSites farSites;
         render::SitePoints::Source source;
         bool far = false;                   ///< far points are looked at, and the bulk is not
         std::pair<double, double> heights;  ///< m, of nearly all points of that part

@@ -5,8 +5,11 @@
 #include <fstream>
 #include <random>
 
+#include "core/base/error.h"
 #include "io/site/clouds/octree/cloud_bulk.h"
 #include "io/site/clouds/octree/cloud_octree.h"
+#include "io/site/clouds/octree/far_sites.h"
+#include "io/site/clouds/point_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -90,6 +93,58 @@ TEST(OctreeSites, AHundredthOfThePlacesIsASiteAndFewerAreStrays) {
     EXPECT_TRUE(holds(20'000));
     EXPECT_TRUE(holds(400));
     EXPECT_FALSE(holds(100));
+}
+
+TEST(OctreeSites, TheSearchCanBeGivenUp) {
+    CloudBulk bulk;
+    for (int i = 0; i < 100; ++i) {
+        bulk.add({1.0 * i, 0.0, 0.0});
+    }
+    const Execution execution;
+    EXPECT_FALSE(bulk.box({}, execution).isEmpty());
+    execution.cancel();
+    EXPECT_THROW(bulk.box({}, execution), Cancelled);
+    EXPECT_THROW(bulk.reach({}, execution), Cancelled);
+}
+
+TEST(OctreeSites, AFarOneIsLookedAtWhereItLiesAndStraysNever) {
+    const TemporaryFolder folder;
+    const double east = 200'000.0;
+    const auto sitesOf = [&](const std::string& name, std::size_t bulk, std::size_t other, std::size_t strays, bool heaped) {
+        WrittenCloud cloud;
+        cloud.points = bulk + other + strays;
+        cloud.box = Aabb(Vec3(-east, 0.0, 0.0), Vec3(east + 40.0, 40.0, 4.0));
+        const std::string path = folder / name;
+        std::mt19937 random(3);  // NOLINT: the same points each time
+        std::uniform_real_distribution<double> along(0.0, 40.0);
+        writePoints(path, cloud, [&](std::size_t k, WrittenPoint& point) {
+            point.place = Vec3(along(random), along(random), 0.1 * along(random));
+            if (k >= bulk + other) {
+                point.place = Vec3(-east, static_cast<double>(k % 10), 0.0);
+            } else if (k >= bulk) {
+                point.place = heaped ? Vec3(east, 0.0, 0.0) : Vec3(point.place + Vec3(east, 0.0, 0.0));
+            }
+        });
+        const PlacedOctree placed(path, Frame(), Site(), std::nullopt, Execution());
+        EXPECT_EQ(placed.octree().head().farPoints, other + strays);
+        return FarSites(placed, Execution());
+    };
+    const Vec3 inBulk(20.0, 20.0, 2.0);
+    const Vec3 besideBulk(20.0, -100.0, 60.0);
+    const Vec3 atFar(east + 20.0, 20.0, 60.0);
+    const Vec3 atStrays(-east, 0.0, 10.0);
+    // A few points are one leaf, of many each site has nodes of its own.
+    for (const std::size_t other : {4'000U, 40'000U}) {
+        const FarSites far = sitesOf(std::to_string(other) + ".las", 5 * other, other, 2, false);
+        EXPECT_FALSE(far.nearer(inBulk));
+        EXPECT_FALSE(far.nearer(besideBulk));
+        EXPECT_TRUE(far.nearer(atFar));
+        EXPECT_FALSE(far.nearer(atStrays)) << "two strays are no site";
+    }
+    EXPECT_FALSE(sitesOf("strays.las", 20'000, 0, 2, false).nearer(atStrays));
+    // Many points at one place are one place, as for the bulk.
+    EXPECT_FALSE(sitesOf("heap.las", 20'000, 20'000, 0, true).nearer(atFar));
+    EXPECT_FALSE(FarSites().nearer(atFar));
 }
 
 }  // namespace rubble::io

@@ -32,12 +32,18 @@ QDoubleSpinBox* instantBox(const char* name, double low, double high, double val
     return box;
 }
 
+// At a pace that shows a blast, the seconds of settling after it would be millions of pictures.
+double usualEnd(const figures::MovieSettings& all) {
+    const double brief = figures::briefSpan();
+    return brief > 0.0 ? std::min(all.to, all.from + brief) : all.to;
+}
+
 }  // namespace
 
 MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent)
     : QDialog(parent),
       m_from(instantBox("movieFrom", choice.settings.from, choice.settings.to, choice.settings.from)),
-      m_to(instantBox("movieTo", choice.settings.from, choice.settings.to, choice.settings.to)),
+      m_to(instantBox("movieTo", choice.settings.from, choice.settings.to, usualEnd(choice.settings))),
       m_pace(new QComboBox),
       m_fps(new QSpinBox),
       m_size(new QComboBox),

@@ -25,7 +25,8 @@ class MovieDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param choice  its span is all that can be shown, its cameras are those that can be looked along
+    /// @param choice  its span is all that can be shown, of which a brief FE result is offered; its cameras are those that can be
+    /// looked along
     /// @param encoder  whether an MP4 can be made on this machine
     MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent = nullptr);
 

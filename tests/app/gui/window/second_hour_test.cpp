@@ -189,6 +189,16 @@ TEST_F(SecondHour, ABlastOfMicrosecondsIsToldInItsOwnUnitsAndHasHalfOfTheTimelin
     EXPECT_TRUE(shown("timeFigures").endsWith(QStringLiteral(" µs"))) << qPrintable(shown("timeFigures"));
     EXPECT_NEAR(window->rooms().playback->clock().time(), 35e-6, 1e-6);
     EXPECT_LT(window->rooms().playback->clock().rate(), 1e-4) << "it can be watched";
+    QString end;
+    bool possible = false;
+    whenAsked([&](QDialog& dialog) {
+        end = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"))->text();
+        possible = dialog.findChild<QPushButton*>(QStringLiteral("primary"))->isEnabled();
+        dialog.reject();
+    });
+    window->actions()[ActionId::ExportMovie].trigger();
+    EXPECT_EQ(end, QStringLiteral("70.000 µs")) << "not its settling";
+    EXPECT_TRUE(possible);
     session->document().undoStack().setClean();
     openAndAwait(smallAs("east.exo"));
     EXPECT_EQ(shown("timeFigures"), QStringLiteral("0.00 s"));

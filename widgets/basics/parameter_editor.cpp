@@ -60,10 +60,18 @@ QString ParameterEditor::withUnit(double bound) const {
     return unit.isEmpty() ? numberText(bound) : numberText(bound) + QChar(0x00A0) + unit;
 }
 
-// What decides the unit of a time.
+// What decides the unit of a time. Zero has no size: it is told as the delivered value is, or in seconds.
 double ParameterEditor::shownSize() const {
     const auto* number = std::get_if<double>(&m_value);
-    return number != nullptr ? *number : std::holds_alternative<std::monostate>(m_value) ? m_automaticValue : 0.0;
+    if (const double shown = number != nullptr ? *number : m_automaticValue; shown != 0.0) {
+        return shown;
+    }
+    if (m_row.unit != "s") {
+        return 0.0;
+    }
+    const ParameterValue delivered = m_row.get(Scenario(), m_subject);
+    const auto* usual = std::get_if<double>(&delivered);
+    return usual != nullptr && *usual != 0.0 ? *usual : 1.0;
 }
 
 QString ParameterEditor::textOf(const ParameterValue& value) const {

@@ -44,8 +44,23 @@ bool isCharacter(const QKeyEvent& key) {
     return plain && key.text().size() == 1 && key.text().front().isPrint() && key.key() != Qt::Key_Space;
 }
 
-bool isPlainSpace(const QKeyEvent& key) {
-    return key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier;
+/// Shift may still be held from the letter before.
+bool isSpaceOfText(const QKeyEvent& key) {
+    return key.key() == Qt::Key_Space && (key.modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
+}
+
+bool isModifier(const QKeyEvent& key) {
+    switch (key.key()) {
+        case Qt::Key_Shift:
+        case Qt::Key_Control:
+        case Qt::Key_Meta:
+        case Qt::Key_Alt:
+        case Qt::Key_AltGr:
+        case Qt::Key_CapsLock:
+            return true;
+        default:
+            return false;
+    }
 }
 
 bool movesWithin(const QKeyEvent& key, const QWidget* focus) {
@@ -140,12 +155,12 @@ bool KeyRules::typedBeside(const QKeyEvent& key) const {
     }
     const bool row =
         qobject_cast<const QAbstractItemView*>(focus) != nullptr && !key.text().isEmpty() && key.text().front().isLetter();
-    return (isCharacter(key) && !row) || (m_inWord && isPlainSpace(key));
+    return (isCharacter(key) && !row) || (m_inWord && isSpaceOfText(key));
 }
 
 /// A space would push a button that was clicked, and a letter would choose another line of a list that was.
 bool KeyRules::wouldAct(const QKeyEvent& key) const {
-    return isPlainSpace(key) || (!m_byKeyboard && qobject_cast<const QComboBox*>(QApplication::focusWidget()) != nullptr);
+    return isSpaceOfText(key) || (!m_byKeyboard && qobject_cast<const QComboBox*>(QApplication::focusWidget()) != nullptr);
 }
 
 bool KeyRules::escapes() const {
@@ -186,7 +201,7 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
     } else if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         m_beside = typedBeside(key);
-        m_inWord = m_beside && isCharacter(key);
+        m_inWord = isModifier(key) ? m_inWord : m_beside && isCharacter(key);
         if (takesKey(key)) {
             event->accept();
             return true;

@@ -261,6 +261,13 @@ TEST_F(SteadyWindow, SentencesTypedBesideAFieldDoNothing) {
         EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << sentence;
     };
     typed("The pier, 2 m thick, came last but one");
+    // Shift is held too long, or is pressed alone.
+    for (const Qt::KeyboardModifiers held : {Qt::ShiftModifier, Qt::NoModifier}) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_A, Qt::ShiftModifier);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Shift);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space, held);
+        EXPECT_FALSE(playing()) << held.toInt();
+    }
     // Nor do they choose in a list that was clicked.
     auto* solver = window->rooms().deck->stack().currentWidget()->findChild<QComboBox*>();
     ASSERT_NE(solver, nullptr);

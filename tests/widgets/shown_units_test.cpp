@@ -10,6 +10,7 @@
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
 
@@ -19,7 +20,10 @@ using figures::UnitSet;
 
 class ShownUnits : public testing::Test {
 protected:
-    ~ShownUnits() override { figures::chooseUnits(UnitSet::Si); }
+    ~ShownUnits() override {
+        figures::chooseUnits(UnitSet::Si);
+        figures::setResultSpan(0.0);
+    }
 };
 
 // Factors against the definitions: 1 ft = 0.3048 m, 1 lb = 0.45359237 kg, 1 psi = 6894.757 Pa.
@@ -63,6 +67,41 @@ TEST_F(ShownUnits, AreTypedInASetting) {
     QTest::keyClick(field, Qt::Key_Return);
     ASSERT_EQ(edited.count(), 1);
     EXPECT_NEAR(std::get<double>(editor.value()), 6.096, 1e-12);
+}
+
+TEST_F(ShownUnits, OfNoTimeAreThoseOfTheTimeThatIsDelivered) {
+    figures::setResultSpan(70e-6);
+    ParameterEditor editor(*findParameter("settle_time").first);
+    QSignalSpy unit(&editor, &ParameterEditor::unitShown);
+    editor.setValue(10.0);
+    auto* field = editor.findChild<QLineEdit*>();
+    for (const double seconds : {0.0, 10.0}) {
+        field->selectAll();
+        QTest::keyClicks(field, QString::number(seconds));
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_DOUBLE_EQ(std::get<double>(editor.value()), seconds);
+        EXPECT_EQ(unit.last().front().toString(), QStringLiteral("s"));
+    }
+    ParameterEditor automatic(*findParameter("overlap_time").first);
+    automatic.setValue({});
+    auto* typed = automatic.findChild<QLineEdit*>();
+    QTest::keyClicks(typed, QStringLiteral("0.5"));
+    QTest::keyClick(typed, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(std::get<double>(automatic.value()), 0.5) << "nothing is predicted yet";
+}
+
+// The list of paces and the movie itself tell a pace alike.
+TEST_F(ShownUnits, OfAPaceAreThoseOfABriefResult) {
+    EXPECT_EQ(figures::paceText(0.01), QStringLiteral("0.01 ×"));
+    figures::setResultSpan(0.05);
+    EXPECT_EQ(figures::paceText(0.01), QStringLiteral("10 ms/s"));
+    EXPECT_EQ(figures::paceText(0.1), QStringLiteral("100 ms/s"));
+    EXPECT_EQ(figures::paceText(0.25), QStringLiteral("0.25 ×"));
+    EXPECT_TRUE(figures::paceIsTime(0.1));
+    EXPECT_FALSE(figures::paceIsTime(0.25));
+    figures::setResultSpan(70e-6);
+    EXPECT_EQ(figures::paceText(1e-5), QStringLiteral("10 µs/s"));
+    EXPECT_EQ(figures::paceText(0.05), QStringLiteral("50 ms/s"));
 }
 
 TEST_F(ShownUnits, AreTypedInAField) {

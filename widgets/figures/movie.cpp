@@ -275,9 +275,9 @@ private:
 void printTime(QImage& picture, double time, double pace, render::Theme theme, double textHeight, bool besideAxes) {
     QString text = QStringLiteral("t = ") + timeText(time);
     if (std::abs(pace - 1.0) > 1e-9) {
-        text += QStringLiteral(" · ") + (pace < 1e-2 && briefSpan() > 0.0 ? tr("%1 of collapse in a second").arg(timeText(pace))
-                                         : pace < 1.0                     ? tr("%1 times slower").arg(numberText(1.0 / pace))
-                                                                          : tr("%1 times faster").arg(numberText(pace)));
+        text += QStringLiteral(" · ") + (paceIsTime(pace) ? tr("%1 of collapse in a second").arg(timeText(pace))
+                                         : pace < 1.0     ? tr("%1 times slower").arg(numberText(1.0 / pace))
+                                                          : tr("%1 times faster").arg(numberText(pace)));
     }
     QFont font;
     font.setPixelSize(std::max(8, static_cast<int>(std::lround(1.4 * textHeight))));

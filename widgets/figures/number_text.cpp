@@ -23,7 +23,7 @@ QString countText(std::size_t count) {
 namespace {
 
 constexpr double briefest = 0.1;       // s: from there on hundredths of a second tell instants apart
-constexpr double slowestFactor = 0.1;  // paces below it are told in units of a brief result a second
+constexpr double slowestFactor = 0.1;  // paces up to it are told in units of a brief result a second
 std::atomic<double> resultSpan{0.0};
 
 }  // namespace
@@ -54,10 +54,14 @@ QString timeText(double seconds) {
     return numbers().toString(value, 'f', decimals) + u' ' + unit.name;
 }
 
+bool paceIsTime(double pace) {
+    return briefSpan() > 0.0 && pace <= slowestFactor * (1.0 + 1e-9);
+}
+
 QString paceText(double pace) {
-    const ShownUnit unit = timeUnit();
-    return unit.perSi > 1.0 && pace < slowestFactor ? numberText(pace * unit.perSi) + u' ' + unit.name + QStringLiteral("/s")
-                                                    : numberText(pace) + QStringLiteral(" ×");
+    const ShownUnit unit = timeUnit(pace);
+    return paceIsTime(pace) ? numberText(pace * unit.perSi) + u' ' + unit.name + QStringLiteral("/s")
+                            : numberText(pace) + QStringLiteral(" ×");
 }
 
 QString numberText(double value) {

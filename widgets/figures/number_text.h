@@ -19,7 +19,9 @@ void setResultSpan(double seconds);
 double briefSpan();
 /// What a time of this size is told in: "s"; of a brief result below a second "ms" or "µs". 0 s: the unit of its instants.
 ShownUnit timeUnit(double seconds = 0.0);
-/// How fast a collapse is played: "0.5 ×"; of a brief result "5 µs/s". @param pace  seconds of collapse in one second
+/// Whether a pace is told as a time of collapse in a second, not as a factor. @param pace  seconds of collapse in one second
+bool paceIsTime(double pace);
+/// How fast a collapse is played: "0.5 ×"; of a brief result "5 µs/s".
 QString paceText(double pace);
 /// A length with its unit: "25 m", "0.5 m", "2 km".
 QString lengthText(double metres);

@@ -8,6 +8,9 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "widgets/basics/unit_label.h"
+#include "widgets/figures/number_text.h"
+
 namespace rubble::widgets {
 namespace {
 
@@ -60,6 +63,17 @@ TEST_F(Form, GivesWhatWasTypedAndNothingElse) {
     EXPECT_FALSE(asked[0].cluster);
     form.setFound(0);
     EXPECT_TRUE(says("Nothing fits"));
+}
+
+TEST_F(Form, ForgetsTimesThatWereTypedInOtherUnits) {
+    figures::setResultSpan(70e-6);
+    type("Born to", "70");
+    type("x to", "-3");
+    EXPECT_NEAR(form.criteria().bornTo.value_or(0.0), 70e-6, 1e-12);
+    figures::setResultSpan(0.0);
+    tellUnitsChanged();
+    EXPECT_FALSE(form.criteria().bornTo) << "not 70 s";
+    EXPECT_EQ(form.criteria().high[0], -3.0);
 }
 
 TEST_F(Form, RefusesWhatIsNoNumberAndAsksForSomething) {

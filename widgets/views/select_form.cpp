@@ -99,6 +99,16 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
     setComponents({});
 }
 
+// A time that was typed for one result would be read in the unit of another.
+bool SelectForm::event(QEvent* event) {
+    if (event->type() == unitsChanged()) {
+        m_bornFrom->clear();
+        m_bornTo->clear();
+        m_found->clear();
+    }
+    return QWidget::event(event);
+}
+
 void SelectForm::setComponents(const std::vector<std::string>& names) {
     const QString before = m_component->currentText();
     m_component->clear();

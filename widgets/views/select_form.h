@@ -37,6 +37,9 @@ public:
     void setFound(std::size_t count);
     Criteria criteria() const;
 
+protected:
+    bool event(QEvent* event) override;
+
 signals:
     void selectRequested(const rubble::widgets::SelectForm::Criteria& criteria);
 

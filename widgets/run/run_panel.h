@@ -40,6 +40,8 @@ public:
     /// @param running  only Cancel can be pushed; the buttons stand still
     void setReady(bool ready, bool running, const QString& why = {});
     void setScenario(const Scenario& scenario) override;
+    /// Says how long a brief FE result lasts; nothing of others.
+    void showBriefResult();
 
 protected:
     bool event(QEvent* event) override;
@@ -54,7 +56,6 @@ signals:
 private:
     void buildSettings();
     void buildOutcome();
-    void showBriefResult();
     void clearOutcome();
 
     QPushButton* m_simulate;

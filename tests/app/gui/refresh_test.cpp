@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 #include <array>
@@ -10,6 +11,8 @@
 #include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/run/run_panel.h"
 #include "widgets/views/status_line.h"
 
 namespace rubble {
@@ -17,9 +20,13 @@ namespace rubble {
 namespace {
 
 /// The small collapse up to some state, as an analysis that goes on would have written it by then.
-void writeUpTo(std::size_t states, const std::string& path) {
+/// @param perSecond  s in which it does what takes a second
+void writeUpTo(std::size_t states, const std::string& path, double perSecond = 1.0) {
     io::ExodusBuilder builder = cli::smallCollapse();
     builder.times.resize(states);
+    for (double& time : builder.times) {
+        time *= perSecond;
+    }
     builder.write(path + ".next");
     std::filesystem::rename(path + ".next", path);
 }
@@ -60,7 +67,30 @@ TEST_F(Workbench, RefreshShowsWhatHasComeAndKeepsTheRest) {
     EXPECT_EQ(session->document().scenario().grid.multiple, 3.0);
     EXPECT_TRUE(session->document().undoStack().canUndo());
     EXPECT_THAT(window->findChild<widgets::StatusLine*>()->activityText().toStdString(),
-                testing::HasSubstr("3 states more, to 0.5 s"));
+                testing::HasSubstr("3 states more, to 0.50 s"));
+}
+
+TEST_F(Workbench, RefreshOfAGrowingBlastKeepsWhatIsHalfTyped) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("blast.exo")).toStdString();
+    writeUpTo(3, path, 1e-4);
+    window->open(QString::fromStdString(path));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    const auto before = session->computation().inputs().fe;
+    window->rooms().deck->choose(PanelDeck::Run);
+    auto* field = window->findChild<widgets::ParameterEditor*>(QStringLiteral("settle_time"))->findChild<QLineEdit*>();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("12"));
+    const auto* said = window->findChild<widgets::Notice*>(QStringLiteral("briefResult"));
+    EXPECT_TRUE(said->text().contains(QStringLiteral("20.00 µs"))) << qPrintable(said->text());
+    writeUpTo(6, path, 1e-4);
+    QTest::keyClick(window, Qt::Key_F5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().inputs().fe != before && prepared(); }, patience));
+    EXPECT_EQ(field->text(), QStringLiteral("12"));
+    EXPECT_TRUE(said->text().contains(QStringLiteral("50.00 µs"))) << qPrintable(said->text());
+    field->undo();
+    window->actions()[ActionId::Close].trigger();
 }
 
 TEST_F(Workbench, CopiesOfResultsAreKeptWhenAskedFor) {

@@ -90,6 +90,7 @@ std::shared_ptr<const render::SitePoints> pointsFor(PointsWork::Opened& opened, 
     if (far != opened.far) {
         opened.far = far;
         opened.read.clear();
+        opened.classes.clear();
         opened.heights = heightsOf(opened.octree->read(opened.root()));
     }
     const io::OctreeChoice choice = io::chooseNodes(

@@ -149,6 +149,7 @@ TEST_F(PointsOfACloud, OfTwoSystemsAreDrawnWhereTheCaseLies) {
     io::writePoints(path, cloud, [&](std::size_t k, io::WrittenPoint& point) {
         const Vec3 in(0.4 * static_cast<double>(k % 100), 0.4 * static_cast<double>(k / 100 % 100), 5.0);
         point.place = k < 3 * about ? Vec3(in + Vec3(500'000.0, 5'400'000.0, 0.0)) : Vec3(in - Vec3(20.0, 20.0, 0.0));
+        point.kind = k < 3 * about ? 2 : 6;
     });
     window->rooms().survey->add(QString::fromStdString(path));
     points().setShown(true);
@@ -160,6 +161,21 @@ TEST_F(PointsOfACloud, OfTwoSystemsAreDrawnWhereTheCaseLies) {
     for (const auto& patch : drawn()->patches) {
         EXPECT_LT(std::abs(patch->places[0]), 21.0F);
     }
+    // The legend names the classes of what is looked at, and no others.
+    box().findChild<QComboBox*>()->setCurrentIndex(2);
+    settle();
+    ASSERT_EQ(drawn()->classes.size(), 1U);
+    EXPECT_EQ(drawn()->classes[0].first, 6);
+    render::View there = views().view();
+    for (render::Camera& camera : there.cameras) {
+        camera.focalPoint += Vec3(500'000.0, 5'400'000.0, 0.0);
+        camera.position += Vec3(500'000.0, 5'400'000.0, 0.0);
+    }
+    window->rooms().scene->setView(there);
+    settle();
+    EXPECT_EQ(drawn()->source.far, about);
+    ASSERT_EQ(drawn()->classes.size(), 1U);
+    EXPECT_EQ(drawn()->classes[0].first, 2);
 }
 
 TEST_F(PointsOfACloud, StandInTheProvenanceOfAFigureWithWhatTheCutCuts) {

@@ -82,7 +82,7 @@ QString namesOf(const std::vector<std::string>& subjects) {
         all = i == 0 ? name : QCoreApplication::translate("rubble", "%1, %2", "names of a list").arg(all, name);
     }
     return subjects.size() > mostSubjects
-               ? QCoreApplication::translate("rubble", "%1 and %2 more").arg(all).arg(subjects.size() - mostSubjects)
+               ? QCoreApplication::translate("rubble", "%1 and %2 more").arg(all, QString::number(subjects.size() - mostSubjects))
                : all;
 }
 
@@ -200,7 +200,7 @@ void ReportSections::addInputs() {
             const QString label = labelOf(*difference.row);
             const std::size_t many = shared.subjects.size();
             table.rows.push_back(
-                {many == 1 ? label : tr("%1, set alike for %2: %3").arg(label).arg(many).arg(namesOf(shared.subjects)),
+                {many == 1 ? label : tr("%1, set alike for %2: %3").arg(label, QString::number(many), namesOf(shared.subjects)),
                  code(QString::fromStdString(shared.key())), valueOf(*difference.row, difference.first),
                  valueOf(*difference.row, difference.second), unitOf(*difference.row)});
         }

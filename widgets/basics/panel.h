@@ -112,6 +112,8 @@ protected:
 
 private:
     void placeFoot();
+    /// The slider that is pressed, or null.
+    QWidget* dragged() const;
     QWidget* inHand() const;
 
     QVBoxLayout* m_column;

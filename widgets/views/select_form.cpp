@@ -69,7 +69,7 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
     put(1, tr("born"), m_bornFrom, m_bornTo, QStringLiteral("s"));
     put(2, tr("cluster"), m_cluster, nullptr, {});
     for (std::size_t i = 0; i < 3; ++i) {
-        const QString axis(QLatin1Char(axes[i]));
+        const QString axis{QLatin1Char(axes[i])};
         const QString tip =
             tr("Centres with %1 within these bounds at the time shown, counted as exported tables do; %2").arg(axis, open);
         m_low[i] = addField(tr("%1 from").arg(axis), tip);

@@ -80,6 +80,8 @@ TEST_F(PresentState, ClustersAreInSightBesideTheSliderThatMakesThem) {
     const QPoint place = slider->mapTo(window, QPoint());
     const QString before = clusters->text();
     const QPoint from(slider->width() / 2, slider->height() / 2);
+    // Whoever drags does not stay on the slider.
+    QCursor::setPos(panel->mapToGlobal(QPoint(60, panel->height() - 40)));
     QTest::mousePress(slider, Qt::LeftButton, {}, from);
     for (int x = from.x(); x < slider->width() - 4; x += 8) {
         QTest::mouseMove(slider, QPoint(x, from.y()));

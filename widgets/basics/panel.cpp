@@ -1,6 +1,5 @@
 #include "widgets/basics/panel.h"
 
-#include <QAbstractSlider>
 #include <QApplication>
 #include <QCursor>
 #include <QEvent>
@@ -234,23 +233,21 @@ void Panel::resizeEvent(QResizeEvent* event) {
     placeFoot();
 }
 
-QWidget* Panel::dragged() const {
-    const auto sliders = widget()->findChildren<QAbstractSlider*>();
-    const auto down = std::ranges::find_if(sliders, [](const QAbstractSlider* slider) { return slider->isSliderDown(); });
-    return down == sliders.end() ? nullptr : *down;
+QWidget* Panel::focused() const {
+    QWidget* focus = QApplication::focusWidget();
+    return focus != nullptr && widget()->isAncestorOf(focus) ? focus : nullptr;
 }
 
 QWidget* Panel::inHand() const {
     // What is dragged stays in hand wherever the cursor gets to.
-    if (QWidget* slider = dragged()) {
-        return slider;
+    if (QApplication::mouseButtons() != Qt::NoButton) {
+        return focused();
     }
     const QPoint cursor = viewport()->mapFromGlobal(QCursor::pos());
     if (isVisible() && viewport()->rect().contains(cursor)) {
         return widget()->childAt(widget()->mapFrom(viewport(), cursor));
     }
-    QWidget* focus = QApplication::focusWidget();
-    return focus != nullptr && widget()->isAncestorOf(focus) ? focus : nullptr;
+    return focused();
 }
 
 void Panel::keepInHand() {
@@ -265,8 +262,9 @@ void Panel::keepInHand() {
     m_scrolledAt = verticalScrollBar()->value();
     // Once what changes is laid out as a whole.
     QTimer::singleShot(0, this, [this] {
-        const QWidget* slider = dragged();
-        const bool still = slider == nullptr || slider == m_inHand;
+        // Half way through it, what is in hand lies elsewhere for a moment.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        const bool still = QApplication::mouseButtons() == Qt::NoButton || focused() == m_inHand;
         if (still && m_inHand != nullptr && m_inHand->isVisible() && verticalScrollBar()->value() == m_scrolledAt) {
             const int moved = m_inHand->mapTo(viewport(), QPoint(0, 0)).y() - m_inHandAt;
             verticalScrollBar()->setValue(m_scrolledAt + moved);

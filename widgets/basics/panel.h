@@ -112,8 +112,8 @@ protected:
 
 private:
     void placeFoot();
-    /// The slider that is pressed, or null.
-    QWidget* dragged() const;
+    /// What of the panel has the focus, or null.
+    QWidget* focused() const;
     QWidget* inHand() const;
 
     QVBoxLayout* m_column;

@@ -80,8 +80,12 @@ TEST_F(PresentState, ClustersAreInSightBesideTheSliderThatMakesThem) {
     const QPoint place = slider->mapTo(window, QPoint());
     const QString before = clusters->text();
     const QPoint from(slider->width() / 2, slider->height() / 2);
-    // Whoever drags does not stay on the slider.
-    QCursor::setPos(panel->mapToGlobal(QPoint(60, panel->height() - 40)));
+    // Whoever drags does not stay on the slider. The cursor arrives before the press: what moves it tells of no pressed button.
+    const QPoint elsewhere = panel->mapToGlobal(QPoint(60, panel->height() - 40));
+    QCursor::setPos(elsewhere);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QCursor::pos() == elsewhere; }));
+    QTest::qWait(50);
+    EXPECT_EQ(slider->mapTo(window, QPoint()), place);
     QTest::mousePress(slider, Qt::LeftButton, {}, from);
     for (int x = from.x(); x < slider->width() - 4; x += 8) {
         QTest::mouseMove(slider, QPoint(x, from.y()));

@@ -83,7 +83,7 @@ TEST_F(OtherCloud, PlyIsTheSameAsTextAndInBytesOfEitherEnd) {
         EXPECT_EQ(stored.points.colours, plain.points.colours);
         EXPECT_EQ(stored.points.intensity, plain.points.intensity);
         EXPECT_EQ(stored.summary.findings.count("cloud.coarse"), 0);
-        bytes.resize(bytes.size() - 1);
+        bytes.pop_back();
         EXPECT_EQ(read(bytes).points.size(), 1u);
         EXPECT_EQ(read(bytes).summary.findings.count("cloud.fewer_points"), 1);
     }

@@ -192,7 +192,7 @@ TEST_F(E57Cloud, DamageIsNamed) {
     EXPECT_EQ(refusal(made.bytes(xml(1'000'000, 3))), "cloud.cut");
     EXPECT_EQ(refusal(made.bytes("<e57Root><data3D>")), "cloud.e57_xml");
     CloudBytes cut = sound;
-    cut.resize(cut.size() - 1);
+    cut.pop_back();
     EXPECT_EQ(refusal(cut), "cloud.cut");
     // Columns of no bits would give points without end.
     MadeE57 still;

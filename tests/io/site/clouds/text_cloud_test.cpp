@@ -164,7 +164,7 @@ TEST_F(OtherCloud, PcdIsTheSameInItsThreeCodings) {
         EXPECT_EQ(cloud.head.scans[0].pose.position, Vec3(0.0, 0.0, 5.0));
         EXPECT_EQ(cloud.summary.findings.count("cloud.viewpoint"), 1);
     }
-    packed.resize(packed.size() - 1);
+    packed.pop_back();
     EXPECT_EQ(refusal(packed), "cloud.cut");
 }
 

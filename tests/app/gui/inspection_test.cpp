@@ -30,16 +30,11 @@ protected:
         }
         openArch();
         views().setAnimated(false);
-        drawn();
+        drawViews();
     }
     widgets::ViewWidget& views() { return window->area().views(); }
     Inspection& inspection() { return (*window->rooms().inspection); }
     const std::vector<ElementIndex>& selected() { return inspection().selection().selection(); }
-    /// What is asked of the views is in the picture.
-    void drawn() {
-        views().grabFramebuffer();
-        QTest::qWait(1);
-    }
     /// Where an element's centre at rest lies in the first pane, in pixels of the widget.
     QPoint pixelOf(ElementIndex element) {
         const Mesh& mesh = session->computation().inputs().fe->mesh();
@@ -53,7 +48,7 @@ protected:
     }
     /// Clicks on the middle of an element; what is hit may be one that stands before it.
     void click(ElementIndex element, Qt::KeyboardModifiers keys = {}) {
-        drawn();
+        drawViews();
         QTest::mouseClick(&views(), Qt::LeftButton, keys, pixelOf(element));
     }
     ElementIndex firstOf(const char* component) {
@@ -85,7 +80,7 @@ TEST_F(Inspecting, AClickSelectsAndCtrlClickAdds) {
     EXPECT_TRUE(inspection().inspector().title().startsWith(QStringLiteral("2 ")));
     click(firstOf("arch rib 1"), Qt::ControlModifier);
     EXPECT_EQ(selected(), std::vector{first}) << "a second Ctrl-click takes it away";
-    drawn();
+    drawViews();
     QTest::mouseClick(&views(), Qt::LeftButton, {}, QPoint(views().width() / 2, 3));
     EXPECT_TRUE(selected().empty()) << "the sky";
     EXPECT_TRUE(inspection().dock("inspectorDock").isHidden());
@@ -113,7 +108,7 @@ TEST_F(Inspecting, DraggingTurnsAndDoesNotSelect) {
 
 TEST_F(Inspecting, ARubberBandTakesAllInItEvenCovered) {
     const render::Camera before = views().view().cameras[0];
-    drawn();
+    drawViews();
     QTest::mousePress(&views(), Qt::LeftButton, Qt::ControlModifier, QPoint(1, 1));
     const QPoint far(views().width() - 1, views().height() / 2 - 2);
     QMouseEvent move(QEvent::MouseMove, QPointF(far), views().mapToGlobal(QPointF(far)), Qt::NoButton, Qt::LeftButton,
@@ -137,14 +132,14 @@ TEST_F(Inspecting, HideIsolateAndShowAll) {
     QTest::keyClick(window, Qt::Key_I, Qt::ShiftModifier);
     const std::size_t all = session->computation().inputs().fe->mesh().elementCount();
     EXPECT_EQ(views().view().hidden.size(), all - many);
-    drawn();
+    drawViews();
     EXPECT_EQ(views().status(render::PaneContent::Fe).hidden, all - many);
     QTest::keyClick(window, Qt::Key_H, Qt::ShiftModifier);
     EXPECT_TRUE(views().view().hidden.empty());
     QTest::keyClick(window, Qt::Key_H);
     EXPECT_EQ(views().view().hidden.size(), many);
     EXPECT_TRUE(selected().empty());
-    drawn();
+    drawViews();
     QTest::mouseClick(&views(), Qt::LeftButton, {}, pixelOf(element));
     EXPECT_TRUE(selected().empty() || selected().front() != element);
 }
@@ -205,7 +200,7 @@ TEST_F(Inspecting, TheCutComesAndGoes) {
     QTest::keyClick(window, Qt::Key_C);
     ASSERT_TRUE(views().view().clip);
     EXPECT_TRUE(window->area().clipBar().isVisible());
-    drawn();
+    drawViews();
     emit window->area().clipBar().viewDirectionRequested();
     EXPECT_NEAR(views().view().clip->normal.norm(), 1.0, 1e-12);
     EXPECT_LT(views().view().clip->normal.y(), -0.9) << "towards the eye";
@@ -224,10 +219,10 @@ TEST_F(Inspecting, ProjectionLayoutsAndStyleByKeys) {
     EXPECT_FALSE(views().view().cameras[0].parallel);
     QTest::keyClick(window, Qt::Key_4);
     EXPECT_EQ(views().view().layout, render::Layout::Four);
-    drawn();
+    drawViews();
     QTest::keyClick(window, Qt::Key_3);
     EXPECT_EQ(views().view().layout, render::Layout::OverlayOnly);
-    drawn();
+    drawViews();
     const render::Style style = views().view().style;
     QTest::keyClick(window, Qt::Key_P, Qt::ShiftModifier);
     EXPECT_NE(views().view().style, style);
@@ -277,7 +272,7 @@ TEST_F(Inspecting, AFragmentsWayIsReadDrawnAndExported) {
 }
 
 TEST_F(Inspecting, RegionAndComponentAreSelectedTogether) {
-    drawn();
+    drawViews();
     widgets::SelectForm::Criteria half;
     half.component = "girder 1";
     const auto& girder = *std::find_if(views().data().components->list.begin(), views().data().components->list.end(),
@@ -309,7 +304,7 @@ TEST_F(Inspecting, ASavedViewIsLookedAtAgain) {
     EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), 1.0);
     EXPECT_NE(views().view().theme, render::Theme::Print) << "the window keeps its colours";
     EXPECT_TRUE(window->actions()[ActionId::Four].isChecked());
-    drawn();
+    drawViews();
     EXPECT_GT(views().status(render::PaneContent::Fe).hidden, 0U);
 }
 

@@ -2,7 +2,9 @@
 
 #include <QPainter>
 #include <QSettings>
+#include <utility>
 
+#include "app/gui/stage/view_area.h"
 #include "widgets/basics/language.h"
 #include "widgets/views/view_widget.h"
 
@@ -18,6 +20,20 @@ QImage pictureOf(QWidget& shown) {
         }
     }
     return picture;
+}
+
+void Workbench::drawViews() {
+    widgets::ViewWidget& views = window->area().views();
+    const auto place = [&] { return std::pair(views.geometry(), views.view().cameras); };
+    // A dock that comes takes room beside the views and leaves it again where it floats, by layouts that are made later.
+    for (auto before = place();; before = place()) {
+        QTest::qWait(1);
+        QCoreApplication::sendPostedEvents();
+        views.grabFramebuffer();
+        if (place() == before) {
+            return;
+        }
+    }
 }
 
 void FreshWorkbench::SetUp() {

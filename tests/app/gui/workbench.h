@@ -103,6 +103,8 @@ protected:
         window->rooms().runs->simulate(false);
         awaitRun();
     }
+    /// What was asked of the window is laid out, and the picture of the views is that of the place they have.
+    void drawViews();
     widgets::StageState rail(PanelDeck::Entry entry) { return window->rooms().deck->rail().state(entry); }
 
     std::unique_ptr<Session> session;

@@ -56,7 +56,9 @@ QString ParameterEditor::numberText(double value) const {
 }
 
 QString ParameterEditor::withUnit(double bound) const {
-    const QString unit = figures::shownUnit(siUnit().toStdString(), bound).name;
+    // Zero has no size of its own: it takes the unit of the other bound.
+    const double size = bound == 0.0 && std::isfinite(m_row.high) ? m_row.high : bound;
+    const QString unit = figures::shownUnit(siUnit().toStdString(), size).name;
     return unit.isEmpty() ? numberText(bound) : numberText(bound) + QChar(0x00A0) + unit;
 }
 

@@ -60,35 +60,19 @@ void sortByBytes(std::vector<Item>& items, std::vector<Item>& spare, const Key& 
     }
 }
 
-/// Numbers of points in rising order: many of them byte by byte, which takes a third of the time.
-void sortFound(std::vector<std::uint32_t>& found) {
-    constexpr std::size_t many = 400;
-    if (found.size() < many) {
-        std::sort(found.begin(), found.end());
-        return;
-    }
-    thread_local std::vector<std::uint32_t> spare;
-    sortByBytes(found, spare, [](std::uint32_t number) { return number; });
-}
-
-/// Hands each point of a ball to a caller, who decides whether it counts.
-template <class Visit>
-class BallVisit {
+/// Whether a cell may hold points of a ball.
+class BallCull {
 public:
-    BallVisit(double radius, const Visit& visit) : m_squared(radius * radius), m_visit(visit) {}
-    void init() {}
-    void clear() {}
-    std::size_t size() const { return 0; }
-    bool full() const { return true; }
-    bool addPoint(double /*squared*/, std::uint32_t i) const {
-        m_visit(i);
-        return true;
+    BallCull(const Vec3& centre, double radius) : m_centre(centre), m_squared(radius * radius * (1.0 + roundingShare) + 1e-12) {}
+
+    bool operator()(const Vec3& middle, const Vec3& half) const {
+        const Vec3 beyond = ((middle - m_centre).cwiseAbs() - half).cwiseMax(0.0);
+        return beyond.squaredNorm() <= m_squared;
     }
-    double worstDist() const { return m_squared; }
 
 private:
+    Vec3 m_centre;
     double m_squared;
-    const Visit& m_visit;
 };
 
 /// Whether a cell may hold points of a cylinder.
@@ -159,15 +143,16 @@ struct PointIndex::Tree {
     using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointList, double, std::uint32_t>,
                                                       PointList, 3, std::uint32_t>;
     explicit Tree(std::vector<Vec3> places)
-        : list{std::move(places)}, index(3, list, nanoflann::KDTreeSingleIndexAdaptorParams(leafPoints)) {}
-
-    template <class Visit>
-    void visitBall(const Vec3& centre, double radius, const Visit& visit) const {
-        BallVisit<Visit> ball(radius * (1.0 + roundingShare) + 1e-12, visit);
-        index.findNeighbors(ball, centre.data(), {});
+        : list{std::move(places)}, index(3, list, nanoflann::KDTreeSingleIndexAdaptorParams(leafPoints)) {
+        // What lies in one leaf is read at once.
+        std::vector<Vec3> ordered(list.places.size());
+        std::transform(index.vAcc.begin(), index.vAcc.end(), ordered.begin(), [&](std::uint32_t i) { return list.places[i]; });
+        list.places = std::move(ordered);
+        std::iota(index.vAcc.begin(), index.vAcc.end(), 0U);
     }
 
-    /// Hands over the points of all leaves whose cells a test does not cull. @param meets  (middle, half the sides) of a cell
+    /// Hands over the points of all leaves whose cells a test does not cull.
+    /// @param meets  (middle, half the sides) of a cell; @param visit  (number of a point, its place)
     template <class Meets, class Visit>
     void visitCells(const Meets& meets, const Visit& visit) const {
         if (index.root_node != nullptr) {
@@ -191,7 +176,7 @@ private:
         }
         if (node.child1 == nullptr) {
             for (std::size_t k = node.node_type.lr.left; k < node.node_type.lr.right; ++k) {
-                visit(index.vAcc[k]);
+                visit(static_cast<std::uint32_t>(k), list.places[k]);
             }
             return;
         }
@@ -249,25 +234,21 @@ const std::vector<Vec3>& PointIndex::places() const {
 
 void PointIndex::within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const {
     found.clear();
-    const std::vector<Vec3>& places = m_tree->list.places;
-    m_tree->visitBall(centre, radius, [&](std::uint32_t i) {
-        if ((places[i] - centre).squaredNorm() <= radius * radius) {
+    m_tree->visitCells(BallCull(centre, radius), [&](std::uint32_t i, const Vec3& place) {
+        if ((place - centre).squaredNorm() <= radius * radius) {
             found.push_back(i);
         }
     });
-    // The tree has an order of its own; sums of reals then do not depend on it.
-    sortFound(found);
 }
 
 BallMoments PointIndex::moments(const Vec3& centre, double radius) const {
     constexpr int bits = 30;
-    const std::vector<Vec3>& places = m_tree->list.places;
     const double scale = std::ldexp(1.0, bits - 1 - std::ilogb(radius));
     std::int64_t count = 0;
     std::array<std::int64_t, 3> sums{};
     ProductSums products;
-    m_tree->visitBall(centre, radius, [&](std::uint32_t i) {
-        const Vec3 from = places[i] - centre;
+    m_tree->visitCells(BallCull(centre, radius), [&](std::uint32_t /*i*/, const Vec3& place) {
+        const Vec3 from = place - centre;
         if (from.squaredNorm() > radius * radius) {
             return;
         }
@@ -296,10 +277,9 @@ BallMoments PointIndex::moments(const Vec3& centre, double radius) const {
 void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
                                 std::vector<double>& offsets) const {
     offsets.clear();
-    const std::vector<Vec3>& places = m_tree->list.places;
     const CylinderCull cull(centre, axis, radius, halfLength);
-    m_tree->visitCells(cull, [&](std::uint32_t i) {
-        const Vec3 from = places[i] - centre;
+    m_tree->visitCells(cull, [&](std::uint32_t /*i*/, const Vec3& place) {
+        const Vec3 from = place - centre;
         const double along = axis.dot(from);
         if (std::abs(along) <= halfLength && from.squaredNorm() - along * along <= radius * radius) {
             offsets.push_back(along);

@@ -46,8 +46,9 @@ public:
     ~PointIndex();
     PointIndex(PointIndex&&) noexcept;
 
+    /// In the order of the index, neighbours beside each other.
     const std::vector<Vec3>& places() const;
-    /// The points within a radius of a place, its rim included, in the order of the cloud.
+    /// Numbers of the places within a radius of a place, its rim included, in rising order.
     void within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const;
     /// Of the points within a radius of a place, its rim included. Places count in steps of 2^-29 of the radius or finer, so that
     /// sums are those of whole numbers and no order of the points matters.

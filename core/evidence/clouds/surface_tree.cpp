@@ -1,9 +1,9 @@
 #include "core/evidence/clouds/surface_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace rubble {
 
@@ -13,26 +13,27 @@ constexpr std::uint32_t leafTriangles = 4;
 constexpr int binCount = 16;
 /// A tree of 2^32 triangles cut at random is far lower than this; below it nodes are halved.
 constexpr int depthMost = 60;
+constexpr float nowhere = std::numeric_limits<float>::infinity();
 
 double halfArea(const Aabb& box) {
     const Vec3 sides = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
     return sides.x() * sides.y() + sides.y() * sides.z() + sides.z() * sides.x();
 }
 
-/// Length along a ray to where it enters a box; infinite where it passes by or enters beyond a length.
-double entryOf(const Vec3& low, const Vec3& high, const Vec3& from, const Vec3& inverse, double length) {
-    // By axes, without a loop: this is where the time goes.
-    const double x0 = (low.x() - from.x()) * inverse.x(), x1 = (high.x() - from.x()) * inverse.x();
-    const double y0 = (low.y() - from.y()) * inverse.y(), y1 = (high.y() - from.y()) * inverse.y();
-    const double z0 = (low.z() - from.z()) * inverse.z(), z1 = (high.z() - from.z()) * inverse.z();
-    const double enter = std::max({std::min(x0, x1), std::min(y0, y1), std::min(z0, z1), 0.0});
-    const double leave = std::min({std::max(x0, x1), std::max(y0, y1), std::max(z0, z1), length});
-    return enter <= leave ? enter : std::numeric_limits<double>::infinity();
+/// The number in single precision that is next to another, not above it.
+float roundedDown(double number) {
+    const auto rounded = static_cast<float>(number);
+    return rounded > number ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+}
+
+float roundedUp(double number) {
+    return -roundedDown(-number);
 }
 
 }  // namespace
 
-/// Cuts the triangles where the areas of the two boxes, weighed by what lies in them, are least.
+/// Cuts the triangles where the areas of the two boxes, weighed by what lies in them, are least; the cuts of each node that
+/// have the greatest boxes become one node.
 class SurfaceTree::Build {
 public:
     explicit Build(SurfaceTree& tree) : m_tree(tree) {}
@@ -51,13 +52,23 @@ public:
         if (all.empty()) {
             return;
         }
-        m_tree.m_nodes.reserve(all.size());
-        m_tree.m_nodes.emplace_back();
+        m_cuts.reserve(all.size());
+        m_cuts.emplace_back();
         cut(0, 0, static_cast<std::uint32_t>(all.size()), 0);
-        m_tree.m_box = {m_tree.m_nodes[0].low, m_tree.m_nodes[0].high};
+        m_tree.m_box = m_cuts[0].box;
+        m_tree.m_middle = m_tree.m_box.center();
+        m_tree.m_nodes.emplace_back();
+        gather(0, 0);
     }
 
 private:
+    /// Two children that lie behind each other, or triangles.
+    struct Cut {
+        Aabb box;
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;  ///< triangles; 0: children
+    };
+
     static Aabb boxOf(const Corners& of) {
         Aabb box(of.a);
         box.extend(Vec3(of.a + of.toB));
@@ -75,21 +86,57 @@ private:
         }
         // A ray along a face must not slip past by rounding.
         const Vec3 margin = Vec3::Constant(1e-12 * (1.0 + box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff()));
-        Node& made = m_tree.m_nodes[node];
-        made.low = box.min() - margin;
-        made.high = box.max() + margin;
+        m_cuts[node].box = Aabb(box.min() - margin, box.max() + margin);
         if (last - first <= leafTriangles) {
-            made.first = first;
-            made.count = last - first;
+            m_cuts[node].first = first;
+            m_cuts[node].count = last - first;
             return;
         }
         const std::uint32_t middle = depth < depthMost ? cutAt(first, last, middles) : (first + last) / 2;
-        const auto children = static_cast<std::uint32_t>(m_tree.m_nodes.size());
-        made.first = children;
-        m_tree.m_nodes.emplace_back();
-        m_tree.m_nodes.emplace_back();
+        const auto children = static_cast<std::uint32_t>(m_cuts.size());
+        m_cuts[node].first = children;
+        m_cuts.emplace_back();
+        m_cuts.emplace_back();
         cut(children, first, middle, depth + 1);
         cut(children + 1, middle, last, depth + 1);
+    }
+
+    /// Makes a node of the greatest boxes below a cut, and the nodes below it.
+    void gather(std::uint32_t node, std::uint32_t top) {
+        std::vector<std::uint32_t> parts{top};
+        const auto opens = [&](std::uint32_t part) { return m_cuts[part].count == 0 ? halfArea(m_cuts[part].box) : -1.0; };
+        while (parts.size() < width) {
+            const auto greatest =
+                std::max_element(parts.begin(), parts.end(), [&](std::uint32_t a, std::uint32_t b) { return opens(a) < opens(b); });
+            if (m_cuts[*greatest].count > 0) {
+                break;
+            }
+            const std::uint32_t children = m_cuts[*greatest].first;
+            *greatest = children;
+            parts.push_back(children + 1);
+        }
+        const auto below = static_cast<std::uint32_t>(m_tree.m_nodes.size());
+        std::uint32_t nodes = 0;
+        for (std::size_t k = 0; k < width; ++k) {
+            Node& made = m_tree.m_nodes[node];
+            const bool there = k < parts.size();
+            const Cut none;
+            const Cut& part = there ? m_cuts[parts[k]] : none;
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                const double middle = m_tree.m_middle[axis];
+                made.low[axis][k] = there ? roundedDown(part.box.min()[axis] - middle) : nowhere;
+                made.high[axis][k] = there ? roundedUp(part.box.max()[axis] - middle) : -nowhere;
+            }
+            made.count[k] = part.count;
+            made.first[k] = part.count > 0 || !there ? part.first : below + nodes++;
+        }
+        m_tree.m_nodes.resize(below + nodes);
+        nodes = 0;
+        for (const std::uint32_t part : parts) {
+            if (m_cuts[part].count == 0) {
+                gather(below + nodes++, part);
+            }
+        }
     }
 
     /// Sorts triangles to both sides of the best of a few planes. @return the first of the second side
@@ -133,6 +180,58 @@ private:
     }
 
     SurfaceTree& m_tree;
+    std::vector<Cut> m_cuts;
+};
+
+/// A ray as boxes are met by it: from where it comes near the tree, in single precision. Whatever rounding may do to it makes the
+/// boxes larger.
+class SurfaceTree::Ray {
+public:
+    /// @param before  m, how far the start of the ray is from the tree at least
+    Ray(const SurfaceTree& tree, const Vec3& from, const Vec3& direction, double before) : m_before(before) {
+        const Vec3 start = from + before * direction - tree.m_middle;
+        // Differences of two such numbers, and their product with the inverse, are off by less than four roundings.
+        const double reach = start.cwiseAbs().maxCoeff() + tree.m_box.sizes().maxCoeff();
+        const double margin = 4.0 * std::numeric_limits<float>::epsilon() * reach;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // A component of zero would make 0 times infinity at the faces of a box.
+            const double along = direction[static_cast<Eigen::Index>(axis)];
+            const double inverse = 1.0 / (std::abs(along) > 1e-30 ? along : 1e-30);
+            const double at = start[static_cast<Eigen::Index>(axis)];
+            m_inverse[axis] = static_cast<float>(inverse);
+            m_enter[axis] = static_cast<float>(inverse > 0.0 ? at + margin : at - margin);
+            m_leave[axis] = static_cast<float>(inverse > 0.0 ? at - margin : at + margin);
+            m_downwards[axis] = inverse < 0.0;
+        }
+    }
+
+    /// As far as boxes are met, from the start of the ray on, m.
+    void endAt(double length) { m_length = roundedUp((length - m_before) * (1.0 + 1e-6) + 1e-6); }
+    float length() const { return m_length; }
+
+    /// Lengths to where the ray enters the boxes of a node; infinite where it passes by or enters too late.
+    std::array<float, width> entries(const Node& node) const {
+        Four enter = Four{} + 0.0F;
+        Four leave = Four{} + m_length;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float(&near)[width] = m_downwards[axis] ? node.high[axis] : node.low[axis];
+            const float(&far)[width] = m_downwards[axis] ? node.low[axis] : node.high[axis];
+            const Four in = (*reinterpret_cast<const Four*>(near) - m_enter[axis]) * m_inverse[axis];
+            const Four out = (*reinterpret_cast<const Four*>(far) - m_leave[axis]) * m_inverse[axis];
+            enter = in > enter ? in : enter;
+            leave = out < leave ? out : leave;
+        }
+        return std::bit_cast<std::array<float, width>>(enter <= leave ? enter : Four{} + nowhere);
+    }
+
+private:
+    /// Every processor compares four at once.
+    using Four = float __attribute__((vector_size(16), may_alias));
+
+    double m_before;
+    float m_length = 0.0F;
+    std::array<float, 3> m_inverse{}, m_enter{}, m_leave{};
+    std::array<bool, 3> m_downwards{};
 };
 
 SurfaceTree::SurfaceTree(const std::vector<Vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
@@ -148,56 +247,70 @@ std::optional<RayHit> SurfaceTree::firstHit(const Vec3& from, const Vec3& direct
     if (m_nodes.empty()) {
         return std::nullopt;
     }
-    // A component of zero would make 0 times infinity at the faces of a box.
-    const Vec3 inverse = direction.unaryExpr([](double d) { return 1.0 / (std::abs(d) > 1e-200 ? d : 1e-200); });
-    std::array<std::pair<std::uint32_t, double>, depthMost + 40> open;
+    // What starts far away would be far from where it is by rounding.
+    const double before = std::min(length, std::max(0.0, std::sqrt(m_box.squaredExteriorDistance(from)) * (1.0 - 1e-6)));
+    Ray ray(*this, from, direction, before);
+    ray.endAt(length);
+    struct Open {
+        float entry;
+        std::uint32_t first, count;
+    };
+    std::array<Open, (depthMost + 40) * (width - 1)> open;
     std::size_t waiting = 0;
+    open[waiting++] = {0.0F, 0, 0};
     std::optional<RayHit> nearest;
-    open[waiting++] = {0, entryOf(m_nodes[0].low, m_nodes[0].high, from, inverse, length)};
     while (waiting > 0) {
-        const auto [index, entry] = open[--waiting];
-        if (!(entry <= length)) {
+        const Open next = open[--waiting];
+        if (next.entry > ray.length()) {
             continue;
         }
-        const Node& node = m_nodes[index];
-        if (node.count == 0) {
-            const Node& left = m_nodes[node.first];
-            const Node& right = m_nodes[node.first + 1];
-            std::pair near{node.first, entryOf(left.low, left.high, from, inverse, length)};
-            std::pair far{node.first + 1, entryOf(right.low, right.high, from, inverse, length)};
-            if (far.second < near.second) {
-                std::swap(near, far);
-            }
-            if (far.second <= length) {
-                open[waiting++] = far;
-            }
-            if (near.second <= length) {
-                open[waiting++] = near;
+        if (next.count > 0) {
+            const double longest = length;
+            meet(next.first, next.count, from, direction, length, nearest);
+            if (length < longest) {
+                ray.endAt(length);
             }
             continue;
         }
-        // Möller & Trumbore 1997, with the rim of a triangle belonging to it.
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const Corners& at = m_triangles[i];
-            const Vec3 across = direction.cross(at.toC);
-            const double scale = across.dot(at.toB);
-            if (scale == 0.0) {
-                continue;
-            }
-            const Vec3 off = from - at.a;
-            const double u = off.dot(across) / scale;
-            const Vec3 up = off.cross(at.toB);
-            const double v = direction.dot(up) / scale;
-            constexpr double rim = 1e-9;
-            const double range = at.toC.dot(up) / scale;
-            if (u >= -rim && v >= -rim && u + v <= 1.0 + rim && range >= 0.0 && range <= length) {
-                const bool first = !nearest || range < nearest->range || at.triangle < nearest->triangle;
-                length = range;
-                nearest = first ? RayHit{range, at.triangle} : nearest;
+        const Node& node = m_nodes[next.first];
+        const std::array<float, width> entries = ray.entries(node);
+        // The nearest comes last, and is looked at first.
+        const std::size_t begin = waiting;
+        for (std::size_t k = 0; k < width; ++k) {
+            if (entries[k] < nowhere) {
+                std::size_t at = waiting++;
+                for (; at > begin && open[at - 1].entry < entries[k]; --at) {
+                    open[at] = open[at - 1];
+                }
+                open[at] = {entries[k], node.first[k], node.count[k]};
             }
         }
     }
     return nearest;
+}
+
+void SurfaceTree::meet(std::uint32_t first, std::uint32_t count, const Vec3& from, const Vec3& direction, double& length,
+                       std::optional<RayHit>& nearest) const {
+    // Möller & Trumbore 1997, with the rim of a triangle belonging to it.
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        const Corners& at = m_triangles[i];
+        const Vec3 across = direction.cross(at.toC);
+        const double scale = across.dot(at.toB);
+        if (scale == 0.0) {
+            continue;
+        }
+        const Vec3 off = from - at.a;
+        const double u = off.dot(across) / scale;
+        const Vec3 up = off.cross(at.toB);
+        const double v = direction.dot(up) / scale;
+        constexpr double rim = 1e-9;
+        const double range = at.toC.dot(up) / scale;
+        if (u >= -rim && v >= -rim && u + v <= 1.0 + rim && range >= 0.0 && range <= length) {
+            const bool before = !nearest || range < nearest->range || at.triangle < nearest->triangle;
+            length = range;
+            nearest = before ? RayHit{range, at.triangle} : nearest;
+        }
+    }
 }
 
 }  // namespace rubble

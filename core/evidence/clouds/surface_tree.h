@@ -15,7 +15,8 @@ struct RayHit {
     std::uint32_t triangle = 0;  ///< by its number in the list that the tree was made of
 };
 
-/// Triangles that are found by rays, in a tree of boxes. May be asked by several threads at once.
+/// Triangles that are found by rays, in a tree of boxes, four to a node. Boxes are kept in single precision about the middle of
+/// all, and met a little too often rather than missed; triangles are met in double precision. May be asked by several threads.
 class SurfaceTree {
 public:
     /// @param triangles  of points; those with a corner that is no number, or without an area, are never met
@@ -28,20 +29,25 @@ public:
     const Aabb& box() const { return m_box; }
 
 private:
-    /// Children of a node lie behind each other; a leaf has triangles instead.
-    struct Node {
-        Vec3 low;
-        Vec3 high;
-        std::uint32_t first = 0;  ///< of the two children, or of the triangles
-        std::uint32_t count = 0;  ///< triangles; 0: a node with children
+    static constexpr std::uint32_t width = 4;
+    /// Boxes about the middle of the tree [m], rounded outwards; those that are not there are never met.
+    struct alignas(64) Node {
+        float low[3][width], high[3][width];
+        std::uint32_t first[width];  ///< node, or triangle
+        std::uint32_t count[width];  ///< triangles; 0: a node
     };
     struct Corners {
         Vec3 a, toB, toC;
         std::uint32_t triangle = 0;
     };
     class Build;
+    class Ray;
+
+    void meet(std::uint32_t first, std::uint32_t count, const Vec3& from, const Vec3& direction, double& length,
+              std::optional<RayHit>& nearest) const;
 
     Aabb m_box;
+    Vec3 m_middle = Vec3::Zero();
     std::vector<Node> m_nodes;
     std::vector<Corners> m_triangles;  ///< in the order of the leaves
 };

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <thread>
+#include <future>
+#include <iterator>
 
 #include "core/base/outline_cover.h"
 #include "io/base/file_words.h"
@@ -24,6 +24,7 @@ public:
           m_cloud(openCloud(request.cloud, request.read)),
           m_place(*m_cloud, request.frame, request.site, made.compared.findings) {
         std::vector<Vec3> places;
+        points.reserve(std::min(m_cloud->head().promised.value_or(0), request.heldPoints));
         ComparedCloud& told = made.compared.first;
         const CloudSummary summary = summariseCloud(*m_cloud, execution, [&](const CloudBlock& block) {
             places = block.places;
@@ -309,27 +310,41 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
     HeldCloud held(request, made, execution);
     addGroundAbout(request, held, site, ground, made.compared.findings);
     const double radius = request.settings.projectionRadius;
+    std::vector<std::uint32_t> before;
+    // Rays side by side go through the same boxes, which is twice as fast. A fit moves the points first.
+    const auto order = [&] { before = orderByCubes(held.points, radius); };
+    std::future<void> ordering;
+    if (!request.stable) {
+        ordering = std::async(std::launch::async, order);
+    }
     const SurfaceTree tree(site.points, site.triangles);
     if (request.stable) {
         made.compared.fit = fitOf(request, tree, held, execution);
         for (std::vector<Vec3>* places : {&held.points, &held.scanners}) {
             std::transform(places->begin(), places->end(), places->begin(), *made.compared.fit);
         }
+        order();
+    } else {
+        ordering.get();
     }
     CloudDistanceSettings asked = request.settings;
     if (!asked.registrationError && !request.stable && request.placed) {
         asked.registrationError = request.placed->error;
     }
     const CloudDistanceSettings settings = settingsAfterFit(made.compared, asked);
-    // Rays side by side go through the same boxes, which is twice as fast.
-    const std::vector<std::uint32_t> before = orderByCubes(held.points, radius);
     std::vector<std::uint16_t> scans(held.scans.size());
     for (std::size_t k = 0; k < scans.size(); ++k) {
         scans[k] = held.scans[before[k]];
     }
-    SiteScan seen = seenAlike(tree, held.points, {held.scanners, scans}, radius, execution);
-    made.debris = sightedDebris(site, seen, volumes);
     CloudComparison& compared = made.compared;
+    std::future<void> thinning = std::async(std::launch::async, [&] {
+        CubeThinning thin(radius);
+        std::copy_if(held.points.begin(), held.points.end(), std::back_inserter(compared.cores),
+                     [&](const Vec3& point) { return thin.takes(point); });
+    });
+    SiteScan seen = seenAlike(tree, held.points, {held.scanners, scans}, radius, execution);
+    thinning.get();
+    made.debris = sightedDebris(site, seen, volumes);
     compared.second.path = request.run;
     compared.second.head.format = "run";
     compared.second.points = compared.second.near = seen.places.size();
@@ -337,24 +352,14 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
     compared.metresStated = true;
     compared.againstRun = true;
     compared.parts = 1;
-    CubeThinning thinning(radius);
-    for (const Vec3& point : held.points) {
-        if (thinning.takes(point)) {
-            compared.cores.push_back(point);
-        }
-    }
     checkCores(compared.cores.size());
-    std::optional<PointIndex> second;
-    std::jthread building([&] {
-        orderByCubes(seen.places, radius);
-        second.emplace(std::move(seen.places));
-    });
+    std::future<PointIndex> building = std::async(std::launch::async, [&] { return PointIndex(std::move(seen.places)); });
     const PointIndex first(std::move(held.points));
-    building.join();
-    compared.distances = cloudDistances(compared.cores, first, *second, settings, execution);
+    const PointIndex second = building.get();
+    compared.distances = cloudDistances(compared.cores, first, second, settings, execution);
     judgeDistances(compared, settings);
     if (request.cell > 0.0) {
-        takeVolumes(request, first, *second, settings, compared, execution);
+        takeVolumes(request, first, second, settings, compared, execution);
     }
     bringToWorld(compared, SitePlace(request.frame, request.site));
     compared.first.head.crs = request.frame.crs;

@@ -231,6 +231,7 @@ TEST_F(SecondHour, TimesOfABlastAreTypedAndSaidInUnitsThatSuitThem) {
         return std::get<double>(parameterValue(session->document().scenario(), "settle_time"));
     };
     EXPECT_EQ(field->text() + unit(), QStringLiteral("10s"));
+    EXPECT_TRUE(editor->toolTip().contains(QStringLiteral("From 0\u00A0s to "))) << qPrintable(editor->toolTip());
     const auto* said = panel->findChild<widgets::Notice*>(QStringLiteral("briefResult"));
     EXPECT_TRUE(said->text().contains(QStringLiteral("70.00 µs"))) << qPrintable(said->text());
     EXPECT_DOUBLE_EQ(type(QStringLiteral("500 us")), 5e-4);

@@ -92,6 +92,43 @@ TEST(SurfaceTree, MeetsWhatASearchThroughAllTrianglesMeets) {
         << "a line has no area";
 }
 
+TEST(SurfaceTree, MeetsTheSameFromAfarAndWhereverTheSiteLies) {
+    const ScannedSite site = heapOfBoxes(200);
+    const SurfaceTree tree = site.tree();
+    // Places on steps that both sites can hold: they are the same to the last bit.
+    ScannedSite rounded = site;
+    for (Vec3& point : rounded.points) {
+        point = (1024.0 * point).array().round() / 1024.0;
+    }
+    const Vec3 away(482'304.0, 5'402'112.0, 768.0);
+    ScannedSite moved = rounded;
+    for (Vec3& point : moved.points) {
+        point += away;
+    }
+    const SurfaceTree here = rounded.tree();
+    const SurfaceTree there = moved.tree();
+    Sequence numbers(5);
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 from(std::round(numbers.between(-12, 12)), std::round(numbers.between(-12, 12)), 7.0);
+        Vec3 direction = numbers.direction();
+        direction.z() = -std::abs(direction.z());
+        const auto near = here.firstHit(from, direction, 200.0);
+        const auto far = there.firstHit(from + away, direction, 200.0);
+        ASSERT_EQ(near.has_value(), far.has_value()) << k;
+        if (near) {
+            ASSERT_EQ(near->triangle, far->triangle) << k;
+            ASSERT_EQ(near->range, far->range) << k;
+        }
+        // The same ray begun 100 km before.
+        const auto met = tree.firstHit(from, direction, 200.0);
+        const auto late = tree.firstHit(from - 1e5 * direction, direction, 1e5 + 200.0);
+        ASSERT_EQ(met.has_value(), late.has_value()) << k;
+        if (met) {
+            ASSERT_NEAR(met->range, late->range - 1e5, 1e-7) << k;
+        }
+    }
+}
+
 TEST(SiteScan, ABoxThrowsAShadow) {
     ScannedSite site;
     site.addGround(60.0);

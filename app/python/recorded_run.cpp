@@ -8,6 +8,7 @@
 #include "io/exports/exports.h"
 #include "io/exports/map_files.h"
 #include "io/fe/fe_reader.h"
+#include "io/site/input_files.h"
 
 namespace rubble::python {
 
@@ -56,7 +57,8 @@ const Inputs& RecordedRun::inputs(const std::optional<std::string>& fe, const Ex
     inputs.fe = io::openFe(path, origin.scenario.import, origin.frame, execution);
     inputs.frame = inputs.fe->contents().frame;
     if (!origin.terrainPath.empty()) {
-        checkDigest(origin.terrainPath, io::sha256OfFile(origin.terrainPath), origin.terrainSha256);
+        const std::string& kept = origin.terrainSha256;
+        checkDigest(origin.terrainPath, io::digestOfInput(origin.terrainPath, InputRole::Terrain, execution).against(kept), kept);
         inputs.terrain =
             io::openTerrain(origin.terrainPath, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution, origin.site).grid;
     }

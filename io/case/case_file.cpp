@@ -15,7 +15,7 @@
 #include "io/case/journal.h"
 #include "io/fe/bodies/bodies_reader.h"
 #include "io/fe/bodies/body_table.h"
-#include "io/fe/fe_reader.h"
+#include "io/fe/fe_format.h"
 #include "io/json/camera_key_json.h"
 #include "io/json/case_migrations.h"
 #include "io/json/ensemble_json.h"
@@ -25,6 +25,7 @@
 #include "io/json/scenario_json.h"
 #include "io/json/scope_json.h"
 #include "io/json/site_json.h"
+#include "io/site/input_files.h"
 
 namespace rubble::io {
 
@@ -375,7 +376,7 @@ Case saveCase(const std::string& path, const Case& theCase) {
         std::error_code ignored;
         const std::string file = inputPath(path, input);
         if (input.sha256.empty() && fs::is_regular_file(file, ignored)) {
-            input.sha256 = input.role == InputRole::Fe ? sha256OfFe(file) : sha256OfFile(file);
+            input.sha256 = digestOfInput(file, input.role, Execution()).sha256;
         }
     }
     // What cannot be saved is refused before anything is written of it.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/base/files.h"
 #include "io/site/cause_evidence.h"
+#include "io/site/input_files.h"
 
 namespace rubble::io {
 
@@ -14,7 +14,7 @@ std::size_t takeSurvey(Case& theCase, const std::string& casePath, const std::st
     if (const CaseInput* known = surveyOfFile(theCase, casePath, path)) {
         return static_cast<std::size_t>(known - inputs.data());
     }
-    const std::string sha256 = sha256OfFile(path);
+    const std::string sha256 = digestOfInput(path, InputRole::Survey, Execution()).sha256;
     const auto taken = [&](const std::string& id) {
         return std::any_of(inputs.begin(), inputs.end(), [&](const CaseInput& input) { return input.id == id; });
     };

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/site/height_reading.h"
+#include "io/site/input_files.h"
 #include "io/site/orthophoto_file.h"
 #include "io/site/place_check.h"
 #include "io/site/site_mesh_file.h"
@@ -93,9 +93,9 @@ private:
         }
     }
     void note(TerrainInput& site, const CaseInput& input, const std::string& path, const Vec3& offset) const {
-        const std::string sha256 = sha256OfFile(path);
-        site.files.push_back({input.id, path, sha256, offset});
-        if (!input.sha256.empty() && sha256 != input.sha256) {
+        const InputDigest digest = digestOfInput(path, input.role, m_execution);
+        site.files.push_back({input.id, path, digest.sha256, offset, digest.fileSha256});
+        if (!input.sha256.empty() && !digest.is(input.sha256)) {
             site.findings.add({"case.site_changed", "the file is not the one the case was saved with", {}},
                               {"case.site_changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}},
                               path);

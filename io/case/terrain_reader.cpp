@@ -9,12 +9,12 @@
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
 #include "io/base/file_words.h"
-#include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/mesh_terrain.h"
 #include "io/fe/meshes/ply_header.h"
 #include "io/fe/meshes/raw_mesh_file.h"
 #include "io/site/height_reading.h"
+#include "io/site/input_files.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -57,8 +57,12 @@ std::vector<std::uint8_t> nearestOf(const std::vector<std::uint8_t>& marks, cons
 /// Turns the heights of one file into a terrain.
 class TerrainReading {
 public:
-    TerrainReading(const std::string& path, const Aabb& around, HeightReading heights)
-        : m_path(path), m_around(around), m_raster(std::move(heights.raster)), m_wider(std::move(heights.wider)) {
+    TerrainReading(const std::string& path, const Aabb& around, HeightReading heights, const Execution& execution)
+        : m_path(path),
+          m_around(around),
+          m_execution(execution),
+          m_raster(std::move(heights.raster)),
+          m_wider(std::move(heights.wider)) {
         m_result.crs = std::move(heights.crs);
         m_result.verticalDatum = std::move(heights.verticalDatum);
         m_result.findings = std::move(heights.findings);
@@ -82,6 +86,7 @@ private:
 
     const std::string& m_path;
     const Aabb& m_around;
+    const Execution& m_execution;
     HeightGrid m_raster;
     WiderHeights m_wider;
     std::vector<std::uint8_t> m_ended;  ///< [nodes of the wider raster, or of the window if there is none] outerGaps()
@@ -218,7 +223,9 @@ TerrainInput TerrainReading::read() {
     m_result.grid = withSurroundings(std::move(raster));
     checkSite(*m_result.grid);
     m_result.path = m_path;
-    m_result.sha256 = sha256OfFile(m_path);
+    InputDigest digest = digestOfInput(m_path, InputRole::Terrain, m_execution);
+    m_result.sha256 = std::move(digest.sha256);
+    m_result.fileSha256 = std::move(digest.fileSha256);
     return std::move(m_result);
 }
 
@@ -248,7 +255,7 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
             {"terrain.debris_map", "{0} is a debris map: its heights are above the ground, not those of a ground", {path}},
             {"terrain.debris_map.remedy", "Take it as a survey, or give a height model of the site.", {}});
     }
-    TerrainInput terrain = TerrainReading(path, around, std::move(heights)).read();
+    TerrainInput terrain = TerrainReading(path, around, std::move(heights), execution).read();
     terrain.fit = SitePlace(frame, site).fit();
     return terrain;
 }
@@ -266,7 +273,7 @@ TerrainInput openTerrainOfCase(const Case& theCase, const std::string& casePath,
         terrain.findings.add({"case.terrains", "the case has {0} terrains; the first is used", {terrains}},
                              {"case.terrains.remedy", "keep one, or merge them into one raster", {}}, terrain.path, terrains);
     }
-    if (!first->sha256.empty() && terrain.sha256 != first->sha256) {
+    if (!first->sha256.empty() && !InputDigest{terrain.sha256, terrain.fileSha256}.is(first->sha256)) {
         terrain.findings.add(
             {"case.terrain_changed", "the terrain is not the one the case was saved with", {}},
             {"case.terrain_changed.remedy", "find the file with the SHA-256 of the case, or save the case anew", {}}, terrain.path);

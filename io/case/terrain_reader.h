@@ -21,13 +21,15 @@ struct SiteFile {
     std::string path;
     std::string sha256;
     Vec3 offset = Vec3::Zero();  ///< m, added to the coordinates of a mesh
+    std::string fileSha256{};    ///< of the file alone, without what lies beside it
 };
 
 /// A terrain as it was read, where it came from, and what stands on it.
 struct TerrainInput {
     std::shared_ptr<const TerrainGrid> grid;  ///< null: none was given
     std::string path;
-    std::string sha256;          ///< of the file, hex
+    std::string sha256;          ///< of the file and what lies beside it (digestOfInput()), hex
+    std::string fileSha256;      ///< of the file alone
     std::string crs;             ///< name of its coordinate reference system, empty if it states none
     std::string verticalDatum;   ///< that its heights count from, empty if it states none
     std::optional<SiteFit> fit;  ///< of the control points of the case; unset: the origin of the frame places everything

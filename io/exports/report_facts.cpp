@@ -25,6 +25,7 @@
 #include "io/run/run_cautions.h"
 #include "io/run/settled_files.h"
 #include "io/run/study_files.h"
+#include "io/site/input_files.h"
 #include "io/site/photograph_file.h"
 #include "io/site/site_place.h"
 #include "io/site/survey_file.h"
@@ -102,20 +103,15 @@ std::vector<CaseInput> evidenceFiles(const ReportRequest& request, InputRole rol
     return request.theCase != nullptr ? filesOfCase(*request.theCase, request.basePath, role) : std::vector<CaseInput>();
 }
 
-/// A large file is left in the middle where the report is given up.
-std::string digestOf(const std::string& path, const Execution& execution) {
-    return sha256OfFile(path, [&execution](std::size_t) { execution.check(); });
-}
-
 /// Photographs, surveys and surroundings that are other files now than when the case was saved.
 void addStaleEvidence(std::vector<Message>& stale, const ReportRequest& request, const Execution& execution) {
     for (const auto& [role, name] : evidenceRoles) {
         for (const CaseInput& input : evidenceFiles(request, role)) {
-            const std::string found = digestOf(input.path, execution);
-            if (!input.sha256.empty() && found != input.sha256) {
+            const InputDigest found = digestOfInput(input.path, role, execution);
+            if (!input.sha256.empty() && !found.is(input.sha256)) {
                 stale.push_back({"report.stale_evidence",
                                  "the {0} {1} has the SHA-256 {2} now, the case names {3}",
-                                 {name, input.path, found, input.sha256}});
+                                 {name, input.path, found.sha256, input.sha256}});
             }
         }
     }
@@ -127,10 +123,6 @@ DebrisFigures figuresAt(const ReportFacts& facts, const ReportRequest& request, 
     return measureDebris(debrisAt(*facts.fragments, *facts.components, *request.run, time),
                          CollapsePlan(*facts.fragments, facts.fe->mesh()), groundOf(mapped), {})
         .figures;
-}
-
-std::string digestOfInput(const std::string& path, InputRole role, const Execution& execution) {
-    return role == InputRole::Fe ? sha256OfFe(path, execution) : digestOf(path, execution);
 }
 
 /// Runs what may fail for one piece of evidence; the report says why it did.
@@ -170,6 +162,11 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
     }
 }
 
+/// A large file is left in the middle where the report is given up.
+std::string digestOf(const std::string& path, const Execution& execution) {
+    return sha256OfFile(path, [&execution](std::size_t) { execution.check(); });
+}
+
 void addFiles(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
     const RunOrigin& origin = request.run->origin();
     facts.files.push_back({"fe", request.fePath, origin.feSha256});
@@ -178,7 +175,8 @@ void addFiles(ReportFacts& facts, const ReportRequest& request, const Execution&
     }
     for (const auto& [role, name] : evidenceRoles) {
         for (const CaseInput& input : evidenceFiles(request, role)) {
-            facts.files.push_back({std::string(name), input.path, digestOf(input.path, execution)});
+            facts.files.push_back(
+                {std::string(name), input.path, digestOfInput(input.path, role, execution).against(input.sha256)});
         }
     }
     facts.files.push_back({"run", request.run->path(), digestOf(request.run->path(), execution)});
@@ -304,10 +302,11 @@ std::vector<Message> staleParts(const ReportRequest& request, const Execution& e
     } catch (const ParseError& error) {
         stale.push_back(error.message());
     }
-    addStaleFile(stale, "FE result", request.fePath, origin.feSha256, digestOfInput(request.fePath, InputRole::Fe, execution));
+    addStaleFile(stale, "FE result", request.fePath, origin.feSha256,
+                 digestOfInput(request.fePath, InputRole::Fe, execution).sha256);
     if (!origin.terrainPath.empty()) {
         addStaleFile(stale, "terrain", request.terrainPath, origin.terrainSha256,
-                     digestOfInput(request.terrainPath, InputRole::Terrain, execution));
+                     digestOfInput(request.terrainPath, InputRole::Terrain, execution).against(origin.terrainSha256));
     }
     addStaleSettings(stale, request);
     addStaleEvidence(stale, request, execution);

@@ -17,6 +17,7 @@
 #include "io/run/run_json.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
+#include "io/site/input_files.h"
 #include "io/site/map_place.h"
 
 namespace rubble::io {
@@ -48,7 +49,8 @@ std::string surveyGround(const RunOrigin& origin, const std::string& given) {
     const std::string path = given.empty() ? origin.terrainPath : given;
     std::error_code ignored;
     const bool same = !origin.terrainPath.empty() && origin.surroundings.empty() &&
-                      std::filesystem::is_regular_file(path, ignored) && sha256OfFile(path) == origin.terrainSha256;
+                      std::filesystem::is_regular_file(path, ignored) &&
+                      digestOfInput(path, InputRole::Terrain, Execution()).is(origin.terrainSha256);
     return same ? path : std::string();
 }
 

@@ -80,8 +80,11 @@ private:
 }  // namespace
 
 std::string sha256OfSeries(const std::vector<std::string>& files, const Execution& execution) {
-    assert(!files.empty());
-    const std::vector<std::string> digests = SeriesDigest(files, execution).take();
+    return sha256OfList(files, SeriesDigest(files, execution).take());
+}
+
+std::string sha256OfList(const std::vector<std::string>& files, const std::vector<std::string>& digests) {
+    assert(!files.empty() && files.size() == digests.size());
     if (files.size() == 1) {
         return digests.front();
     }

@@ -11,5 +11,7 @@ namespace rubble::io {
 /// blanks, name without folder, newline), hex. Files are read side by side on the threads of the execution; the digest does not
 /// depend on their number. Throws WorldError, Cancelled.
 std::string sha256OfSeries(const std::vector<std::string>& files, const Execution& execution);
+/// The same of files whose digests are known. @param digests  [files]
+std::string sha256OfList(const std::vector<std::string>& files, const std::vector<std::string>& digests);
 
 }  // namespace rubble::io

@@ -10,12 +10,12 @@
 #include "io/base/files.h"
 #include "io/base/sha256.h"
 #include "io/case/case_file.h"
-#include "io/case/input_check.h"
 #include "io/case/journal.h"
 #include "io/json/json_cursor.h"
 #include "io/seal/bag.h"
 #include "io/seal/seal_payload.h"
 #include "io/seal/time_stamp.h"
+#include "io/site/input_files.h"
 
 namespace rubble::io {
 
@@ -112,10 +112,11 @@ public:
             sha256OfFile(m_addition.casePath);
         }
         compare(*text);
-        addInputs(caseFromText(*text, m_addition.casePath));
+        const Case theirs = caseFromText(*text, m_addition.casePath);
+        addInputs(theirs);
         m_addendum.casePlace = m_folder + "case/" + bagName(std::filesystem::path(m_addition.casePath).filename().string());
         m_files.push_back({m_addendum.casePlace, m_addition.casePath, {}, 0, {}});
-        addRuns();
+        addRuns(theirs);
         takeDigests(m_files, m_execution);
         for (SealedRun& run : m_addendum.runs) {
             run.sha256 = std::find_if(m_files.begin(), m_files.end(), [&](const PayloadFile& file) {
@@ -147,7 +148,7 @@ private:
                 continue;
             }
             const std::string path = inputPath(m_addition.casePath, input);
-            SealedInput added{input.id, input.path, sha256OfInput(path, input.role, m_execution), {}};
+            SealedInput added{input.id, input.path, digestOfInput(path, input.role, m_execution).sha256, {}};
             for (PayloadFile& file : payloadOfInput(m_folder + "inputs/" + bagName(input.id) + "/", path, input.role)) {
                 added.files.push_back(file.place);
                 m_files.push_back(std::move(file));
@@ -156,12 +157,16 @@ private:
         }
     }
 
-    void addRuns() {
+    void addRuns(const Case& theirs) {
         std::vector<SealedInput> known = m_statement.inputs;
         known.insert(known.end(), m_addendum.inputs.begin(), m_addendum.inputs.end());
+        const auto isInput = [&](const std::string& sha256) {
+            return std::any_of(known.begin(), known.end(), [&](const SealedInput& input) { return input.sha256 == sha256; }) ||
+                   isInputOfCase(m_addition.casePath, theirs, sha256, m_execution);
+        };
         for (std::size_t i = 0; i < m_addition.runs.size(); ++i) {
             const std::string& path = m_addition.runs[i];
-            SealedRun run = describeRun(path, known, m_execution);
+            SealedRun run = describeRun(path, isInput, m_execution);
             run.place = m_folder + "runs/" + std::to_string(i + 1) + "-" + bagName(std::filesystem::path(path).filename().string());
             m_files.push_back({run.place, path, {}, 0, {}});
             m_addendum.runs.push_back(std::move(run));

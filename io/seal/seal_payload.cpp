@@ -1,7 +1,6 @@
 #include "io/seal/seal_payload.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -11,69 +10,17 @@
 #include "io/base/files.h"
 #include "io/base/sha256.h"
 #include "io/case/case_file.h"
-#include "io/case/input_check.h"
 #include "io/case/journal_check.h"
 #include "io/exports/report_notes.h"
-#include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
-#include "io/site/meshes/gltf_file.h"
-#include "io/site/raster_file.h"
+#include "io/site/input_files.h"
 
 namespace rubble::io {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Files beside a raster, a table or a mesh that say where it lies and what belongs to it.
-constexpr std::array<std::string_view, 14> companions{".prj", ".tfw", ".tifw", ".jgw", ".pgw",     ".wld",     ".shx",
-                                                      ".dbf", ".cpg", ".mtl",  ".ovr", ".aux.xml", ".geojson", ".csvt"};
-
-bool isCompanion(const std::string& name, const fs::path& of) {
-    const std::string stem = of.stem().string(), whole = of.filename().string();
-    return std::any_of(companions.begin(), companions.end(), [&](std::string_view ending) {
-        return name != whole && (name == stem + std::string(ending) || name == whole + std::string(ending));
-    });
-}
-
-/// What a file is read from beside itself: the buffers of a glTF, the rasters of a mosaic. Nothing where it cannot be read.
-std::vector<std::string> filesNamedBy(const std::string& path, InputRole role) {
-    try {
-        if (role == InputRole::Surroundings) {
-            return hasEnding(path, ".gltf") ? GltfFile(path).files() : std::vector<std::string>();
-        }
-        if (role != InputRole::Photograph) {
-            return RasterFile(path, role == InputRole::Orthophoto ? RasterFile::Holds::Colours : RasterFile::Holds::Heights)
-                .files();
-        }
-    } catch (const Error&) {
-        // Of a mesh, a cloud or an outline there is no raster; what is damaged travels as it is.
-    }
-    return {};
-}
-
-std::vector<std::string> filesOfInput(const std::string& path, InputRole role) {
-    if (role == InputRole::Fe) {
-        return feFiles(path);
-    }
-    std::vector<std::string> files{path};
-    std::error_code gone;
-    for (const std::string& named : filesNamedBy(path, role)) {
-        if (!fs::equivalent(named, path, gone) && fs::is_regular_file(named, gone)) {
-            files.push_back(named);
-        }
-    }
-    std::error_code ignored;
-    for (fs::directory_iterator it(fs::path(path).parent_path(), ignored), end; it != end; it.increment(ignored)) {
-        if (it->is_regular_file(ignored) && isCompanion(it->path().filename().string(), path)) {
-            files.push_back(it->path().string());
-        }
-    }
-    std::sort(files.begin() + 1, files.end());
-    files.erase(std::unique(files.begin() + 1, files.end()), files.end());
-    return files;
-}
 
 /// The folder that holds all files and those below it.
 fs::path commonFolder(const std::vector<std::string>& files) {
@@ -100,7 +47,7 @@ fs::path commonFolder(const std::vector<std::string>& files) {
 }  // namespace
 
 std::vector<PayloadFile> payloadOfInput(const std::string& folder, const std::string& path, InputRole role) {
-    std::vector<std::string> files = filesOfInput(path, role);
+    std::vector<std::string> files = filesWithInput(path, role);
     const std::string whole = fs::absolute(path).lexically_normal().string();
     // The file that the case names is the one to be opened.
     std::stable_partition(files.begin(), files.end(),
@@ -178,7 +125,7 @@ void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, 
     }
 }
 
-SealedRun describeRun(const std::string& path, const std::vector<SealedInput>& inputs, const Execution& execution) {
+SealedRun describeRun(const std::string& path, const std::function<bool(const std::string&)>& isInput, const Execution& execution) {
     const std::shared_ptr<RunReader> run = openRun(path);
     if (!run->complete()) {
         throw UsageError(Message{"io.seal.run_incomplete", "The run {0} was stopped before its end", {path}},
@@ -194,7 +141,7 @@ SealedRun describeRun(const std::string& path, const std::vector<SealedInput>& i
         needed.push_back(mesh.sha256);
     }
     for (const std::string& digest : needed) {
-        if (std::none_of(inputs.begin(), inputs.end(), [&](const SealedInput& input) { return input.sha256 == digest; })) {
+        if (!isInput(digest)) {
             throw UsageError(Message{"io.seal.run_of_another",
                                      "The run {0} stands on a file that is no input of the case: SHA-256 {1}",
                                      {path, digest}},
@@ -202,6 +149,18 @@ SealedRun describeRun(const std::string& path, const std::vector<SealedInput>& i
         }
     }
     return {{}, {}, origin.scenarioName, origin.fingerprint.hex(), run->result()->trajectoryHash.hex(), origin.build};
+}
+
+bool isInputOfCase(const std::string& casePath, const Case& theCase, const std::string& sha256, const Execution& execution) {
+    return std::any_of(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) {
+        const std::string path = inputPath(casePath, input);
+        std::error_code ignored;
+        if (input.role == InputRole::Fe || input.role == InputRole::Photograph || !fs::exists(path, ignored)) {
+            return false;
+        }
+        const InputDigest digest = digestOfInput(path, input.role, execution);
+        return digest.is(sha256) && (input.sha256.empty() || digest.is(input.sha256));
+    });
 }
 
 SealPayload::SealPayload(const SealRequest& request, const Execution& execution) : m_request(request), m_execution(execution) {
@@ -303,7 +262,7 @@ void SealPayload::addInputs() {
                 refuseInput(input.id, {"io.seal.input_missing", "The file of the input {0} is not there: {1}", {input.id, path}});
             }
             m_execution.report({"io.seal.inputs", "Taking the digests of the inputs", {}}, 0.0);
-            digest = sha256OfInput(path, input.role, m_execution);
+            digest = digestOfInput(path, input.role, m_execution).against(input.sha256);
         }
         if (!input.sha256.empty() && digest != input.sha256) {
             refuseInput(input.id, {"io.seal.input_differs",
@@ -325,8 +284,14 @@ void SealPayload::addInputs() {
 }
 
 void SealPayload::addRuns() {
+    const Case theCase = loadCase(m_request.casePath);
     for (const std::string& path : m_request.runs) {
-        SealedRun run = describeRun(path, m_statement.inputs, m_execution);
+        const auto isInput = [&](const std::string& sha256) {
+            const auto sealed = [&](const SealedInput& input) { return input.sha256 == sha256; };
+            return std::any_of(m_statement.inputs.begin(), m_statement.inputs.end(), sealed) ||
+                   isInputOfCase(m_request.casePath, theCase, sha256, m_execution);
+        };
+        SealedRun run = describeRun(path, isInput, m_execution);
         if (run.build != buildText()) {
             m_findings.add({"io.seal.run_build", "runs were made by another build than this program", {}},
                            {"io.seal.run_build.remedy", "only that build repeats them bit for bit; run them again, or keep it", {}},

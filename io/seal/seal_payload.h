@@ -25,15 +25,19 @@ struct PayloadFile {
 /// The files of an input with their places below a folder of the bag; the first is the one to open.
 /// Throws UsageError for a name that does not travel.
 std::vector<PayloadFile> payloadOfInput(const std::string& folder, const std::string& path, InputRole role);
-/// Digests of what is read with the file of an input, by path from its folder; nothing for an FE result, whose digest is that of
-/// all its files, and where the file is not there. Throws WorldError, Cancelled.
+/// Digests of what filesOfInput() names beside the file of an input, by path from its folder; nothing for an FE result, whose
+/// digest is that of all its files, and where the file is not there. Throws WorldError, Cancelled.
 Manifest othersOfInput(const std::string& path, InputRole role, const Execution& execution);
 /// Takes digest and size of files that have a source.
 void takeDigests(std::vector<PayloadFile>& files, const Execution& execution);
 /// Packs a file. @param advance  called with the bytes of each block. Throws WorldError if it is not what its digest was taken of.
 void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, const std::function<void(std::size_t)>& advance);
-/// What is said of a complete and sound run. Throws UsageError if it stands on a file that is none of these inputs.
-SealedRun describeRun(const std::string& path, const std::vector<SealedInput>& inputs, const Execution& execution);
+/// What is said of a complete and sound run. Throws UsageError if it stands on a file that is no input.
+/// @param isInput  whether an input has this digest
+SealedRun describeRun(const std::string& path, const std::function<bool(const std::string&)>& isInput, const Execution& execution);
+/// Whether an input of a case, unchanged since it was saved, has a digest, be it of the file alone or with what lies beside it:
+/// case and run may keep one each (InputDigest). Looks at the files of site and evidence. Throws WorldError, Cancelled.
+bool isInputOfCase(const std::string& casePath, const Case& theCase, const std::string& sha256, const Execution& execution);
 
 /// Everything that goes into the payload of a bundle.
 class SealPayload {

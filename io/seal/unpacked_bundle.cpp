@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/case/input_check.h"
 #include "io/seal/bag.h"
+#include "io/site/input_files.h"
 
 namespace rubble::io {
 
@@ -82,10 +82,18 @@ namespace {
 
 /// Throws UsageError if a file that is read with an input is not the one that was sealed with it.
 void checkOthers(const SealedInput& input, const std::string& path, const Execution& execution) {
+    const std::vector<std::string> read = filesOfInput(path, InputRole::Terrain);
     for (const auto& [name, sha256] : input.others) {
         const std::string file = (fs::absolute(path).parent_path() / name).lexically_normal().string();
         std::error_code ignored;
-        if (!fs::is_regular_file(file, ignored) || sha256OfFile(file, [&](std::size_t) { execution.check(); }) != sha256) {
+        const bool there = fs::is_regular_file(file, ignored);
+        const bool counts =
+            std::any_of(read.begin(), read.end(), [&](const std::string& each) { return fs::equivalent(each, file, ignored); });
+        // Older bundles name pyramids and statistics too, which change nothing.
+        if (there && !counts) {
+            continue;
+        }
+        if (!there || sha256OfFile(file, [&](std::size_t) { execution.check(); }) != sha256) {
             throw UsageError(Message{"io.seal.located_other",
                                      "{0}, which is read with the input {1}, is not there or not the file that was sealed",
                                      {file, input.id}},
@@ -114,25 +122,46 @@ void UnpackedBundle::locate(const std::string& id, const std::string& path, cons
     }
     // The digest alone tells an FE result, which may be many files, from another file.
     for (const InputRole role : {InputRole::Terrain, InputRole::Fe}) {
-        if (sha256OfInput(path, role, execution) == found->sha256) {
+        if (digestOfInput(path, role, execution).is(found->sha256)) {
             checkOthers(*found, path, execution);
             m_located[found->sha256] = fs::absolute(path).lexically_normal().string();
             return;
         }
     }
+    checkOthers(*found, path, execution);
     throw UsageError(Message{"io.seal.located_differs",
                              "{0} is not the input {1} that was sealed: its SHA-256 is another than {2}",
                              {path, id, found->sha256}},
                      Message{"io.seal.located_differs.remedy", "Name the file with that SHA-256.", {}});
 }
 
+std::string UnpackedBundle::placeOf(const SealedInput& input) const {
+    const auto located = m_located.find(input.sha256);
+    return located != m_located.end() ? located->second : input.files.empty() ? std::string() : pathOf(input.files.front());
+}
+
 std::string UnpackedBundle::inputWith(const std::string& sha256) const {
-    if (const auto located = m_located.find(sha256); located != m_located.end()) {
-        return located->second;
-    }
     for (const SealedInput& input : inputs()) {
-        if (input.sha256 == sha256 && !input.files.empty()) {
-            return pathOf(input.files.front());
+        if (const std::string place = placeOf(input); input.sha256 == sha256 && !place.empty()) {
+            return place;
+        }
+    }
+    return {};
+}
+
+std::string UnpackedBundle::inputOfRun(const std::string& sha256, const Execution& execution) const {
+    if (std::string place = inputWith(sha256); !place.empty()) {
+        return place;
+    }
+    // Of the digests that case and run keep one may be of the file alone, the other of all that is read with it.
+    for (const SealedInput& input : inputs()) {
+        const std::string place = placeOf(input);
+        std::error_code ignored;
+        if (!place.empty() && fs::is_regular_file(place, ignored)) {
+            const InputDigest digest = digestOfInput(place, InputRole::Terrain, execution);
+            if (digest.is(sha256) && digest.is(input.sha256)) {
+                return place;
+            }
         }
     }
     return {};
@@ -167,7 +196,7 @@ RunRepeat UnpackedBundle::repeat(const SealedRun& run, const Execution& executio
     checkRunDigest(path, execution);
     RunOrigin origin = recorded->origin();
     const auto located = [&](const std::string& sha256, const std::string& then) {
-        std::string now = inputWith(sha256);
+        std::string now = inputOfRun(sha256, execution);
         if (now.empty()) {
             throw WorldError(Message{"io.seal.not_here",
                                      "The run {0} stands on {1}, which did not travel: SHA-256 {2}",

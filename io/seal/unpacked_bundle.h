@@ -54,6 +54,10 @@ public:
 private:
     void unpack(const std::string& bundle, const Execution& execution);
     std::vector<SealedInput> inputs() const;
+    /// Absolute path of an input; empty as inputWith().
+    std::string placeOf(const SealedInput& input) const;
+    /// inputWith() of a digest that a run keeps, which may be of the file alone where that of the case is not, and the other way.
+    std::string inputOfRun(const std::string& sha256, const Execution& execution) const;
 
     const SealCheck& m_check;
     std::string m_folder;

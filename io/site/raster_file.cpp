@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/base/file_words.h"
+#include "io/base/files.h"
 #include "io/site/gdal_session.h"
 #include "io/site/raster_colours.h"
 #include "io/site/system_way.h"
@@ -82,6 +83,21 @@ namespace {
                   "a point cloud.");
 }
 
+GDALDatasetUniquePtr openRaster(const std::string& path, RasterFile::Holds what, const char* option = nullptr) {
+    const std::array<const char*, 2> options{option, nullptr};
+    return GDALDatasetUniquePtr(GDALDataset::FromHandle(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                   what == RasterFile::Holds::Heights ? formats.data() : pictures.data(), options.data(), nullptr)));
+}
+
+/// Whether GDAL would take pixels that are put together from a file beside the raster.
+bool hasPyramidsBeside(GDALDataset& file) {
+    GDALRasterBand* const band = file.GetRasterBand(1);
+    GDALRasterBand* const pyramid = band->GetOverviewCount() > 0 ? band->GetOverview(0) : nullptr;
+    const GDALDataset* const of = pyramid != nullptr ? pyramid->GetDataset() : nullptr;
+    return of != nullptr && (hasEnding(of->GetDescription(), ".ovr") || hasEnding(of->GetDescription(), ".rrd"));
+}
+
 /// A band that says which pixels are there, where GDAL itself does not take it as a mask; null: none.
 GDALRasterBand* opacityOf(GDALDataset& file) {
     const int last = file.GetRasterCount();
@@ -96,14 +112,19 @@ struct RasterFile::Handles {
     GDALRasterBand* band = nullptr;
     std::vector<GDALRasterBand*> others;  ///< whose values count where they are greater
     GDALRasterBand* opacity = nullptr;    ///< of all bands; null: none
+    /// The same without pyramids in a file of their own, which are no part of its digest: heights come from here. Null: it has
+    /// none.
+    GDALDatasetUniquePtr pixels;
+
+    GDALRasterBand* pixelsOf(GDALRasterBand* of) const {
+        return pixels && of != nullptr ? pixels->GetRasterBand(of->GetBand()) : of;
+    }
 };
 
 RasterFile::RasterFile(const std::string& path, Holds what, const std::string& shown)
     : m_path(shown.empty() ? path : shown), m_handles(std::make_unique<Handles>()) {
     const GdalSession session;
-    m_handles->dataset.reset(
-        GDALDataset::FromHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                           what == Holds::Heights ? formats.data() : pictures.data(), nullptr, nullptr)));
+    m_handles->dataset = openRaster(path, what);
     if (!m_handles->dataset && what == Holds::Colours) {
         refuseContent({"terrain.unknown_picture", "{0} is no orthophoto that can be read: {1}", {path, GdalSession::reason()}},
                       "Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.");
@@ -117,22 +138,14 @@ RasterFile::RasterFile(const std::string& path, Holds what, const std::string& s
     }
     m_handles->band = m_handles->dataset->GetRasterBand(1);
     m_handles->opacity = opacityOf(*m_handles->dataset);
+    if (what == Holds::Heights && hasPyramidsBeside(*m_handles->dataset)) {
+        m_handles->pixels = openRaster(path, what, "OVERVIEW_LEVEL=NONE");
+    }
     m_bands -= m_handles->opacity != nullptr ? 1 : 0;
     checkLength();
     checkKind(what);
     readPlace();
     readUnits();
-}
-
-std::vector<std::string> RasterFile::files() const {
-    const GdalSession session;
-    char** const names = m_handles->dataset->GetFileList();
-    std::vector<std::string> files;
-    for (int i = 0; i < CSLCount(names); ++i) {
-        files.emplace_back(names[i]);
-    }
-    CSLDestroy(names);
-    return files;
 }
 
 void RasterFile::checkLength() const {
@@ -161,6 +174,7 @@ void RasterFile::checkKind(Holds what) const {
 
 RasterFile::~RasterFile() {
     const GdalSession session;
+    m_handles->pixels.reset();
     m_handles->dataset.reset();
 }
 
@@ -369,9 +383,10 @@ void RasterFile::readGreater(GDALRasterBand& band, const RasterWindow& window, s
         const std::size_t count = std::min(atOnce, rows - from);
         // GDAL takes an opacity beside heights with fractions for one more height: then its average of pixels mixes in hidden ones.
         const bool known = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
-        GDALRasterBand* masking = known ? band.GetMaskBand() : m_handles->opacity;
+        GDALRasterBand* const pixels = m_handles->pixelsOf(&band);
+        GDALRasterBand* const masking = known ? pixels->GetMaskBand() : m_handles->pixelsOf(m_handles->opacity);
         const int least = !known && window.factor > 1 ? 255 : 1;
-        if (!readRows(band, window, from, count, values.data(), GDT_Float64) ||
+        if (!readRows(*pixels, window, from, count, values.data(), GDT_Float64) ||
             (masking != nullptr && !readRows(*masking, window, from, count, mask.data(), GDT_Byte))) {
             refuseRows(window.row + from * window.factor + 1);
         }

@@ -37,7 +37,7 @@ struct RasterWindow {
     std::size_t height() const { return rows / factor; }
 };
 
-/// A raster file, read through GDAL. Every call takes the lock of native libraries.
+/// A raster file, read through GDAL. Pyramids in a file beside it change no height. Every call takes the lock of native libraries.
 class RasterFile {
 public:
     enum class Holds { Heights, Colours };
@@ -52,8 +52,6 @@ public:
     const RasterPlace& place() const { return m_place; }
     /// Its rows do not run along the axes of its system.
     bool turned() const { return m_turned; }
-    /// All files that it is read from: itself, world files, statistics, the rasters that a mosaic names.
-    std::vector<std::string> files() const;
     /// Without one that only says which pixels are there.
     int bands() const { return m_bands; }
     /// What the file calls its bands, in their order; empty where it does not.

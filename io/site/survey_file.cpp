@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/base/files.h"
 #include "io/site/height_reading.h"
+#include "io/site/input_files.h"
 #include "io/site/outline_file.h"
 #include "io/site/surveys/survey_placing.h"
 
@@ -99,7 +99,9 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     if (request.registration) {
         placeSurvey(input, *request.registration);
     }
-    input.sha256 = sha256OfFile(path);
+    InputDigest digest = digestOfInput(path, InputRole::Survey, execution);
+    input.sha256 = std::move(digest.sha256);
+    input.fileSha256 = std::move(digest.fileSha256);
     return input;
 }
 

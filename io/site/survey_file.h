@@ -15,7 +15,8 @@ namespace rubble::io {
 struct SurveyInput {
     Survey survey;
     std::string path;
-    std::string sha256;
+    std::string sha256;      ///< of the file and what lies beside it (digestOfInput())
+    std::string fileSha256;  ///< of the file alone
     std::string crs;
     Frame frame;  ///< of the case that it was brought into
     Site site;

@@ -15,11 +15,11 @@
 #include "core/base/error.h"
 #include "core/evidence/ensembles/cause_comparison.h"
 #include "core/evidence/ensembles/telling_evidence.h"
-#include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
 #include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
+#include "io/site/input_files.h"
 
 namespace rubble::cli {
 
@@ -119,7 +119,8 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
     for (const io::EvidenceFile& file : against.files) {
         const CaseInput stated = io::statedOfFile(first.theCase, arguments.operand(), file.path, given, findings);
         evidence.surfaces.push_back(io::readEvidence(file, site, stated, request.surface(), findings, session.execution()));
-        first.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
+        first.inputs.push_back(
+            {"evidence", file.path, io::digestOfInput(file.path, InputRole::Survey, session.execution()).sha256});
     }
     if (against.photographs) {
         if (request.instant() != DebrisInstant::AtRest) {

@@ -25,6 +25,7 @@
 #include "io/exports/survey_files.h"
 #include "io/run/acknowledgements.h"
 #include "io/site/cause_evidence.h"
+#include "io/site/input_files.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
@@ -361,7 +362,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     }
     writeCsv(arguments, sectorTable(made));
     findings.append(made.findings);
-    if (!file.stated.sha256.empty() && file.stated.sha256 != input.sha256) {
+    if (!file.stated.sha256.empty() && !io::InputDigest{input.sha256, input.fileSha256}.is(file.stated.sha256)) {
         findings.add({"survey.changed", "the survey is not the one the case was saved with", {}},
                      {"survey.changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}}, file.path);
     }

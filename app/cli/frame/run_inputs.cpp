@@ -6,9 +6,9 @@
 
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
-#include "io/base/files.h"
 #include "io/fe/fe_reader.h"
 #include "io/seal/run_repeat.h"
+#include "io/site/input_files.h"
 
 namespace rubble::cli {
 
@@ -16,25 +16,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view feKind = "FE";
-
 /// A file that a run was made from, and the words to speak of it.
 struct RecordedFile {
-    std::string_view kind;    ///< "FE", "terrain"
+    std::string_view kind;  ///< "FE", "terrain"
+    InputRole role = InputRole::Fe;
     std::string_view option;  ///< that names its place; empty: none does
     std::string path;         ///< then
     std::string sha256;
     std::optional<std::string> given;
 };
 
-// Of an FE result the digest is that of its whole series.
-std::string digestOf(const RecordedFile& file, const std::string& path) {
-    return file.kind == feKind ? io::sha256OfFe(path) : io::sha256OfFile(path);
-}
-
-bool hasDigest(const RecordedFile& file, const std::string& path) {
+bool hasDigest(const RecordedFile& file, const std::string& path, const Execution& execution) {
     try {
-        return digestOf(file, path) == file.sha256;
+        return io::digestOfInput(path, file.role, execution).is(file.sha256);
     } catch (const WorldError&) {
         // A file that cannot be read is not the one looked for.
         return false;
@@ -44,7 +38,7 @@ bool hasDigest(const RecordedFile& file, const std::string& path) {
 // A series is looked at once, by its first file.
 bool opensSeries(const RecordedFile& file, const std::string& path) {
     try {
-        return file.kind != feKind || io::feFiles(path).front() == path;
+        return file.role != InputRole::Fe || io::feFiles(path).front() == path;
     } catch (const WorldError&) {
         return false;
     }
@@ -65,22 +59,22 @@ std::vector<fs::path> candidatesBeside(const std::string& runPath, const fs::pat
     return candidates;
 }
 
-std::string find(const std::string& runPath, const RecordedFile& file) {
+std::string find(const std::string& runPath, const RecordedFile& file, const Execution& execution) {
     if (file.given) {
-        const std::string found = digestOf(file, *file.given);
-        if (found != file.sha256) {
+        const io::InputDigest found = io::digestOfInput(*file.given, file.role, execution);
+        if (!found.is(file.sha256)) {
             throw WorldError({"cli.fe_differs",
                               "{0} is not the {1} file of {2}: its SHA-256 is {3}, the run was made from {4}.",
-                              {*file.given, file.kind, runPath, found, file.sha256}},
+                              {*file.given, file.kind, runPath, found.sha256, file.sha256}},
                              {"cli.fe_differs.remedy", "Give the file with that SHA-256, or simulate again.", {}});
         }
         return *file.given;
     }
-    if (hasDigest(file, file.path)) {
+    if (hasDigest(file, file.path, execution)) {
         return file.path;
     }
     for (const fs::path& candidate : candidatesBeside(runPath, file.path)) {
-        if (opensSeries(file, candidate.string()) && hasDigest(file, candidate.string())) {
+        if (opensSeries(file, candidate.string()) && hasDigest(file, candidate.string(), execution)) {
             return candidate.string();
         }
     }
@@ -95,8 +89,9 @@ std::string find(const std::string& runPath, const RecordedFile& file) {
 
 }  // namespace
 
-std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given) {
-    return find(runPath, {feKind, "--fe", origin.fePath, origin.feSha256, given});
+std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given,
+                        const Execution& execution) {
+    return find(runPath, {"FE", InputRole::Fe, "--fe", origin.fePath, origin.feSha256, given}, execution);
 }
 
 Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
@@ -106,12 +101,15 @@ Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, 
 Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session,
                        Findings* site) {
     io::RunOrigin located = origin;
-    located.fePath = findFeOfRun(runPath, origin, arguments.value("--fe"));
+    located.fePath = findFeOfRun(runPath, origin, arguments.value("--fe"), session.execution());
     if (!origin.terrainPath.empty()) {
-        located.terrainPath =
-            find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
+        located.terrainPath = find(
+            runPath,
+            {"terrain", InputRole::Terrain, "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")},
+            session.execution());
         for (io::RecordedInput& mesh : located.surroundings) {
-            mesh.path = find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt});
+            mesh.path = find(runPath, {"surroundings", InputRole::Surroundings, "", mesh.path, mesh.sha256, std::nullopt},
+                             session.execution());
         }
     }
     Findings place, terrain;

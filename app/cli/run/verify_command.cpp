@@ -6,11 +6,10 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
-#include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/journal_check.h"
-#include "io/fe/fe_reader.h"
 #include "io/seal/run_repeat.h"
+#include "io/site/input_files.h"
 
 namespace rubble::cli {
 
@@ -109,7 +108,7 @@ ExitCode verifyCase(const Arguments& arguments, Session& session) {
         try {
             const std::string path = io::inputPath(arguments.operand(), input);
             check = compare(input.id + " " + input.path, input.sha256,
-                            input.role == InputRole::Fe ? io::sha256OfFe(path) : io::sha256OfFile(path));
+                            io::digestOfInput(path, input.role, session.execution()).against(input.sha256));
         } catch (const WorldError& error) {
             check = {input.id + " " + input.path, input.sha256, englishText(error.message()), false};
         }

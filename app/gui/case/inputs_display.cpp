@@ -10,6 +10,7 @@
 #include "app/gui/session/session.h"
 #include "io/case/case_file.h"
 #include "io/case/input_check.h"
+#include "io/site/input_files.h"
 #include "widgets/basics/notice_bar.h"
 
 namespace rubble {
@@ -158,9 +159,9 @@ void InputsDisplay::locate(const std::string& id, const QString& path) {
     m_candidates.remove(QString::fromStdString(id));
     auto sha256 = std::make_shared<std::string>();
     m_computation.write(
-        [path = path.toStdString(), role = input->role, sha256](const Execution& execution) {
+        [path = path.toStdString(), role = input->role, kept = input->sha256, sha256](const Execution& execution) {
             execution.report({"gui.comparing_input", "Comparing with what the case was made with", {}}, 0.0);
-            *sha256 = io::sha256OfInput(path, role, execution);
+            *sha256 = io::digestOfInput(path, role, execution).against(kept);
         },
         [self = QPointer(this), this, id, path, sha256, before = m_document.theCase().inputs](const std::exception_ptr& thrown) {
             if (self.isNull()) {

@@ -18,6 +18,7 @@
 #include "io/case/terrain_reader.h"
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
+#include "io/site/input_files.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/survey_registration.h"
 #include "widgets/basics/wording.h"
@@ -520,7 +521,7 @@ void SurveyDisplay::refresh() {
         content.stale = !busy() && stale();
         content.findings = made->input.findings;
         content.findings.append(made->comparison.findings);
-        if (!compared.sha256.empty() && compared.sha256 != made->input.sha256) {
+        if (!compared.sha256.empty() && !io::InputDigest{made->input.sha256, made->input.fileSha256}.is(compared.sha256)) {
             content.findings.add({"survey.changed", "The survey is not the one the case was saved with", {}},
                                  {"survey.changed.remedy", "Find the file with the SHA-256 of the case, or accept it as it is", {}},
                                  made->input.path);

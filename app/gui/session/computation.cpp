@@ -12,6 +12,7 @@
 #include "core/scenario/parameters.h"
 #include "io/case/case_file.h"
 #include "io/run/acknowledgements.h"
+#include "io/site/input_files.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble {
@@ -40,14 +41,14 @@ void findInputs(Opened& opened, const Execution& execution) {
     const io::OpenedCase& content = opened.content;
     for (const CaseInput& input : opened.theCase.inputs) {
         const std::string place = io::inputPath(content.base, input);
-        std::string known;
+        io::InputDigest known;
         if (input.role == InputRole::Fe && opened.fe != nullptr && place == content.fePath) {
-            known = opened.fe->contents().sha256;
+            known = {opened.fe->contents().sha256, opened.fe->contents().sha256};
         } else if (input.role == InputRole::Terrain && place == content.terrain.path) {
-            known = content.terrain.sha256;
+            known = {content.terrain.sha256, content.terrain.fileSha256};
         }
         for (const io::SiteFile& file : content.terrain.files) {
-            known = file.input == input.id && file.path == place ? file.sha256 : known;
+            known = file.input == input.id && file.path == place ? io::InputDigest{file.sha256, file.fileSha256} : known;
         }
         opened.found.push_back(io::findInput(content.base, input, known, execution));
     }

@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/run/settled_files.h"
+#include "io/site/input_files.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble {
@@ -64,7 +64,7 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
         execution.check();
         const CaseInput stated = io::statedOfFile(causes.photographed, causes.base, file.path, {}, made.findings);
         evidence.surfaces.push_back(io::readEvidence(file, site, stated, order.surface, made.findings, execution));
-        made.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
+        made.inputs.push_back({"evidence", file.path, io::digestOfInput(file.path, InputRole::Survey, execution).sha256});
     }
     Case chosen = causes.photographed;
     std::erase_if(chosen.photographs, [&](const Photograph& photograph) {

@@ -82,12 +82,14 @@ std::string pathIn(std::string_view uri) {
     return path;
 }
 
-/// @param files  gets the file that the buffer lies in, if it has one of its own
-std::string bytesOfBuffer(const JsonCursor& buffer, const std::string& path, std::vector<std::string>& files) {
+std::string fileInUri(const std::string& uri, const std::string& path) {
+    return (std::filesystem::path(path).parent_path() / pathIn(uri)).string();
+}
+
+std::string bytesOfBuffer(const JsonCursor& buffer, const std::string& path) {
     const std::string uri = buffer["uri"].text();
     if (!uri.starts_with("data:")) {
-        files.push_back((std::filesystem::path(path).parent_path() / pathIn(uri)).string());
-        return wholeFile(files.back());
+        return wholeFile(fileInUri(uri, path));
     }
     const std::size_t comma = uri.find(',');
     std::string bytes;
@@ -163,7 +165,7 @@ void GltfFile::readBuffers(const std::string& path, std::string binary) {
     }
     for (const JsonCursor& buffer : top()["buffers"].elements()) {
         const bool own = m_buffers.empty() && !buffer.has("uri");
-        std::string bytes = own ? std::exchange(binary, {}) : bytesOfBuffer(buffer, path, m_files);
+        std::string bytes = own ? std::exchange(binary, {}) : bytesOfBuffer(buffer, path);
         const std::size_t length = sizeAt(buffer, "byteLength", 0);
         if (length > bytes.size()) {
             refuseContent({"surroundings.buffer_cut",
@@ -173,6 +175,20 @@ void GltfFile::readBuffers(const std::string& path, std::string binary) {
         }
         m_buffers.push_back(std::move(bytes));
     }
+}
+
+std::vector<std::string> buffersOfGltf(const std::string& path) {
+    std::string binary;
+    const nlohmann::json document = parseJson(documentOf(path, wholeFile(path), binary), path);
+    const JsonCursor top(document, path);
+    std::vector<std::string> files;
+    for (const JsonCursor& buffer : top.has("buffers") ? top["buffers"].elements() : std::vector<JsonCursor>()) {
+        const std::string uri = buffer.has("uri") ? buffer["uri"].text() : "data:";
+        if (!uri.starts_with("data:")) {
+            files.push_back(fileInUri(uri, path));
+        }
+    }
+    return files;
 }
 
 JsonCursor GltfFile::top() const {

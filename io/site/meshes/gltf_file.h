@@ -20,9 +20,6 @@ public:
     GltfFile(const GltfFile&) = delete;
     GltfFile& operator=(const GltfFile&) = delete;
 
-    /// Files of their own that its buffers lie in.
-    const std::vector<std::string>& files() const { return m_files; }
-
     JsonCursor top() const;
     /// An entry of a list of the document ("meshes", "nodes"). Throws ParseError if there is none.
     /// @param index  a number that names it
@@ -45,7 +42,10 @@ private:
     std::string m_path;
     std::unique_ptr<nlohmann::json> m_document;
     std::vector<std::string> m_buffers;
-    std::vector<std::string> m_files;
 };
+
+/// Files of their own that the buffers of a glTF lie in, as it names them; they are not looked at.
+/// Throws WorldError, ParseError (no glTF).
+std::vector<std::string> buffersOfGltf(const std::string& path);
 
 }  // namespace rubble::io

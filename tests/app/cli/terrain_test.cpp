@@ -108,6 +108,33 @@ TEST_F(Terrain, DebrisFallsOnItAndTheRunSaysSo) {
     EXPECT_EQ(run({"--terrain", m_terrain, "--set", "terrain=off"})["trajectory_hash"], level["trajectory_hash"]);
 }
 
+TEST_F(Terrain, WhatIsReadBesideItIsPartOfItsDigest) {
+    const auto writeSystem = [&](const char* name) {
+        std::ofstream(m_folder / "level.prj") << "LOCAL_CS[\"" << name << "\",UNIT[\"metre\",1]]";
+    };
+    writeSystem("site");
+    const nlohmann::json made = run({"--terrain", m_terrain});
+    EXPECT_NE(made["terrain"]["sha256"], io::sha256OfFile(m_terrain));
+    const std::string path = m_folder / "small.rubble";
+    Case theCase = io::caseForFe(m_path, path);
+    theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "level.asc", {}});
+    io::saveCase(path, theCase);
+    EXPECT_EQ(cli({"verify", path}).exitCode, 0);
+    EXPECT_EQ(cli({"verify", m_out}).exitCode, 0);
+    std::ofstream(m_terrain + ".ovr") << "pyramids";
+    EXPECT_EQ(cli({"verify", path}).exitCode, 0);
+    writeSystem("other site");
+    const Outcome changed = cli({"verify", path});
+    EXPECT_EQ(changed.exitCode, 1);
+    EXPECT_THAT(changed.out, HasSubstr("inputs differ"));
+    EXPECT_EQ(cli({"verify", m_out}).exitCode, 1);
+    // A case of before keeps the digest of the file alone.
+    theCase.inputs.back().sha256 = io::sha256OfFile(m_terrain);
+    fs::remove(path);
+    io::saveCase(path, theCase);
+    EXPECT_EQ(cli({"verify", path}).exitCode, 0);
+}
+
 TEST_F(Terrain, ARunFindsItsTerrainAgainAndRepeats) {
     run({"--terrain", m_terrain});
     fs::rename(m_terrain, m_folder / "moved.asc");

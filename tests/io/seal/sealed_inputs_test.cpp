@@ -160,5 +160,46 @@ TEST(SealedInputs, OneThatStaysHomeIsKnownByTheDigestsOfAllItsFiles) {
     EXPECT_EQ(refused(), "io.seal.located_other");
 }
 
+TEST(SealedInputs, ACaseWithTheDigestOfTheFileAloneIsSealedAndRepeated) {
+    const TemporaryFolder folder;
+    writeTetrahedron(folder / "stone.stl");
+    std::ofstream(folder / "bodies.csv") << "id,mass_kg,mesh,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s\na,400,stone.stl,0,0,1,0.5,0,0\n";
+    writeGround(folder.path());
+    const std::string casePath = folder / "stones.rubble";
+    Case theCase = caseForFe(folder / "bodies.csv", casePath);
+    theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "ground.bil", sha256OfFile(folder / "ground.bil")});
+    theCase.scenarios[0].scenario.simulation.settleTime = 1.0;
+    saveCase(casePath, theCase);
+    // The run keeps that of header and heights.
+    runSmallCase(casePath, folder / "stones.run.h5");
+
+    SealRequest request;
+    request.casePath = casePath;
+    request.runs = {folder / "stones.run.h5"};
+    request.signer.key = makeKey(folder / "key.pem");
+    const std::string bundle = folder / "stones.rubblecase";
+    const SealReport report = sealCase(bundle, request, Execution());
+    EXPECT_EQ(report.statement.inputs.at(1).sha256, sha256OfFile(folder / "ground.bil"));
+    const SealCheck check = checkBundle(bundle, {}, Execution());
+    EXPECT_THAT(check.faults, IsEmpty());
+    {
+        const UnpackedBundle unpacked(bundle, check, folder / "opened", Execution());
+        EXPECT_TRUE(unpacked.repeat(unpacked.runs().at(0), Execution()).equal);
+    }
+    // A run on another header stands on no input of the case that keeps both.
+    theCase.inputs.back().sha256.clear();
+    saveCase(casePath, theCase);
+    std::ofstream(folder / "ground.hdr", std::ios::app) << "NODATA -5\n";
+    runSmallCase(casePath, folder / "other.run.h5");
+    writeGround(folder.path());
+    request.runs = {folder / "other.run.h5"};
+    try {
+        sealCase(folder / "other.rubblecase", request, Execution());
+        FAIL() << "it was sealed";
+    } catch (const UsageError& error) {
+        EXPECT_EQ(error.message().id, "io.seal.run_of_another");
+    }
+}
+
 }  // namespace
 }  // namespace rubble::io

@@ -10,6 +10,7 @@
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_file.h"
+#include "io/site/input_files.h"
 #include "tests/support/photographed_case.h"
 
 namespace rubble::cli {
@@ -41,7 +42,10 @@ protected:
     void addOrthophoto() {
         writeGreyTiff(m_folder / "ground.tif", 64, 64);
         std::ofstream(m_folder / "ground.tfw") << "1\n0\n0\n-1\n-30\n30\n";
-        m_case.inputs.push_back({"orthophoto-1", InputRole::Orthophoto, "ground.tif", io::sha256OfFile(m_folder / "ground.tif")});
+        const std::string path = m_folder / "ground.tif";
+        // Its world file belongs to what is shown.
+        m_case.inputs.push_back({"orthophoto-1", InputRole::Orthophoto, "ground.tif",
+                                 io::digestOfInput(path, InputRole::Orthophoto, Execution()).sha256});
     }
 };
 

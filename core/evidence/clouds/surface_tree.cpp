@@ -244,7 +244,8 @@ SurfaceTree::SurfaceTree(const std::vector<Vec3>& points, const std::vector<std:
 }
 
 std::optional<RayHit> SurfaceTree::firstHit(const Vec3& from, const Vec3& direction, double length) const {
-    if (m_nodes.empty()) {
+    // A ray that is no number would be met by all boxes.
+    if (m_nodes.empty() || !from.allFinite() || !direction.allFinite()) {
         return std::nullopt;
     }
     // What starts far away would be far from where it is by rounding.

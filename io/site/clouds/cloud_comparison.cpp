@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <thread>
 
 #include "core/base/outline_cover.h"
 #include "core/base/unknown.h"
@@ -331,12 +331,12 @@ private:
             }
             std::vector<Vec3> firstPlaces = held(m_made.first, "", strip);
             std::vector<Vec3> secondPlaces = held(m_made.second, m_made.first.head.crs, strip);
-            std::optional<PointIndex> second;
-            std::jthread building([&] { second.emplace(ordered(std::move(secondPlaces))); });
+            std::future<PointIndex> building =
+                std::async(std::launch::async, [&] { return PointIndex(ordered(std::move(secondPlaces))); });
             const PointIndex first(ordered(std::move(firstPlaces)));
-            building.join();
+            const PointIndex second = building.get();
             const std::vector<std::uint32_t> before = orderByCubes(cores, m_request.settings.projectionRadius);
-            const std::vector<CoreDistance> made = cloudDistances(cores, first, *second, m_settings, m_execution);
+            const std::vector<CoreDistance> made = cloudDistances(cores, first, second, m_settings, m_execution);
             for (std::size_t k = 0; k < which.size(); ++k) {
                 m_made.distances[which[before[k]]] = made[k];
             }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/base/error.h"
@@ -127,6 +128,14 @@ TEST(SurfaceTree, MeetsTheSameFromAfarAndWhereverTheSiteLies) {
             ASSERT_NEAR(met->range, late->range - 1e5, 1e-7) << k;
         }
     }
+}
+
+TEST(SurfaceTree, ARayThatIsNoNumberMeetsNothing) {
+    const SurfaceTree tree = heapOfBoxes(20).tree();
+    const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_FALSE(tree.firstHit({0.0, 0.0, 9.0}, none, 50.0));
+    EXPECT_FALSE(tree.firstHit(none, -Vec3::UnitZ(), 50.0));
+    EXPECT_TRUE(tree.firstHit({0.0, 0.0, 9.0}, -Vec3::UnitZ(), 50.0));
 }
 
 TEST(SiteScan, ABoxThrowsAShadow) {

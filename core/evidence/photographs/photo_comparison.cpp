@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <numbers>
 #include <random>
-#include <thread>
 
 #include "core/base/error.h"
 #include "core/evidence/photographs/confidence.h"
@@ -161,17 +161,18 @@ PhotoComparison compareWithPhoto(const SiteShape& site, const Photograph& photog
     const std::vector<CameraModel> cameras = drawnCameras(match, settings.cameras, settings.seed);
     std::vector<Draw> draws(cameras.size());
     std::atomic<std::size_t> next{0};
-    {
-        std::vector<std::jthread> threads;
-        const auto work = [&] {
-            for (std::size_t k = next++; k < cameras.size() && !execution.cancelled(); k = next++) {
-                draws[k] = comparing.with(cameras[k]);
-            }
-        };
-        for (int t = 1; t < execution.threads(); ++t) {
-            threads.emplace_back(work);
+    const auto work = [&] {
+        for (std::size_t k = next++; k < cameras.size() && !execution.cancelled(); k = next++) {
+            draws[k] = comparing.with(cameras[k]);
         }
-        work();
+    };
+    std::vector<std::future<void>> others;
+    for (int t = 1; t < execution.threads(); ++t) {
+        others.push_back(std::async(std::launch::async, work));
+    }
+    work();
+    for (std::future<void>& other : others) {
+        other.get();
     }
     execution.check();
     made.cameras = static_cast<int>(cameras.size());

@@ -2952,8 +2952,8 @@
         <translation>分析的输入卡采用 {0}，而文件被判定为 {1}</translation>
     </message>
     <message>
-        <source>The density of element {0} ({1}) is {2}</source>
-        <translation>单元 {0}（{1}）的密度为 {2}</translation>
+        <source>The density of element {0} (&quot;{1}&quot;) is {2}</source>
+        <translation>单元 {0}（“{1}”）的密度为 {2}</translation>
     </message>
     <message>
         <source>The download was not the file: log in or follow the link to the file itself.</source>
@@ -4852,8 +4852,8 @@
         <translation>结果文件的 1921 号记录</translation>
     </message>
     <message>
-        <source>the reinforced component {0} falls in {1} clusters</source>
-        <translation>配筋构件 {0} 分成 {1} 个聚类下落</translation>
+        <source>the reinforced component &quot;{0}&quot; falls in {1} clusters</source>
+        <translation>配筋构件 “{0}” 分成 {1} 个聚类下落</translation>
     </message>
     <message>
         <source>the rigid road</source>
@@ -6504,8 +6504,8 @@
         <translation>正在重新模拟该计算及其重复计算</translation>
     </message>
     <message>
-        <source>Speaks for {0} (above 0) or for {1} (below 0)</source>
-        <translation>支持 {0}（大于 0）或 {1}（小于 0）</translation>
+        <source>Speaks for &quot;{0}&quot; (above 0) or for &quot;{1}&quot; (below 0)</source>
+        <translation>支持 “{0}”（大于 0）或 “{1}”（小于 0）</translation>
     </message>
     <message>
         <source>Standard error of the probability</source>
@@ -6544,8 +6544,8 @@
         <translation>控制点在平面上位于同一处</translation>
     </message>
     <message>
-        <source>The ensembles of {0} and {1} are not mapped alike.</source>
-        <translation>{0} 与 {1} 的系综制图方式不同。</translation>
+        <source>The ensembles of &quot;{0}&quot; and &quot;{1}&quot; are not mapped alike.</source>
+        <translation>“{0}” 与 “{1}” 的系综制图方式不同。</translation>
     </message>
     <message>
         <source>The folder {0} cannot be made</source>
@@ -6596,8 +6596,8 @@
         <translation>无法从 {0} 的坐标系转换到案例坐标系</translation>
     </message>
     <message>
-        <source>There is only {0}: nothing to tell it from.</source>
-        <translation>只有 {0}：没有可与之区分的假设。</translation>
+        <source>There is only &quot;{0}&quot;: nothing to tell it from.</source>
+        <translation>只有 “{0}”：没有可与之区分的假设。</translation>
     </message>
     <message>
         <source>Things would fall at {0}</source>
@@ -6608,8 +6608,8 @@
         <translation>此排版显示 {0} 个时刻，而不是 {1} 个</translation>
     </message>
     <message>
-        <source>This evidence cannot tell {0} from {1}: {0} is closest, but not surely.</source>
-        <translation>该证据无法区分 {0} 与 {1}：{0} 最接近，但并不确定。</translation>
+        <source>This evidence cannot tell &quot;{0}&quot; from &quot;{1}&quot;: &quot;{0}&quot; is closest, but not surely.</source>
+        <translation>该证据无法区分 “{0}” 与 “{1}”：“{0}” 最接近，但并不确定。</translation>
     </message>
     <message>
         <source>Up was taken to be {0}, but {1}</source>
@@ -6936,8 +6936,8 @@
         <translation>{0} 未显示该场地</translation>
     </message>
     <message>
-        <source>{0} explains the evidence best: one of its members is closer than one of {1} in {2} % of the pairs, at least {3} % with 95 % confidence.</source>
-        <translation>{0} 对证据的解释最好：在 {2} % 的成对比较中，其成员比 {1} 的成员更接近证据，95 % 置信下至少为 {3} %。</translation>
+        <source>&quot;{0}&quot; explains the evidence best: one of its members is closer than one of &quot;{1}&quot; in {2} % of the pairs, at least {3} % with 95 % confidence.</source>
+        <translation>“{0}” 对证据的解释最好：在 {2} % 的成对比较中，其成员比 “{1}” 的成员更接近证据，95 % 置信下至少为 {3} %。</translation>
     </message>
     <message>
         <source>{0} has a corner without a place in the system of the case</source>
@@ -7124,8 +7124,8 @@
         <translation>成员只保留静止后的堆积物；请在静止后的照片上圈出堆积物。</translation>
     </message>
     <message>
-        <source>Opening {0}</source>
-        <translation>正在打开 {0}</translation>
+        <source>Opening &quot;{0}&quot;</source>
+        <translation>正在打开 “{0}”</translation>
     </message>
     <message>
         <source>See which there are: rubble-cli jobs list.</source>
@@ -7292,8 +7292,8 @@
         <translation>控制点所属坐标系，米</translation>
     </message>
     <message>
-        <source>{0} has another origin, axes, coordinate system or control points than {1}.</source>
-        <translation>{0} 的原点、坐标轴、坐标系或控制点与 {1} 不同。</translation>
+        <source>&quot;{0}&quot; has another origin, axes, coordinate system or control points than &quot;{1}&quot;.</source>
+        <translation>“{0}” 的原点、坐标轴、坐标系或控制点与 “{1}” 不同。</translation>
     </message>
     <message>
         <source>Install rubble-cli beside rubble.</source>
@@ -7408,8 +7408,8 @@
         <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测量是否包含未知。</translation>
     </message>
     <message>
-        <source>This evidence cannot tell {0} from {1}, and it lies outside of what the members of {0} do: perhaps none of the hypotheses is the cause.</source>
-        <translation>此证据无法区分 {0} 与 {1}，并且超出了 {0} 成员的范围：这些假设可能都不是原因。</translation>
+        <source>This evidence cannot tell &quot;{0}&quot; from &quot;{1}&quot;, and it lies outside of what the members of &quot;{0}&quot; do: perhaps none of the hypotheses is the cause.</source>
+        <translation>此证据无法区分 “{0}” 与 “{1}”，并且超出了 “{0}” 成员的范围：这些假设可能都不是原因。</translation>
     </message>
     <message>
         <source>count it on both sides or on neither (--live)</source>
@@ -7440,8 +7440,8 @@
         <translation>测量显示坠落的未失效结构，而模拟的（{0} 个单元，{1}）被略去</translation>
     </message>
     <message>
-        <source>{0} is closer to the evidence than the others, but the evidence lies outside of what its members do: perhaps none of the hypotheses is the cause.</source>
-        <translation>{0} 比其他假设更接近证据，但证据超出了其成员的范围：这些假设可能都不是原因。</translation>
+        <source>&quot;{0}&quot; is closer to the evidence than the others, but the evidence lies outside of what its members do: perhaps none of the hypotheses is the cause.</source>
+        <translation>“{0}” 比其他假设更接近证据，但证据超出了其成员的范围：这些假设可能都不是原因。</translation>
     </message>
     <message>
         <source>{0} loose parts of live structure were held where the FE result ends; in the survey they have fallen</source>
@@ -7452,8 +7452,8 @@
         <translation>从地面算起的高度没有可与另一地面配准的地面</translation>
     </message>
     <message>
-        <source>Of these hypotheses {0} explains the outline best: one of its members is closer than one of {1} in {2} % of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.</source>
-        <translation>在这些假设中 {0} 最能解释该轮廓：在 {2} % 的成对比较中其成员比 {1} 的成员更接近，在 95 % 置信度下至少为 {3} %。不在其中的原因可能留下同样的轮廓。</translation>
+        <source>Of these hypotheses &quot;{0}&quot; explains the outline best: one of its members is closer than one of &quot;{1}&quot; in {2} % of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.</source>
+        <translation>在这些假设中 “{0}” 最能解释该轮廓：在 {2} % 的成对比较中其成员比 “{1}” 的成员更接近，在 95 % 置信度下至少为 {3} %。不在其中的原因可能留下同样的轮廓。</translation>
     </message>
     <message>
         <source>Register the survey to the debris, or not at all.</source>
@@ -11552,8 +11552,8 @@
         <translation>Lube 等，J. Fluid Mech. 508 (2004) 175：高柱的散落距离 1.6 a^0.5 和高度 0.88 a^(1/6)，与颗粒无关；Trepanier &amp; Franklin，Phys. Rev. E 82 (2010) 011308：杆的柱，高柱散落距离的指数 0.6 +- 0.1</translation>
     </message>
     <message>
-        <source>Of these hypotheses {0} explains the times best: one of its members is closer than one of {1} in {2} % of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may give the same times.</source>
-        <translation>在这些假设中 {0} 最能解释各时刻：在 {2} % 的成员对中，它的一个成员比 {1} 的一个成员更接近，95 % 置信度下至少 {3} %。不在其中的原因可能给出同样的时刻。</translation>
+        <source>Of these hypotheses &quot;{0}&quot; explains the times best: one of its members is closer than one of &quot;{1}&quot; in {2} % of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may give the same times.</source>
+        <translation>在这些假设中 “{0}” 最能解释各时刻：在 {2} % 的成员对中，它的一个成员比 “{1}” 的一个成员更接近，95 % 置信度下至少 {3} %。不在其中的原因可能给出同样的时刻。</translation>
     </message>
     <message>
         <source>Round columns of cubes, rods and plates collapse</source>

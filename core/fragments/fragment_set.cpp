@@ -197,7 +197,7 @@ double FragmentMaker::massOf(ElementIndex element, const SoundSolid& solid) {
     const std::string& component = m_components.list[at(m_components.of[at(element)])].name;
     if (!(density > 0.0) || !std::isfinite(density)) {
         throw UsageError({"fragments.density",
-                          "The density of element {0} ({1}) is {2}",
+                          "The density of element {0} (\"{1}\") is {2}",
                           {m_fe.mesh().elementIds[at(element)], component, {density, "kg/m3"}}},
                          {"fragments.density.remedy", "Set component[{0}].density to a positive number.", {component}});
     }

@@ -110,7 +110,7 @@ TEST(CausesPage, NamesTheCauseByWhatAndWhere) {
 TEST(CausesPage, SaysWhenTheyCannotBeToldApart) {
     CausesPage page;
     page.setContent(compared({{"a", ensembleAt(0)}, {"b", ensembleAt(0)}}, 0));
-    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("cannot tell a from b")));
+    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("cannot tell \"a\" from \"b\"")));
     EXPECT_EQ(page.ranking().item(1, 6)->text(), QStringLiteral("not told apart"));
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "widgets/basics/fixed_number.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -38,6 +39,13 @@ TEST(Wording, ATranslationIsFoundByThePatternOfTheMessage) {
     EXPECT_EQ(worded(sentence), QStringLiteral("1,234,567 von pier 2"));
     QCoreApplication::removeTranslator(&translator);
     EXPECT_EQ(worded(sentence), QStringLiteral("pier 2 has 1,234,567"));
+}
+
+TEST(Wording, WhatStandsInQuotationMarksIsAName) {
+    EXPECT_TRUE(figures::isVerbatim("{0}: no component \"{1}\"", 1));
+    EXPECT_FALSE(figures::isVerbatim("{0}: no component \"{1}\"", 0));
+    EXPECT_TRUE(figures::isVerbatim("Set component[{0}].density", 0));
+    EXPECT_FALSE(figures::isVerbatim("\"{1}\", \"{10}\" and {0}", 0));
 }
 
 TEST(Wording, NumbersShowWhatTheyDeserve) {

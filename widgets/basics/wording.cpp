@@ -66,12 +66,13 @@ QString withNamesOfSettings(QString text) {
     return text;
 }
 
-QString shownArgument(const Argument& argument) {
+/// @param asItIs  it is a name or a key
+QString shownArgument(const Argument& argument, bool asItIs) {
     QString text;
     const auto* number = std::get_if<double>(&argument.value);
     const figures::ShownUnit unit = figures::shownUnit(argument.unit, number != nullptr ? *number : 0.0);
     if (const auto* words = std::get_if<std::string>(&argument.value)) {
-        text = figures::spokenText(*words);
+        text = asItIs ? QString::fromStdString(*words) : figures::spokenText(*words);
     } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
         text = shownCount(*whole);
     } else {
@@ -90,7 +91,8 @@ QString worded(const Message& message) {
         bool isNumber = false;
         const int index = close > 0 ? pattern.mid(i + 1, close - i - 1).toInt(&isNumber) : -1;
         if (isNumber && index >= 0 && index < static_cast<int>(message.arguments.size())) {
-            text += shownArgument(message.arguments[static_cast<std::size_t>(index)]);
+            text += shownArgument(message.arguments[static_cast<std::size_t>(index)],
+                                  figures::isVerbatim(message.pattern, static_cast<std::size_t>(index)));
             i = close;
         } else {
             text += pattern[i];

@@ -98,7 +98,7 @@ Causes openCauses(const Arguments& arguments, const EnsembleRequest& request, Se
         const EnsembleSubject& first = causes.subjects.front();
         if (!(subject.frame == first.frame && subject.theCase.site.controlPoints == first.theCase.site.controlPoints)) {
             throw UsageError({"causes.other_frame",
-                              "{0} has another origin, axes, coordinate system or control points than {1}.",
+                              "\"{0}\" has another origin, axes, coordinate system or control points than \"{1}\".",
                               {path, arguments.operand()}},
                              {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
         }

@@ -36,7 +36,7 @@ namespace {
 std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const StudyOrder& order, const Execution& execution) {
     std::vector<io::EnsembleSource> sources;
     for (const StudyCase& cause : causes.causes) {
-        execution.report({"gui.opening_cause", "Opening {0}", {cause.name}}, 0.0);
+        execution.report({"gui.opening_cause", "Opening \"{0}\"", {cause.name}}, 0.0);
         io::EnsembleSource source = io::openEnsemble(caseRequest(cause, order), order.settings, execution);
         if (!cause.name.empty()) {
             source.name = cause.name;
@@ -44,7 +44,7 @@ std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const Study
         if (!sources.empty() && !(source.frame == sources.front().frame &&
                                   source.theCase.site.controlPoints == sources.front().theCase.site.controlPoints)) {
             throw UsageError({"causes.other_frame",
-                              "{0} has another origin, axes, coordinate system or control points than {1}.",
+                              "\"{0}\" has another origin, axes, coordinate system or control points than \"{1}\".",
                               {source.name, sources.front().name}},
                              {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
         }

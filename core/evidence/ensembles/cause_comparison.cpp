@@ -220,10 +220,10 @@ std::optional<TellingPlace> placeOf(const DebrisMap& map) {
     return place;
 }
 
-std::string listOf(const std::vector<std::string>& names) {
+std::string quotedOnwards(const std::vector<std::string>& names) {
     std::string list;
     for (const std::string& each : names) {
-        list += (list.empty() ? "" : ", ") + each;
+        list += (list.empty() ? "" : "\", \"") + each;
     }
     return list;
 }
@@ -232,47 +232,51 @@ Message verdictOf(const CauseComparison& made) {
     const RankedCause& best = made.ranking.causes.front();
     const std::string& name = made.hypotheses[best.hypothesis];
     if (made.ranking.causes.size() < 2) {
-        return {"causes.alone", "There is only {0}: nothing to tell it from.", {name}};
+        return {"causes.alone", "There is only \"{0}\": nothing to tell it from.", {name}};
     }
     if (made.unexplained) {
         if (made.ranking.decided()) {
-            return {
-                "causes.closest_only",
-                "{0} is closer to the evidence than the others, but the evidence lies outside of what its members do: perhaps none "
-                "of the hypotheses is the cause.",
-                {name}};
+            return {"causes.closest_only",
+                    "\"{0}\" is closer to the evidence than the others, but the evidence lies outside of what its members do: "
+                    "perhaps none "
+                    "of the hypotheses is the cause.",
+                    {name}};
         }
         return {"causes.not_told_none",
-                "This evidence cannot tell {0} from {1}, and it lies outside of what the members of {0} do: perhaps none of the "
+                "This evidence cannot tell \"{0}\" from \"{1}\", and it lies outside of what the members of \"{0}\" do: perhaps "
+                "none of the "
                 "hypotheses is the cause.",
-                {name, listOf(made.alike)}};
+                {name, quotedOnwards(made.alike)}};
     }
     const RankedCause& next = made.ranking.causes[1];
     const bool times =
         std::all_of(made.kinds.begin(), made.kinds.end(), [](EvidenceKind kind) { return kind == EvidenceKind::Time; });
     if (made.ranking.decided() && times) {
-        return {"causes.told_time",
-                "Of these hypotheses {0} explains the times best: one of its members is closer than one of {1} in {2} % of the "
-                "pairs, at least {3} % with 95 % confidence. A cause that is not among them may give the same times.",
-                {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
+        return {
+            "causes.told_time",
+            "Of these hypotheses \"{0}\" explains the times best: one of its members is closer than one of \"{1}\" in {2} % of the "
+            "pairs, at least {3} % with 95 % confidence. A cause that is not among them may give the same times.",
+            {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
     }
     const bool outlines =
         std::none_of(made.kinds.begin(), made.kinds.end(), [](EvidenceKind kind) { return kind == EvidenceKind::Heights; });
     if (made.ranking.decided() && outlines) {
         return {"causes.told_outline",
-                "Of these hypotheses {0} explains the outline best: one of its members is closer than one of {1} in {2} % of the "
+                "Of these hypotheses \"{0}\" explains the outline best: one of its members is closer than one of \"{1}\" in {2} % "
+                "of the "
                 "pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.",
                 {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
     }
     if (made.ranking.decided()) {
-        return {
-            "causes.told",
-            "{0} explains the evidence best: one of its members is closer than one of {1} in {2} % of the pairs, at least {3} % "
-            "with 95 % confidence.",
-            {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
+        return {"causes.told",
+                "\"{0}\" explains the evidence best: one of its members is closer than one of \"{1}\" in {2} % of the pairs, at "
+                "least {3} % "
+                "with 95 % confidence.",
+                {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
     }
-    return {
-        "causes.not_told", "This evidence cannot tell {0} from {1}: {0} is closest, but not surely.", {name, listOf(made.alike)}};
+    return {"causes.not_told",
+            "This evidence cannot tell \"{0}\" from \"{1}\": \"{0}\" is closest, but not surely.",
+            {name, quotedOnwards(made.alike)}};
 }
 
 void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {
@@ -297,7 +301,7 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
                           {"causes.no_fit.remedy",
                            "Vary more of what is not known, look for other causes, and check the place of the evidence.",
                            {}},
-                          made.hypotheses[best.hypothesis]);
+                          '"' + made.hypotheses[best.hypothesis] + '"');
     }
     for (std::size_t k = 1; k < made.ranking.causes.size(); ++k) {
         if (!made.ranking.causes[k].apart) {
@@ -324,7 +328,9 @@ void checkAlike(std::span<const Hypothesis> hypotheses) {
         const EnsembleReport& first = *hypotheses.front().ensemble;
         if (!(hypothesis.ensemble->surface == first.surface) || hypothesis.ensemble->instant != first.instant) {
             throw UsageError(
-                {"causes.cells", "The ensembles of {0} and {1} are not mapped alike.", {hypotheses.front().name, hypothesis.name}},
+                {"causes.cells",
+                 "The ensembles of \"{0}\" and \"{1}\" are not mapped alike.",
+                 {hypotheses.front().name, hypothesis.name}},
                 {"causes.cells.remedy", "Make both with the same cells, instant and counting of fallen structure.", {}});
         }
     }

@@ -92,7 +92,7 @@ Message mapLayerTitle(const DebrisMap& map, MapLayer layer) {
         return {"map.above", "Probability of debris higher than {0}", {Argument(map.thresholds[which], "m")}};
     }
     if (layer == MapLayer::Separation && map.hypotheses.size() == 2) {
-        return {"map.separation", "Speaks for {0} (above 0) or for {1} (below 0)", {map.hypotheses[0], map.hypotheses[1]}};
+        return {"map.separation", "Speaks for \"{0}\" (above 0) or for \"{1}\" (below 0)", {map.hypotheses[0], map.hypotheses[1]}};
     }
     return {"map.layer", std::string(mapLayerRow(layer).name), {}};
 }

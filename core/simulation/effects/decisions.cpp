@@ -495,13 +495,14 @@ Verdict Decider::ties() const {
     }
     const std::size_t most = static_cast<std::size_t>(std::max_element(clusters.begin(), clusters.end()) - clusters.begin());
     const bool on = clusters[most] >= 2;
-    return {on,
-            {on ? "effect.ties.on" : "effect.ties.off",
-             on ? "the reinforced component {0} falls in {1} clusters" : "no reinforced component falls in two or more clusters",
-             {components[most].name, clusters[most]}},
-            static_cast<double>(clusters[most]),
-            2.0,
-            on};
+    return {
+        on,
+        {on ? "effect.ties.on" : "effect.ties.off",
+         on ? "the reinforced component \"{0}\" falls in {1} clusters" : "no reinforced component falls in two or more clusters",
+         {components[most].name, clusters[most]}},
+        static_cast<double>(clusters[most]),
+        2.0,
+        on};
 }
 
 Verdict Decider::breakUp() const {

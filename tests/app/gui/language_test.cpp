@@ -1,5 +1,6 @@
 #include "widgets/basics/language.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -31,8 +32,10 @@
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/accuracy/accuracy_panel.h"
+#include "widgets/basics/wording.h"
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/case/preferences_dialog.h"
+#include "widgets/figures/report/report_language.h"
 #include "widgets/figures/report/spoken_text.h"
 #include "widgets/views/status_line.h"
 
@@ -128,13 +131,25 @@ TEST_F(Languages, TheWizardOfANewCaseSpeaksChineseOnlyAndIsNotTakenAway) {
 TEST_F(Languages, PlacesOfWhatIsOddInAFileAreSaidWhole) {
     speak("zh_CN");
     const auto said = [](const char* english) { return figures::spokenText(english).toStdString(); };
-    EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s)"), "状态 57 (2.85 s) 的单元 20,373（梁）");
+    EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s)"), "状态 57 (2.85 s) 的单元 20,373（beam）");
     EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s), 0.48 times its first volume"),
-              "状态 57 (2.85 s) 的单元 20,373（梁），体积为最初的 0.48 倍");
+              "状态 57 (2.85 s) 的单元 20,373（beam），体积为最初的 0.48 倍");
     EXPECT_EQ(said("element 7 (beam) at state 2 (0.1 s), 0.001 thick per length"),
-              "状态 2 (0.1 s) 的单元 7（梁），厚度与长度之比为 0.001");
-    EXPECT_EQ(said("element 7 (beam), 3.2 s, but reported at state 2 (0.1 s)"), "单元 7（梁），3.2 s，但到状态 2 (0.1 s) 才报告");
-    EXPECT_EQ(said("element 7 (beam), 3.2 s"), "单元 7（梁），3.2 s");
+              "状态 2 (0.1 s) 的单元 7（beam），厚度与长度之比为 0.001");
+    EXPECT_EQ(said("element 7 (beam), 3.2 s, but reported at state 2 (0.1 s)"), "单元 7（beam），3.2 s，但到状态 2 (0.1 s) 才报告");
+    EXPECT_EQ(said("element 7 (beam), 3.2 s"), "单元 7（beam），3.2 s");
+}
+
+TEST_F(Languages, ANameThatIsAWordAsWellStaysAsItIs) {
+    speak("zh_CN");
+    const Message named{"components.unknown", "There is no component \"{0}\" among {1}", {"beam", 3}};
+    EXPECT_THAT(widgets::worded(named).toStdString(), testing::HasSubstr("beam"));
+    EXPECT_THAT(figures::chineseWords()(named),
+                testing::AllOf(testing::HasSubstr("beam"), testing::Not(testing::HasSubstr("component"))));
+    // What core says of a kind of element is a word.
+    const Message kind{"x", "{0}", {"beam"}};
+    EXPECT_EQ(widgets::worded(kind).toStdString(), "梁");
+    EXPECT_EQ(figures::chineseWords()(kind), "梁");
 }
 
 // A window that takes the place of another shows and says what one does that was there from the start.

@@ -27,12 +27,8 @@ std::function<std::string(const Message&)> chineseWords() {
     assert(there && "the catalogue is a resource of the program");
     return [catalogue](const Message& message) {
         Message said = message;
+        sayArguments(said, [&](const std::string& words) { return inChinese(*catalogue, words); });
         said.pattern = inChinese(*catalogue, message.pattern);
-        for (Argument& argument : said.arguments) {
-            if (auto* words = std::get_if<std::string>(&argument.value)) {
-                *words = inChinese(*catalogue, *words);
-            }
-        }
         return englishText(said);
     };
 }
@@ -60,12 +56,8 @@ std::function<QString(const Message&)> WrittenLanguage::say() const {
     }
     return [](const Message& message) {
         Message said = message;
+        sayArguments(said, [](const std::string& words) { return spokenText(words).toStdString(); });
         said.pattern = spokenText(message.pattern).toStdString();
-        for (Argument& argument : said.arguments) {
-            if (auto* words = std::get_if<std::string>(&argument.value)) {
-                *words = spokenText(*words).toStdString();
-            }
-        }
         return QString::fromStdString(englishText(said));
     };
 }

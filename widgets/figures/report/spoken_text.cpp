@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace rubble::figures {
@@ -91,6 +92,11 @@ const std::vector<MadeForm>& madeForms() {
     return forms;
 }
 
+/// "element 12 (deck)"
+bool namesComponent(std::string_view text) {
+    return text.starts_with("element {0} ({1})");
+}
+
 /// What a made text says, if it is one: its values go from the English pattern into the one of the window.
 QString filledText(const QString& english) {
     for (const MadeForm& made : madeForms()) {
@@ -101,7 +107,9 @@ QString filledText(const QString& english) {
         QString text = spokenMessage(made.text);
         for (int i = 0; i < 5; ++i) {
             const QString value = match.captured(QStringLiteral("v%1").arg(i));
-            text.replace(QStringLiteral("{%1}").arg(i), value.isEmpty() ? value : spokenText(value.toStdString()));
+            const bool asItIs =
+                value.isEmpty() || isVerbatim(made.text, static_cast<std::size_t>(i)) || (i == 1 && namesComponent(made.text));
+            text.replace(QStringLiteral("{%1}").arg(i), asItIs ? value : spokenText(value.toStdString()));
         }
         return text;
     }
@@ -109,6 +117,20 @@ QString filledText(const QString& english) {
 }
 
 }  // namespace
+
+bool isVerbatim(const std::string& pattern, std::size_t argument) {
+    const std::string placeholder = '{' + std::to_string(argument) + '}';
+    return pattern.find('"' + placeholder + '"') != std::string::npos || pattern.find('[' + placeholder + ']') != std::string::npos;
+}
+
+void sayArguments(Message& message, const std::function<std::string(const std::string&)>& say) {
+    for (std::size_t i = 0; i < message.arguments.size(); ++i) {
+        auto* words = std::get_if<std::string>(&message.arguments[i].value);
+        if (words != nullptr && !isVerbatim(message.pattern, i)) {
+            *words = say(*words);
+        }
+    }
+}
 
 QString spokenText(const std::string& english) {
     const QString text = QString::fromStdString(english);

@@ -1,11 +1,19 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <string>
+
+#include "core/base/message.h"
 
 namespace rubble::figures {
 
 /// A text that core made in English (a place, a reason, a word), in the language that is spoken; what is not known stays as it is.
 QString spokenText(const std::string& english);
+/// Whether an argument of a message is a name or a key: it stands in quotation marks or brackets in the English pattern, and is
+/// said as it is in every language. A component may be called "beam", which is a word of the catalogue as well.
+bool isVerbatim(const std::string& pattern, std::size_t argument);
+/// The arguments of a message that are words of core, each by how it is said in another language.
+void sayArguments(Message& message, const std::function<std::string(const std::string&)>& say);
 
 }  // namespace rubble::figures

@@ -98,6 +98,9 @@ void WorkerPool::share(std::size_t count, std::size_t grain, std::function<void(
     for (std::uint32_t left = m_unfinished->count.load(); left != 0; left = m_unfinished->count.load()) {
         waitWhile(m_unfinished->count, left);
     }
+    if (m_failed.exchange(false)) {
+        std::rethrow_exception(std::exchange(m_error, nullptr));
+    }
 }
 
 void WorkerPool::takeParts(std::size_t thread) {
@@ -111,7 +114,13 @@ void WorkerPool::takeParts(std::size_t thread) {
                 continue;
             }
             const std::size_t first = (shareBegin(whose + 1) - untaken) * m_grain;
-            m_work(first, std::min(first + m_grain, m_count));
+            try {
+                m_work(first, std::min(first + m_grain, m_count));
+            } catch (...) {
+                if (!m_failed.exchange(true)) {
+                    m_error = std::current_exception();
+                }
+            }
             if (m_unfinished->count.fetch_sub(1) == 1) {
                 m_unfinished->count.notify_all();
             }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -54,7 +55,8 @@ public:
     WorkerPool& operator=(const WorkerPool&) = delete;
 
     /// Calls work(first, last) for [0, count) in parts of at most `grain`, in any order on any thread; returns when all are done.
-    /// The parts are the same for any number of threads. A single part runs on the calling thread. `work` must not throw.
+    /// The parts are the same for any number of threads. A single part runs on the calling thread. What a part throws first reaches
+    /// the caller when all have ended.
     template <class Work>
     void loop(std::size_t count, std::size_t grain, Work&& work) {
         if (m_workers.empty() || m_alone || count <= grain) {
@@ -98,6 +100,8 @@ private:
     std::size_t m_count = 0;
     std::size_t m_grain = 1;
     std::size_t m_parts = 0;
+    std::atomic<bool> m_failed{false};
+    std::exception_ptr m_error;  ///< of the first part that failed
     // On the heap: the pool itself may lie in what is allocated without regard to lines of the cache.
     std::vector<Counter> m_shares;          ///< [threads] parts of each that nobody has
     std::unique_ptr<Counter> m_unfinished;  ///< parts

@@ -1,14 +1,13 @@
 #include "core/evidence/photographs/photo_comparison.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <numbers>
 #include <random>
 
 #include "core/base/error.h"
+#include "core/engine/world/worker_pool.h"
 #include "core/evidence/photographs/confidence.h"
 #include "core/evidence/photographs/refusal.h"
 
@@ -160,20 +159,12 @@ PhotoComparison compareWithPhoto(const SiteShape& site, const Photograph& photog
     }
     const std::vector<CameraModel> cameras = drawnCameras(match, settings.cameras, settings.seed);
     std::vector<Draw> draws(cameras.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t k = next++; k < cameras.size() && !execution.cancelled(); k = next++) {
+    WorkerPool pool(execution.threads());
+    pool.loop(cameras.size(), 1, [&](std::size_t k, std::size_t) {
+        if (!execution.cancelled()) {
             draws[k] = comparing.with(cameras[k]);
         }
-    };
-    std::vector<std::future<void>> others;
-    for (int t = 1; t < execution.threads(); ++t) {
-        others.push_back(std::async(std::launch::async, work));
-    }
-    work();
-    for (std::future<void>& other : others) {
-        other.get();
-    }
+    });
     execution.check();
     made.cameras = static_cast<int>(cameras.size());
     made.iou = spreadOf(best.iou, draws, &Draw::iou);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -46,6 +47,28 @@ TEST(WorkerPool, WaitsForPartsThatOthersHaveBegun) {
             ++finished;
         });
         ASSERT_EQ(finished.load(), 6);
+    }
+}
+
+TEST(WorkerPool, WhatAPartThrowsReachesTheCallerWhenAllHaveEnded) {
+    for (const int threads : {1, 3}) {
+        WorkerPool pool(threads);
+        for (int round = 0; round < 50; ++round) {
+            std::atomic<int> running{0};
+            const auto work = [&](std::size_t first, std::size_t) {
+                ++running;
+                const bool fails = first % 5 == 3;
+                --running;
+                if (fails) {
+                    throw std::runtime_error("part");
+                }
+            };
+            EXPECT_THROW(pool.loop(40, 1, work), std::runtime_error);
+            EXPECT_EQ(running, 0);
+            std::atomic<int> done{0};
+            pool.loop(40, 1, [&](std::size_t, std::size_t) { ++done; });
+            EXPECT_EQ(done, 40) << "the next loop knows nothing of it";
+        }
     }
 }
 

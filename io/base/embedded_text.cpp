@@ -123,7 +123,7 @@ std::string wholeObject(std::string_view text) {
 std::string textInside(std::istream& in) {
     const std::string_view start = provenanceStart;
     std::string window;
-    std::vector<char> block(std::size_t{1} << 20);
+    std::vector<char> block(std::size_t{1} << 16);
     while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
         window.append(block.data(), static_cast<std::size_t>(in.gcount()));
         if (const std::size_t found = window.find(start); found != std::string::npos) {

@@ -155,7 +155,7 @@ std::string sha256OfFile(const std::string& path, const std::function<void(std::
         failRead(path, errno);
     }
     Sha256 digest;
-    std::vector<unsigned char> block(std::size_t{1} << 20);
+    std::vector<unsigned char> block(std::size_t{1} << 16);
     for (;;) {
         const ssize_t got = ::read(file.get(), block.data(), block.size());
         if (got < 0 && errno == EINTR) {

@@ -17,7 +17,7 @@ constexpr std::size_t blockBytes = std::size_t{4} << 20;
 Digest digestOf(const RunColumns& columns, RunDataset dataset, const Execution& execution) {
     const std::size_t rowBytes = layoutOf(dataset).rowBytes;
     const std::uint64_t rows = columns.rows(dataset);
-    const std::uint64_t block = std::max<std::uint64_t>(1, blockBytes / rowBytes);
+    const std::uint64_t block = std::max<std::uint64_t>(1, std::min(rows, blockBytes / rowBytes));
     std::vector<std::byte> buffer(block * rowBytes);
     Hasher hasher;
     for (std::uint64_t from = 0; from < rows; from += block) {

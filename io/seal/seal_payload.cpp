@@ -110,7 +110,7 @@ void takeDigests(std::vector<PayloadFile>& files, const Execution& execution) {
 void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, const std::function<void(std::size_t)>& advance) {
     std::ifstream in(file.source, std::ios::binary);
     Sha256 digest;
-    std::vector<char> block(std::size_t{1} << 20);
+    std::vector<char> block(std::size_t{1} << 16);
     zip.open(name, file.bytes);
     while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
         const auto got = static_cast<std::size_t>(in.gcount());

@@ -225,7 +225,7 @@ void ZipReader::read(const Entry& entry, const std::function<void(const char*, s
     if (unzOpenCurrentFile(m_zip) != UNZ_OK) {
         failDamaged(m_path, entry.name);
     }
-    std::vector<char> block(std::size_t{1} << 18);
+    std::vector<char> block(std::clamp<std::uint64_t>(entry.bytes, 1, std::uint64_t{1} << 18));
     std::uint64_t total = 0;
     try {
         for (;;) {
@@ -267,7 +267,7 @@ void ZipReader::readStored(const Entry& entry, const std::function<void(const ch
         failDamaged(m_path, entry.name);
     }
     file.seekg(static_cast<std::streamoff>(place + headBytes + littleEndian(&head[26], 2) + littleEndian(&head[28], 2)));
-    std::vector<char> block(std::size_t{1} << 18);
+    std::vector<char> block(std::clamp<std::uint64_t>(entry.bytes, 1, std::uint64_t{1} << 18));
     uLong check = crc32(0, nullptr, 0);
     for (std::uint64_t left = entry.bytes; left > 0;) {
         const std::size_t size = static_cast<std::size_t>(std::min<std::uint64_t>(left, block.size()));

@@ -47,7 +47,7 @@ CloudStamp stampOf(const std::string& path) {
 Digest contentDigest(const std::string& path, const Execution& execution) {
     const CloudFile file(path);
     Hasher hasher;
-    std::vector<unsigned char> block(std::size_t{1} << 20);
+    std::vector<unsigned char> block(std::size_t{1} << 16);
     for (std::uint64_t at = 0; at < file.size();) {
         const std::size_t got = file.readSome(at, block.data(), block.size());
         if (got == 0) {

@@ -141,6 +141,10 @@ std::vector<Way> ways() {
                                     writer->SetDataMode(std::min(mode, static_cast<int>(Writer::Appended)));
                                     writer->SetEncodeAppendedData(mode > Writer::Appended);
                                     writer->SetCompressorType(packing);
+                                    if (packing != Writer::NONE) {
+                                        // Its default takes 64 MB for each block, to write and to read.
+                                        writer->SetCompressionLevel(1);
+                                    }
                                     wide ? writer->SetHeaderTypeToUInt64() : writer->SetHeaderTypeToUInt32();
                                     big ? writer->SetByteOrderToBigEndian() : writer->SetByteOrderToLittleEndian();
                                     // Several blocks an array, the last one smaller.

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nanoflann.hpp>
 #include <numeric>
 #include <utility>
+
+#include "core/base/memory.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
@@ -25,11 +29,17 @@ std::uint64_t spreadBits(std::uint64_t bits) {
     return (bits | bits << 2) & 0x1249'2492'4924'9249;
 }
 
+/// Which cube a place lies in, counted along each axis.
+Vec3 cubeOf(const Vec3& place, double cube) {
+    return (place / cube).array().floor();
+}
+
 /// Number of a cube along a curve that leads through all of them.
 std::uint64_t cubeNumber(const Vec3& place, double cube) {
     constexpr double middle = 1 << 20;
+    const Vec3 own = cubeOf(place, cube);
     const auto along = [&](int axis) {
-        return spreadBits(static_cast<std::uint64_t>(std::clamp(std::floor(place[axis] / cube) + middle, 0.0, 2.0 * middle - 1.0)));
+        return spreadBits(static_cast<std::uint64_t>(std::clamp(own[axis] + middle, 0.0, 2.0 * middle - 1.0)));
     };
     return along(0) | along(1) << 1 | along(2) << 2;
 }
@@ -43,6 +53,7 @@ void sortByBytes(std::vector<Item>& items, std::vector<Item>& spare, const Key& 
     for (const Item& item : items) {
         differing |= keyOf(item) ^ keyOf(items.front());
     }
+    reserveLarge(spare, items.size());
     spare.resize(items.size());
     for (unsigned shift = 0; shift < 8 * sizeof(differing); shift += 8) {
         if ((differing >> shift & 0xFF) == 0) {
@@ -145,8 +156,10 @@ struct PointIndex::Tree {
     explicit Tree(std::vector<Vec3> places)
         : list{std::move(places)}, index(3, list, nanoflann::KDTreeSingleIndexAdaptorParams(leafPoints)) {
         // What lies in one leaf is read at once.
-        std::vector<Vec3> ordered(list.places.size());
-        std::transform(index.vAcc.begin(), index.vAcc.end(), ordered.begin(), [&](std::uint32_t i) { return list.places[i]; });
+        std::vector<Vec3> ordered;
+        reserveLarge(ordered, list.places.size());
+        std::transform(index.vAcc.begin(), index.vAcc.end(), std::back_inserter(ordered),
+                       [&](std::uint32_t i) { return list.places[i]; });
         list.places = std::move(ordered);
         std::iota(index.vAcc.begin(), index.vAcc.end(), 0U);
     }
@@ -191,22 +204,38 @@ private:
 };
 
 std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> numbers(places.size());
-    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
-        numbers[i] = {cubeNumber(places[i], cube), i};
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> numbers;
+    reserveLarge(numbers, places.size());
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+        numbers.emplace_back(cubeNumber(places[i], cube), i);
     }
     if (!numbers.empty()) {
         std::vector<std::pair<std::uint64_t, std::uint32_t>> spare;
         sortByBytes(numbers, spare, [](const std::pair<std::uint64_t, std::uint32_t>& each) { return each.first; });
     }
-    std::vector<std::uint32_t> before(places.size());
-    std::vector<Vec3> ordered(places.size());
-    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
-        before[i] = numbers[i].second;
-        ordered[i] = places[before[i]];
+    std::vector<std::uint32_t> before;
+    std::vector<Vec3> ordered;
+    reserveLarge(before, places.size());
+    reserveLarge(ordered, places.size());
+    for (const auto& [number, i] : numbers) {
+        before.push_back(i);
+        ordered.push_back(places[i]);
     }
     places = std::move(ordered);
     return before;
+}
+
+std::vector<Vec3> firstOfCubes(const std::vector<Vec3>& places, double cube) {
+    std::vector<Vec3> firsts;
+    Vec3 last = Vec3::Constant(unknown);
+    for (const Vec3& place : places) {
+        const Vec3 own = cubeOf(place, cube);
+        if (own != last) {
+            firsts.push_back(place);
+            last = own;
+        }
+    }
+    return firsts;
 }
 
 std::size_t CubeThinning::Hash::operator()(const std::array<std::int64_t, 3>& cube) const {
@@ -219,7 +248,7 @@ std::size_t CubeThinning::Hash::operator()(const std::array<std::int64_t, 3>& cu
 }
 
 bool CubeThinning::takes(const Vec3& place) {
-    const Vec3 cube = (place / m_cube).array().floor();
+    const Vec3 cube = cubeOf(place, m_cube);
     return m_taken.insert({std::llround(cube.x()), std::llround(cube.y()), std::llround(cube.z())}).second;
 }
 

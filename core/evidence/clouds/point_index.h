@@ -14,7 +14,10 @@ namespace rubble {
 /// Within a cube they keep their order. @return for each place where it stood before
 std::vector<std::uint32_t> orderByCubes(std::vector<Vec3>& places, double cube);
 
-/// Takes one point of each cube, the first of them.
+/// Of places in the order of orderByCubes() the first in each cube.
+std::vector<Vec3> firstOfCubes(const std::vector<Vec3>& places, double cube);
+
+/// Takes one point of each cube, the first of them, in whatever order they come.
 class CubeThinning {
 public:
     /// @param cube  side, above zero

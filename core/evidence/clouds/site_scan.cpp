@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/base/sequence.h"
 #include "core/engine/world/worker_pool.h"
 
@@ -161,9 +162,9 @@ SiteScan seenAlike(const SurfaceTree& site, std::span<const Vec3> points, const 
         return ray;
     };
     SiteScan scan;
-    scan.places.reserve(points.size());
-    scan.triangles.reserve(points.size());
-    scan.scanners.reserve(points.size());
+    reserveLarge(scan.places, points.size());
+    reserveLarge(scan.triangles, points.size());
+    reserveLarge(scan.scanners, points.size());
     constexpr double everywhere = 1e9;  // m
     const auto seedFor = [](std::uint64_t block) { return seedOf(0, 0, block); };
     send(site, points.size(), everywhere, 0.0, scan, execution, seedFor, rayTo);

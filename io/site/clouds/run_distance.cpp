@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <iterator>
 
+#include "core/base/memory.h"
 #include "core/base/outline_cover.h"
 #include "io/base/file_words.h"
 #include "io/site/clouds/cloud_place.h"
@@ -24,7 +24,7 @@ public:
           m_cloud(openCloud(request.cloud, request.read)),
           m_place(*m_cloud, request.frame, request.site, made.compared.findings) {
         std::vector<Vec3> places;
-        points.reserve(std::min(m_cloud->head().promised.value_or(0), request.heldPoints));
+        reserveLarge(points, std::min<std::uint64_t>(m_cloud->head().promised.value_or(0), request.heldPoints));
         ComparedCloud& told = made.compared.first;
         const CloudSummary summary = summariseCloud(*m_cloud, execution, [&](const CloudBlock& block) {
             places = block.places;
@@ -337,13 +337,8 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
         scans[k] = held.scans[before[k]];
     }
     CloudComparison& compared = made.compared;
-    std::future<void> thinning = std::async(std::launch::async, [&] {
-        CubeThinning thin(radius);
-        std::copy_if(held.points.begin(), held.points.end(), std::back_inserter(compared.cores),
-                     [&](const Vec3& point) { return thin.takes(point); });
-    });
+    compared.cores = firstOfCubes(held.points, radius);
     SiteScan seen = seenAlike(tree, held.points, {held.scanners, scans}, radius, execution);
-    thinning.get();
     made.debris = sightedDebris(site, seen, volumes);
     compared.second.path = request.run;
     compared.second.head.format = "run";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -231,6 +232,12 @@ TEST(PointIndex, OrderKeepsEveryPlaceAndPutsNeighboursTogether) {
         stepsBefore += k > 0 ? (places[k] - places[k - 1]).norm() : 0.0;
     }
     EXPECT_LT(steps, 0.1 * stepsBefore);
+    CubeThinning thinning(0.5);
+    std::vector<Vec3> firsts;
+    std::copy_if(ordered.begin(), ordered.end(), std::back_inserter(firsts),
+                 [&](const Vec3& place) { return thinning.takes(place); });
+    EXPECT_EQ(firstOfCubes(ordered, 0.5), firsts);
+    EXPECT_EQ(firstOfCubes({}, 0.5).size(), 0u);
 }
 
 TEST(PointIndex, TakesPointsOnOnePlaceAndNoneAtAll) {

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
+#include <QTextDocumentFragment>
 
 #include "widgets/basics/panel.h"
 #include "widgets/evidence/cause_chart.h"
@@ -53,7 +54,7 @@ CausesPage::Content compared(const std::vector<Hypothesis>& hypotheses, int seen
 QString noticesOf(const QWidget& page) {
     QString text;
     for (const Notice* notice : page.findChildren<Notice*>()) {
-        text += notice->text() + u'\n';
+        text += QTextDocumentFragment::fromHtml(notice->text()).toPlainText() + u'\n';
     }
     return text;
 }
@@ -90,7 +91,7 @@ TEST(CausesPage, NamesTheCauseByWhatAndWhere) {
     page.resize(880, 700);
     page.setContent(compared({{"scour", ensembleAt(0)}, {"crown struck", ensembleAt(30)}}, 30));
     page.show();
-    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("crown struck explains the outline best")));
+    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("\"crown struck\" explains the outline best")));
     ASSERT_EQ(page.ranking().rowCount(), 2);
     EXPECT_EQ(page.ranking().item(0, 0)->text(), QStringLiteral("crown struck"));
     EXPECT_EQ(page.ranking().item(0, 6)->text(), QStringLiteral("closest"));

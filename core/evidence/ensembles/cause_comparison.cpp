@@ -220,10 +220,10 @@ std::optional<TellingPlace> placeOf(const DebrisMap& map) {
     return place;
 }
 
-std::string quotedOnwards(const std::vector<std::string>& names) {
+std::string listOf(const std::vector<std::string>& names) {
     std::string list;
     for (const std::string& each : names) {
-        list += (list.empty() ? "" : "\", \"") + each;
+        list += (list.empty() ? "" : ", ") + each;
     }
     return list;
 }
@@ -238,15 +238,13 @@ Message verdictOf(const CauseComparison& made) {
         if (made.ranking.decided()) {
             return {"causes.closest_only",
                     "\"{0}\" is closer to the evidence than the others, but the evidence lies outside of what its members do: "
-                    "perhaps none "
-                    "of the hypotheses is the cause.",
+                    "perhaps none of the hypotheses is the cause.",
                     {name}};
         }
         return {"causes.not_told_none",
                 "This evidence cannot tell \"{0}\" from \"{1}\", and it lies outside of what the members of \"{0}\" do: perhaps "
-                "none of the "
-                "hypotheses is the cause.",
-                {name, quotedOnwards(made.alike)}};
+                "none of the hypotheses is the cause.",
+                {name, listOf(made.alike)}};
     }
     const RankedCause& next = made.ranking.causes[1];
     const bool times =
@@ -263,20 +261,18 @@ Message verdictOf(const CauseComparison& made) {
     if (made.ranking.decided() && outlines) {
         return {"causes.told_outline",
                 "Of these hypotheses \"{0}\" explains the outline best: one of its members is closer than one of \"{1}\" in {2} % "
-                "of the "
-                "pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.",
+                "of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.",
                 {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
     }
     if (made.ranking.decided()) {
         return {"causes.told",
                 "\"{0}\" explains the evidence best: one of its members is closer than one of \"{1}\" in {2} % of the pairs, at "
-                "least {3} % "
-                "with 95 % confidence.",
+                "least {3} % with 95 % confidence.",
                 {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
     }
     return {"causes.not_told",
             "This evidence cannot tell \"{0}\" from \"{1}\": \"{0}\" is closest, but not surely.",
-            {name, quotedOnwards(made.alike)}};
+            {name, listOf(made.alike)}};
 }
 
 void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {

@@ -25,24 +25,25 @@ class Structure {
         const perState = 3 * this.nodes;
         const places = new Int32Array(perState * this.times.length);
         let at = entry.at;
-        for (let k = 0, i = 0; k < this.times.length; ++k) {
-            for (let n = 0; n < perState; ++n, ++i) {
-                let byte = bytes[at++];
-                let value = byte & 127;
+        for (let i = 0; i < places.length; ++i) {
+            let value = bytes[at++];
+            if (value >= 128) {
+                let byte = value;
+                value &= 127;
                 for (let shift = 7; byte >= 128; shift += 7) {
                     byte = bytes[at++];
                     value |= (byte & 127) << shift;
                 }
-                value = (value >>> 1) ^ -(value & 1);
-                if (k > 1) {
-                    value += 2 * places[i - perState] - places[i - 2 * perState];
-                } else if (k === 1) {
-                    value += places[i - perState];
-                } else if (n % this.nodes > 0) {
-                    value += places[i - 1];
-                }
-                places[i] = value;
             }
+            value = (value >>> 1) ^ -(value & 1);
+            if (i >= 2 * perState) {
+                value += 2 * places[i - perState] - places[i - 2 * perState];
+            } else if (i >= perState) {
+                value += places[i - perState];
+            } else if (i % this.nodes > 0) {
+                value += places[i - 1];
+            }
+            places[i] = value;
         }
         return places;
     }
@@ -94,6 +95,22 @@ class Structure {
         return corners;
     }
 
+    // The three lowest nodes of a face of three or four corners, the lowest first.
+    lowestNodes(face, first, out, at) {
+        const { corners } = this;
+        out.fill(0xffffffff, at, at + 3);
+        for (let k = 0; k < face.length && face[k] >= 0; ++k) {
+            // What is higher moves one place on; the highest of four falls out.
+            for (let node = corners[first + face[k]], i = at; i < at + 3; ++i) {
+                const there = out[i];
+                if (node < there) {
+                    out[i] = node;
+                    node = there;
+                }
+            }
+        }
+    }
+
     // For each face, six a cell, the element on its other side; -1: none.
     neighbours() {
         if (this.others) {
@@ -107,12 +124,12 @@ class Structure {
             const faces = this.shapes[e] < 4 ? this.faces[this.shapes[e]] : [];
             for (let f = 0; f < faces.length; ++f) {
                 const slot = 6 * e + f;
-                const nodes = faces[f].filter((c) => c >= 0).map((c) => this.corners[this.offsets[e] + c]).sort((a, b) => a - b);
-                keys.set(nodes.slice(0, 3), 3 * slot);
-                let hash = (Math.imul(nodes[0], 73856093) ^ Math.imul(nodes[1], 19349663) ^ Math.imul(nodes[2], 83492791)) >>> 0;
+                this.lowestNodes(faces[f], this.offsets[e], keys, 3 * slot);
+                const [a, b, c] = [keys[3 * slot], keys[3 * slot + 1], keys[3 * slot + 2]];
+                let hash = (Math.imul(a, 73856093) ^ Math.imul(b, 19349663) ^ Math.imul(c, 83492791)) >>> 0;
                 for (hash &= size - 1; table[hash] >= 0; hash = (hash + 1) & (size - 1)) {
                     const there = table[hash];
-                    if (keys[3 * there] === nodes[0] && keys[3 * there + 1] === nodes[1] && keys[3 * there + 2] === nodes[2]) {
+                    if (keys[3 * there] === a && keys[3 * there + 1] === b && keys[3 * there + 2] === c) {
                         others[slot] = Math.floor(there / 6);
                         others[there] = e;
                         break;
@@ -276,19 +293,30 @@ class Pieces {
         }
         this.corners = new Float32Array(3 * this.offsets[this.count]);
         const reader = arrays.reader('pieceCorners');
-        const now = [0, 0, 0];
-        for (let i = 0; i < this.corners.length; ++i) {
-            now[i % 3] += reader.next();
-            this.corners[i] = now[i % 3] * about.cornerStep;
+        for (let i = 0, x = 0, y = 0, z = 0; i < this.corners.length; i += 3) {
+            x += reader.next();
+            y += reader.next();
+            z += reader.next();
+            this.corners[i] = x * about.cornerStep;
+            this.corners[i + 1] = y * about.cornerStep;
+            this.corners[i + 2] = z * about.cornerStep;
         }
-        this.ofElement = new Map();
-        for (let p = 0; p < this.count; ++p) {
-            const e = this.elements[p];
-            if (!this.ofElement.has(e)) {
-                this.ofElement.set(e, []);
-            }
-            this.ofElement.get(e).push(p);
+        // The first piece of each element, and after each piece the next of its element; -1: none.
+        this.firstOf = new Int32Array(about.elementCount).fill(-1);
+        this.nextOf = new Int32Array(this.count);
+        for (let p = this.count - 1; p >= 0; --p) {
+            this.nextOf[p] = this.firstOf[this.elements[p]];
+            this.firstOf[this.elements[p]] = p;
         }
+    }
+
+    // Pieces of an element, ascending.
+    of(element) {
+        const found = [];
+        for (let p = this.firstOf[element]; p >= 0; p = this.nextOf[p]) {
+            found.push(p);
+        }
+        return found;
     }
 
     shown(p, time) {
@@ -311,7 +339,7 @@ class Pieces {
 
     // The piece of an element that is seen at a time; -1: none.
     at(element, time) {
-        const found = (this.ofElement.get(element) || []).filter((p) => this.shown(p, time));
+        const found = this.of(element).filter((p) => this.shown(p, time));
         return found.length > 0 ? found[found.length - 1] : -1;
     }
 
@@ -321,25 +349,25 @@ class Pieces {
     }
 
     middle(p) {
+        const { corners } = this;
         const count = this.offsets[p + 1] - this.offsets[p];
         const sum = [0, 0, 0];
-        for (let c = 0; c < count; ++c) {
-            this.corner(p, c).forEach((x, i) => {
-                sum[i] += x / count;
-            });
+        for (let i = 3 * this.offsets[p]; i < 3 * this.offsets[p + 1]; i += 3) {
+            sum[0] += corners[i] / count;
+            sum[1] += corners[i + 1] / count;
+            sum[2] += corners[i + 2] / count;
         }
         return sum;
     }
 
     // Side of a square that covers about as much as the piece does, m.
-    size(p) {
-        const middle = this.middle(p);
-        const count = this.offsets[p + 1] - this.offsets[p];
+    size(p, [x, y, z]) {
+        const { corners } = this;
         let sum = 0;
-        for (let c = 0; c < count; ++c) {
-            sum += length3(add3(this.corner(p, c), middle, -1));
+        for (let i = 3 * this.offsets[p]; i < 3 * this.offsets[p + 1]; i += 3) {
+            sum += Math.sqrt((corners[i] - x) ** 2 + (corners[i + 1] - y) ** 2 + (corners[i + 2] - z) ** 2);
         }
-        return 1.25 * sum / count;
+        return 1.25 * sum / (this.offsets[p + 1] - this.offsets[p]);
     }
 
     // Fragments among what is live at a time.

@@ -1,20 +1,41 @@
 const smoothSamples = 4;
 
+// The drawing programs of a canvas. They are compiled beside what else is done until somebody asks what came of it.
+// Throws where the browser has no WebGL 2.
+function startedPrograms(canvas) {
+    const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
+    if (!gl) {
+        throw new Error('WebGL 2');
+    }
+    const started = (vertex, fragment, attributes) => {
+        const program = gl.createProgram();
+        const shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(([kind, text]) => {
+            const shader = gl.createShader(kind);
+            gl.shaderSource(shader, text);
+            gl.compileShader(shader);
+            gl.attachShader(program, shader);
+            return shader;
+        });
+        attributes.forEach((name, i) => gl.bindAttribLocation(program, i, name));
+        gl.linkProgram(program);
+        return { program, shaders };
+    };
+    const programs = {
+        structure: started(structureVertex, solidFragment, ['now', 'next', 'tint']),
+        pieces: started(pieceVertex, solidFragment, ['place', 'body', 'span', 'tint']),
+        squares: started(squareVertex, solidFragment, ['place', 'tint']),
+        plain: started(plainVertex, groundFragment, ['place']),
+        picture: started(pictureVertex, pictureFragment, ['place'])
+    };
+    gl.flush();
+    return { gl, programs };
+}
+
 class Renderer {
-    // Throws where the browser has no WebGL 2.
-    constructor(canvas, structure, pieces, motion) {
-        const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
-        if (!gl) {
-            throw new Error('WebGL 2');
-        }
+    // @param started  of startedPrograms()
+    constructor(canvas, started, structure, pieces, motion) {
+        const { gl } = started;
         Object.assign(this, { gl, canvas, structure, pieces, motion });
-        this.programs = {
-            structure: this.program(structureVertex, solidFragment, ['now', 'next', 'tint']),
-            pieces: this.program(pieceVertex, solidFragment, ['place', 'body', 'span', 'tint']),
-            squares: this.program(squareVertex, solidFragment, ['place', 'tint']),
-            plain: this.program(plainVertex, groundFragment, ['place']),
-            picture: this.program(pictureVertex, pictureFragment, ['place'])
-        };
         this.side = Math.min(2048, gl.getParameter(gl.MAX_TEXTURE_SIZE));
         this.blank = this.texture(1, gl.R8, gl.RED, gl.UNSIGNED_BYTE);
         this.tested = false;
@@ -28,24 +49,14 @@ class Renderer {
         gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
         gl.bindVertexArray(null);
         gl.enable(gl.DEPTH_TEST);
+        // Asked last, so that nobody waits for the compiler before.
+        this.programs = Object.fromEntries(Object.entries(started.programs).map(([name, each]) => [name, this.finished(each)]));
     }
 
-    program(vertex, fragment, attributes) {
+    finished({ program, shaders }) {
         const gl = this.gl;
-        const program = gl.createProgram();
-        for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
-            const shader = gl.createShader(kind);
-            gl.shaderSource(shader, text);
-            gl.compileShader(shader);
-            if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
-                throw new Error(gl.getShaderInfoLog(shader));
-            }
-            gl.attachShader(program, shader);
-        }
-        attributes.forEach((name, i) => gl.bindAttribLocation(program, i, name));
-        gl.linkProgram(program);
         if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-            throw new Error(gl.getProgramInfoLog(program));
+            throw new Error(shaders.map((shader) => gl.getShaderInfoLog(shader)).join('') || gl.getProgramInfoLog(program));
         }
         const places = {};
         const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS);
@@ -84,6 +95,7 @@ class Renderer {
         this.motion.poses = this.poseBuffer;
     }
 
+    // @param data  numbers, or how many bytes of zeros
     buffer(data, usage) {
         const gl = this.gl;
         const buffer = gl.createBuffer();
@@ -132,8 +144,8 @@ class Renderer {
         this.nodeOf = Uint32Array.from(nodeOf);
         this.componentOf = Uint32Array.from(componentOf);
         this.placeBuffer = new Float32Array(3 * nodeOf.length);
-        this.states = [0, 1].map(() => ({ buffer: this.buffer(this.placeBuffer, gl.DYNAMIC_DRAW), state: -1 }));
-        this.structureTints = this.buffer(new Uint8Array(4 * nodeOf.length), gl.DYNAMIC_DRAW);
+        this.states = [0, 1].map(() => ({ buffer: this.buffer(this.placeBuffer.byteLength, gl.DYNAMIC_DRAW), state: -1 }));
+        this.structureTints = this.buffer(4 * nodeOf.length, gl.DYNAMIC_DRAW);
         // Each view has its own faces, since what has fallen is left out of one of them.
         this.shells = ['fe', 'standing'].map(() => {
             const shell = {
@@ -153,27 +165,15 @@ class Renderer {
     makePieces() {
         const gl = this.gl;
         const { count, offsets, corners, bodies, from, to } = this.pieces;
-        const perCorner = (Type, values) => {
-            const out = new Type(offsets[count] * (values.length / count));
-            const width = values.length / count;
-            for (let p = 0; p < count; ++p) {
-                for (let c = offsets[p]; c < offsets[p + 1]; ++c) {
-                    for (let i = 0; i < width; ++i) {
-                        out[width * c + i] = values[width * p + i];
-                    }
-                }
-            }
-            return out;
-        };
-        this.perCorner = perCorner;
         const spans = new Float32Array(2 * count);
         const middles = new Float32Array(3 * count);
         const sizes = new Float32Array(count);
         for (let p = 0; p < count; ++p) {
             spans[2 * p] = from[p];
             spans[2 * p + 1] = Math.min(to[p], 1e30);
-            middles.set(this.pieces.middle(p), 3 * p);
-            sizes[p] = this.pieces.size(p);
+            const middle = this.pieces.middle(p);
+            middles.set(middle, 3 * p);
+            sizes[p] = this.pieces.size(p, middle);
         }
         this.sizes = sizes;
         this.middles = middles;
@@ -181,12 +181,23 @@ class Renderer {
         this.boxes = { array: gl.createVertexArray(), faces, ends, count: 0, live: null };
         gl.bindVertexArray(this.boxes.array);
         this.attach(0, this.buffer(corners, gl.STATIC_DRAW), 3, gl.FLOAT);
-        this.attach(1, this.buffer(perCorner(Uint32Array, bodies), gl.STATIC_DRAW), 1, gl.UNSIGNED_INT);
-        this.attach(2, this.buffer(perCorner(Float32Array, spans), gl.STATIC_DRAW), 2, gl.FLOAT);
-        this.boxes.tints = this.buffer(new Uint8Array(4 * offsets[count]), gl.DYNAMIC_DRAW);
+        this.attach(1, this.buffer(this.perCorner(bodies), gl.STATIC_DRAW), 1, gl.UNSIGNED_INT);
+        // Both ends of a span at once, as the eight bytes that they are.
+        this.attach(2, this.buffer(this.perCorner(new Float64Array(spans.buffer)), gl.STATIC_DRAW), 2, gl.FLOAT);
+        this.boxes.tints = this.buffer(4 * offsets[count], gl.DYNAMIC_DRAW);
         this.attach(3, this.boxes.tints, 4, gl.UNSIGNED_BYTE, true);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
         this.makeSquares();
+    }
+
+    // One value of each piece at each of its corners.
+    perCorner(values) {
+        const { count, offsets } = this.pieces;
+        const out = new values.constructor(offsets[count]);
+        for (let p = 0; p < count; ++p) {
+            out.fill(values[p], offsets[p], offsets[p + 1]);
+        }
+        return out;
     }
 
     makeSquares() {
@@ -194,9 +205,9 @@ class Renderer {
         const { count } = this.pieces;
         this.squares = { array: gl.createVertexArray(), places: new Float32Array(4 * count), tints: new Uint8Array(4 * count) };
         gl.bindVertexArray(this.squares.array);
-        this.squares.placeBuffer = this.buffer(this.squares.places, gl.DYNAMIC_DRAW);
+        this.squares.placeBuffer = this.buffer(this.squares.places.byteLength, gl.DYNAMIC_DRAW);
         this.attach(0, this.squares.placeBuffer, 4, gl.FLOAT);
-        this.squares.tintBuffer = this.buffer(this.squares.tints, gl.DYNAMIC_DRAW);
+        this.squares.tintBuffer = this.buffer(this.squares.tints.byteLength, gl.DYNAMIC_DRAW);
         this.attach(1, this.squares.tintBuffer, 4, gl.UNSIGNED_BYTE, true);
         gl.bindVertexArray(null);
         this.shades = new Uint8Array(4 * count);
@@ -207,7 +218,7 @@ class Renderer {
     tintPieces(tints) {
         const gl = this.gl;
         gl.bindBuffer(gl.ARRAY_BUFFER, this.boxes.tints);
-        gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.perCorner(Uint8Array, tints));
+        gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.perCorner(new Uint32Array(tints.buffer)));
         // A square has no sides: some are darker, as sides of boxes are.
         for (let i = 0; i < tints.length; ++i) {
             this.shades[i] = i % 4 === 3 ? 255 : tints[i] * (0.62 + 0.1 * ((i >> 2) * 7 % 5));
@@ -259,9 +270,14 @@ class Renderer {
     }
 
     together(p, other) {
-        const { pieces } = this;
-        return (pieces.ofElement.get(other) || []).some((q) => pieces.bodies[q] === pieces.bodies[p] &&
-            pieces.from[q] <= pieces.from[p] && pieces.to[q] >= pieces.to[p] && pieces.shapes[q] === this.structure.shapes[other]);
+        const { bodies, from, to, shapes, firstOf, nextOf } = this.pieces;
+        const own = this.structure.shapes[other];
+        for (let q = firstOf[other]; q >= 0; q = nextOf[q]) {
+            if (bodies[q] === bodies[p] && from[q] <= from[p] && to[q] >= to[p] && shapes[q] === own) {
+                return true;
+            }
+        }
+        return false;
     }
 
     // Outer faces of the elements that `there` says are there; those that die next stay where they were, part from the others and hide

@@ -47,7 +47,8 @@ function heat(share) {
 
 // The run at a time, drawn into both panes.
 class Player {
-    constructor(canvas, facts, bytes) {
+    // @param started  of startedPrograms()
+    constructor(canvas, started, facts, bytes) {
         const arrays = new PageArrays(bytes, facts.scene.arrays);
         this.facts = facts;
         this.canvas = canvas;
@@ -55,7 +56,7 @@ class Player {
         this.motion = new Motion(arrays, facts.scene);
         this.pieces = new Pieces(arrays, facts.scene);
         this.frames = arrays.numbers('frames');
-        this.renderer = new Renderer(canvas, this.structure, this.pieces, this.motion);
+        this.renderer = new Renderer(canvas, started, this.structure, this.pieces, this.motion);
         this.start = this.structure.times[0];
         this.end = Math.max(this.structure.times[this.structure.times.length - 1], this.frames[this.frames.length - 1]);
         this.time = this.start;
@@ -199,12 +200,16 @@ class Player {
 
     // Fewer pixels where a machine is slow, more where it is not.
     adapt(took) {
-        this.mean = 0.8 * (this.mean || took) + 0.2 * took;
+        // One that takes twice as long is no chance.
+        const share = took > 2 * slowFrame ? 0.5 : 0.2;
+        this.mean = (1 - share) * (this.mean || took) + share * took;
         if (this.mean > slowFrame && !this.slow) {
             this.slow = true;
             this.mean = 0.5 * (slowFrame + quickFrame);
         } else if (this.mean > slowFrame && this.quality > coarsest) {
-            this.quality = Math.max(coarsest, this.quality * 0.85);
+            // Time goes with the pixels, the square of this.
+            const step = Math.min(0.85, Math.sqrt(slowFrame / this.mean));
+            this.quality = Math.max(coarsest, this.quality * step);
             this.mean = 0.5 * (slowFrame + quickFrame);
         } else if (this.mean < quickFrame && this.quality < 1) {
             this.quality = Math.min(1, this.quality * 1.06);
@@ -626,7 +631,8 @@ class Player {
 
     // Way of the middle of an element from its first state on, at the instants of FE result and run.
     pathOf(element) {
-        const born = this.pieces.ofElement.has(element) ? this.pieces.from[this.pieces.ofElement.get(element)[0]] : Infinity;
+        const first = this.pieces.firstOf[element];
+        const born = first >= 0 ? this.pieces.from[first] : Infinity;
         const points = [];
         for (const time of [...this.structure.times].filter((t) => t < born)) {
             points.push(this.middleAt(element, time));

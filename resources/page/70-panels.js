@@ -304,7 +304,7 @@ class Panels {
     chosenRows() {
         const { player } = this;
         const { structure, pieces, motion, chosen, time } = player;
-        const own = pieces.ofElement.get(chosen) || [];
+        const own = pieces.of(chosen);
         const withFragment = own.find((p) => pieces.fragments[p] >= 0);
         const f = withFragment === undefined ? -1 : pieces.fragments[withFragment];
         const now = pieces.at(chosen, time);

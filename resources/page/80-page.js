@@ -214,11 +214,13 @@ class Page {
             stage.hidden = false;
             stills.hidden = true;
             await new Promise((resolve) => setTimeout(resolve, 0));
+            const canvas = document.getElementById('canvas');
+            const started = startedPrograms(canvas);
             const data = document.getElementById('data');
             const packed = bytesOfBase64(data.textContent);
             data.remove();
             const bytes = await inflated(packed, this.facts.scene.dataBytes);
-            this.player = new Player(document.getElementById('canvas'), this.facts, bytes);
+            this.player = new Player(canvas, started, this.facts, bytes);
         } catch (error) {
             stage.hidden = true;
             stills.hidden = false;

@@ -16656,6 +16656,70 @@
         <source>%1, 90 %</source>
         <translation>%1，90 %</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>set, variant</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <comment>of a mean</comment>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>ratio of the scatters</source>
+        <translation>离散之比</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>模拟值</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>exponent of the run-out</source>
+        <translation>散落距离的指数</translation>
+    </message>
+    <message>
+        <source>factor of the run-out</source>
+        <translation>散落距离的系数</translation>
+    </message>
+    <message>
+        <source>run-out over the law</source>
+        <translation>散落距离与定律之比</translation>
+    </message>
+    <message>
+        <source>height over the law</source>
+        <translation>高度与定律之比</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>below %1 (%2)</source>
+        <translation>小于 %1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>two bounds</comment>
+        <translation>%1且%2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>what, asked</comment>
+        <translation>%1%2</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets</name>
@@ -24767,6 +24831,185 @@ Program: %3</source>
     <message>
         <source>within 0.3 degrees of 18.43</source>
         <translation>与 18.43 相差 0.3 度以内</translation>
+    </message>
+</context>
+<context>
+    <name>validation</name>
+    <message>
+        <source>Tosses of an acrylic cube on a wooden board</source>
+        <translation>亚克力立方体抛到木板上</translation>
+    </message>
+    <message>
+        <source>Rockfall runs at Tschamut</source>
+        <translation>Tschamut 的落石试验</translation>
+    </message>
+    <message>
+        <source>Dice poured into a vessel</source>
+        <translation>倒入容器的骰子</translation>
+    </message>
+    <message>
+        <source>Round columns of cubes, rods and plates collapse</source>
+        <translation>立方体、杆和板的圆柱坍塌</translation>
+    </message>
+    <message>
+        <source>Blocks and walls on a tilting table, and an arch</source>
+        <translation>倾斜台上的石块和墙，以及一座拱</translation>
+    </message>
+    <message>
+        <source>limit analysis of rigid blocks, closed form: a verification, no measurement</source>
+        <translation>刚体的极限分析，闭式解：属于核实，不是测量</translation>
+    </message>
+    <message>
+        <source>blind</source>
+        <translation>盲算</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>按发表的数值</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>经拟合</translation>
+    </message>
+    <message>
+        <source>blind, one value each</source>
+        <translation>盲算，各取一个值</translation>
+    </message>
+    <message>
+        <source>blind, obstacles of 0.03 m</source>
+        <translation>盲算，障碍物 0.03 m</translation>
+    </message>
+    <message>
+        <source>blind, obstacles of 0.05 m</source>
+        <translation>盲算，障碍物 0.05 m</translation>
+    </message>
+    <message>
+        <source>blind, obstacles of 0.1 m</source>
+        <translation>盲算，障碍物 0.1 m</translation>
+    </message>
+    <message>
+        <source>cubes, friction 0.3</source>
+        <translation>立方体，摩擦 0.3</translation>
+    </message>
+    <message>
+        <source>cubes, friction 0.5</source>
+        <translation>立方体，摩擦 0.5</translation>
+    </message>
+    <message>
+        <source>cubes, friction 0.8</source>
+        <translation>立方体，摩擦 0.8</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>四面体</translation>
+    </message>
+    <message>
+        <source>octahedra</source>
+        <translation>八面体</translation>
+    </message>
+    <message>
+        <source>dodecahedra</source>
+        <translation>十二面体</translation>
+    </message>
+    <message>
+        <source>icosahedra</source>
+        <translation>二十面体</translation>
+    </message>
+    <message>
+        <source>columns of cubes</source>
+        <translation>立方体的柱</translation>
+    </message>
+    <message>
+        <source>columns of rods</source>
+        <translation>杆的柱</translation>
+    </message>
+    <message>
+        <source>columns of plates</source>
+        <translation>板的柱</translation>
+    </message>
+    <message>
+        <source>cube slides</source>
+        <translation>立方体滑动</translation>
+    </message>
+    <message>
+        <source>cube topples</source>
+        <translation>立方体倾覆</translation>
+    </message>
+    <message>
+        <source>pillar topples</source>
+        <translation>柱体倾覆</translation>
+    </message>
+    <message>
+        <source>wall across</source>
+        <translation>墙沿厚度方向</translation>
+    </message>
+    <message>
+        <source>wall across, 120 steps</source>
+        <translation>墙沿厚度方向，120 步</translation>
+    </message>
+    <message>
+        <source>arch</source>
+        <translation>拱</translation>
+    </message>
+    <message>
+        <source>arch, 240 steps</source>
+        <translation>拱，每秒 240 步</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>假定</translation>
+    </message>
+    <message>
+        <source>assumed: the source measured none; varied for cubes</source>
+        <translation>假定：来源未测量；对立方体取不同的值</translation>
+    </message>
+    <message>
+        <source>assumed: the sources find that it matters little</source>
+        <translation>假定：来源发现其影响很小</translation>
+    </message>
+    <message>
+        <source>assumed: less than a block</source>
+        <translation>假定：小于一个块体</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>给定</translation>
+    </message>
+    <message>
+        <source>given: nothing slides</source>
+        <translation>给定：不发生滑动</translation>
+    </message>
+    <message>
+        <source>stands in for wood: the table of materials has none</source>
+        <translation>代替木材：材料表中没有木材</translation>
+    </message>
+    <message>
+        <source>a meadow: the table&apos;s stone on soil</source>
+        <translation>草地：取表中石材对土的值</translation>
+    </message>
+    <message>
+        <source>0.35 to 0.60, range of the table&apos;s stone on soil, as ensembles draw it</source>
+        <translation>0.35 至 0.60，表中石材对土的范围，与系综的抽取相同</translation>
+    </message>
+    <message>
+        <source>0.05 to 0.3, range of the table&apos;s stone on soil, as ensembles draw it</source>
+        <translation>0.05 至 0.3，表中石材对土的范围，与系综的抽取相同</translation>
+    </message>
+    <message>
+        <source>fitted on one half, judged on the other</source>
+        <translation>用一半拟合，用另一半评判</translation>
+    </message>
+    <message>
+        <source>fitted on the other half, judged on the one</source>
+        <translation>用另一半拟合，用这一半评判</translation>
+    </message>
+    <message>
+        <source>assumed: nobody measured it here; the low end of the mean obstacle heights that rockfall models ask for (Rockyfor3D, Dorren 2016)</source>
+        <translation>假定：此处无人测量；落石模型所要求的平均障碍物高度的低端（Rockyfor3D，Dorren 2016）</translation>
+    </message>
+    <message>
+        <source>assumed: nobody measured it here; of the mean obstacle heights that rockfall models ask for (Rockyfor3D, Dorren 2016)</source>
+        <translation>假定：此处无人测量；取自落石模型所要求的平均障碍物高度（Rockyfor3D，Dorren 2016）</translation>
     </message>
 </context>
 </TS>

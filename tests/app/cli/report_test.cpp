@@ -204,6 +204,13 @@ TEST_F(ReportCommand, HasWhatCameOfHoldingThisBuildAgainstMeasuredFalls) {
     EXPECT_THAT(page, HasSubstr("0.26 (0.030)")) << "the area between the cumulative curves";
     EXPECT_THAT(page, HasSubstr("assumed: concrete")) << "where the parameters come from";
     EXPECT_THAT(page, HasSubstr("does not hold"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("Qt SVG"))) << "a drawing has the title of its figure";
+    ASSERT_EQ(report({m_out, "--language", "zh_CN", "--self-test", "none", "--repeats", "0"}).exitCode, 0);
+    const std::string chinese = html();
+    for (const char* said : {"至少 0.8", "盲算", "朝上的面正确"}) {
+        EXPECT_THAT(chinese, HasSubstr(said));
+    }
+    EXPECT_THAT(chinese, testing::Not(HasSubstr("at least")));
 }
 
 TEST_F(ReportCommand, ShowsTheReferenceThatASweepKeptWithItsFloor) {

@@ -1,10 +1,12 @@
 #include "widgets/figures/report/validation_rows.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "widgets/figures/report/report_sections.h"
+#include "widgets/figures/report/validation_words.h"
 
 namespace rubble::figures {
 
@@ -16,6 +18,29 @@ struct ValidationWords {
 
 QString plain(const std::string& text) {
     return QString::fromStdString(text).toHtmlEscaped();
+}
+
+/// A set and its variant.
+QString setName(const ValidationRecord& record, const VariantRecord& variant) {
+    return ValidationWords::tr("%1, %2", "set, variant")
+        .arg(QString::fromStdString(record.id), validationWords(variant.name))
+        .toHtmlEscaped();
+}
+
+QString unitName(const std::string& unit) {
+    return unit == "deg" ? ValidationWords::tr("deg") : plain(unit);
+}
+
+/// What of a figure is asked for.
+QString partOf(const std::string& key) {
+    const std::array names{
+        std::pair{"error", ValidationWords::tr("error", "of a mean")},
+        std::pair{"scatter_ratio", ValidationWords::tr("ratio of the scatters")},
+        std::pair{"simulated", ValidationWords::tr("simulated")},
+        std::pair{"median", ValidationWords::tr("median")},
+    };
+    const auto* known = std::ranges::find(names, key, [](const auto& each) { return std::string(each.first); });
+    return known != names.end() ? known->second : plain(key);
 }
 
 /// Name of a figure in the language that is spoken; its key where it has none.
@@ -35,6 +60,10 @@ QString nameOf(const std::string& key) {
         std::pair{"thickness_over_radius", ValidationWords::tr("least thickness over radius")},
         std::pair{"limit_thickness_over_radius", ValidationWords::tr("the same by limit analysis")},
         std::pair{"over_limit", ValidationWords::tr("over limit analysis")},
+        std::pair{"run_out_exponent", ValidationWords::tr("exponent of the run-out")},
+        std::pair{"run_out_factor", ValidationWords::tr("factor of the run-out")},
+        std::pair{"run_out_over_law", ValidationWords::tr("run-out over the law")},
+        std::pair{"height_over_law", ValidationWords::tr("height over the law")},
     };
     for (const auto& [known, name] : names) {
         if (key == known) {
@@ -57,7 +86,7 @@ QString figureName(const std::string& key, const std::string& unit) {
         name = nameOf(key.substr(0, open) + key.substr(close + 1)) + QStringLiteral(", ") +
                plain(key.substr(open + 1, close - open - 1));
     }
-    return unit.empty() ? name : QStringLiteral("%1 [%2]").arg(name, plain(unit));
+    return unit.empty() ? name : QStringLiteral("%1 [%2]").arg(name, unitName(unit));
 }
 
 QString interval(const ConfidenceInterval& value) {
@@ -72,12 +101,39 @@ QString sample(const MeanAndScatter& of) {
                                      : reportNumber(of.mean);
 }
 
+/// "at least 0.54", "below run_out_m[St. Leonard].simulated 84.2" as VerdictRecord::asked has them.
+QString saidBound(const QString& english) {
+    const QString number = english.section(u' ', -1);
+    if (english.startsWith(QLatin1String("at least "))) {
+        return ValidationWords::tr("at least %1").arg(number);
+    }
+    if (english.startsWith(QLatin1String("at most "))) {
+        return ValidationWords::tr("at most %1").arg(number);
+    }
+    const QString other = english.section(u' ', 1, -2).section(u'.', 0, -2);
+    return english.startsWith(QLatin1String("below "))
+               ? ValidationWords::tr("below %1 (%2)").arg(number, figureName(other.toStdString(), ""))
+               : english.toHtmlEscaped();
+}
+
+QString saidAsked(const std::string& english) {
+    QString said;
+    for (const QString& each : QString::fromStdString(english).split(QStringLiteral(", "))) {
+        said = said.isNull() ? saidBound(each) : ValidationWords::tr("%1 and %2", "two bounds").arg(said, saidBound(each));
+    }
+    return said;
+}
+
 /// What is asked of figures whose keys begin so; each as far as it stands in the record.
 QString askedOf(const VariantRecord& variant, const std::string& key) {
     QStringList parts;
     for (const VerdictRecord& verdict : variant.verdicts) {
         if (verdict.figure == key || verdict.figure.starts_with(key + ".")) {
-            const QString words = plain((verdict.figure == key ? "" : verdict.figure.substr(key.size() + 1) + " ") + verdict.asked);
+            const QString asked = saidAsked(verdict.asked);
+            const QString words =
+                verdict.figure == key
+                    ? asked
+                    : ValidationWords::tr("%1 %2", "what, asked").arg(partOf(verdict.figure.substr(key.size() + 1)), asked);
             parts
                 << (verdict.within ? ValidationWords::tr("%1: holds") : ValidationWords::tr("%1: <b>does not hold</b>")).arg(words);
         }
@@ -91,7 +147,7 @@ std::vector<ValidationRow> validationRows(const ValidationRecord& record) {
     const QString none = QStringLiteral("–");
     std::vector<ValidationRow> rows;
     for (const VariantRecord& variant : record.variants) {
-        const QString set = plain(record.id + ", " + variant.name);
+        const QString set = setName(record, variant);
         for (const QuantityRecord& quantity : variant.quantities) {
             const SampleComparison& c = quantity.comparison;
             rows.push_back({set, figureName(quantity.key, quantity.unit), sample(c.measured), sample(c.simulated),
@@ -111,8 +167,8 @@ std::vector<ValidationParameterRow> validationParameters(const ValidationRecord&
     std::vector<ValidationParameterRow> rows;
     for (const VariantRecord& variant : record.variants) {
         for (const SetParameter& parameter : variant.parameters) {
-            rows.push_back(
-                {plain(record.id + ", " + variant.name), plain(parameter.key + " = " + parameter.value), plain(parameter.source)});
+            rows.push_back({setName(record, variant), plain(parameter.key + " = " + parameter.value),
+                            validationWords(parameter.source).toHtmlEscaped()});
         }
     }
     return rows;
@@ -126,7 +182,8 @@ QString validationSummary(const ValidationRecord& record) {
         left += variant.left;
         lost += variant.lost;
     }
-    const QString named = QStringLiteral("<b>%1</b> (%2)").arg(plain(record.title), plain(record.source));
+    const QString named = QStringLiteral("<b>%1</b> (%2)")
+                              .arg(validationWords(record.title).toHtmlEscaped(), validationWords(record.source).toHtmlEscaped());
     if (falls == 0) {
         return named;
     }

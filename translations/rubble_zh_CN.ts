@@ -16713,7 +16713,7 @@
     <message>
         <source>%1 and %2</source>
         <comment>two bounds</comment>
-        <translation>%1且%2</translation>
+        <translation>%1 且%2</translation>
     </message>
     <message>
         <source>%1 %2</source>

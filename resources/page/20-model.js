@@ -17,15 +17,18 @@ class Structure {
             this.offsets[e + 1] = this.offsets[e] + about.cornerCounts[this.shapes[e]];
         }
         this.corners = corners;
-        this.places = this.unpackPlaces(arrays.contents.nodes, arrays.bytes);
+        this.places = new Int32Array(3 * this.nodes * this.times.length);
+        this.packed = { bytes: arrays.bytes, at: arrays.contents.nodes.at };
+        this.unpacked = 0;
     }
 
-    // Places in steps, state by state, each against a straight way on.
-    unpackPlaces(entry, bytes) {
-        const perState = 3 * this.nodes;
-        const places = new Int32Array(perState * this.times.length);
-        let at = entry.at;
-        for (let i = 0; i < places.length; ++i) {
+    // Places in steps up to a state, each against a straight way on: a page that opens needs the first two states only.
+    unpackTo(state) {
+        const { places, packed, nodes } = this;
+        const { bytes } = packed;
+        const perState = 3 * nodes;
+        let { at } = packed;
+        for (let i = perState * this.unpacked; i < perState * (state + 1); ++i) {
             let value = bytes[at++];
             if (value >= 128) {
                 let byte = value;
@@ -40,12 +43,29 @@ class Structure {
                 value += 2 * places[i - perState] - places[i - 2 * perState];
             } else if (i >= perState) {
                 value += places[i - perState];
-            } else if (i % this.nodes > 0) {
+            } else if (i % nodes > 0) {
                 value += places[i - 1];
             }
             places[i] = value;
         }
-        return places;
+        packed.at = at;
+        this.unpacked = Math.max(this.unpacked, state + 1);
+    }
+
+    // The other states one by one, when nothing else is to be done.
+    unpackRest() {
+        if (this.unpacked < this.times.length) {
+            this.unpackTo(this.unpacked);
+            setTimeout(() => this.unpackRest(), 0);
+        }
+    }
+
+    // Index of the first number of a state's places.
+    placesAt(state) {
+        if (state >= this.unpacked) {
+            this.unpackTo(state);
+        }
+        return 3 * this.nodes * state;
     }
 
     active(state, element) {
@@ -67,7 +87,7 @@ class Structure {
 
     // Places of some nodes at a state, three numbers each.
     fillPlaces(state, which, out) {
-        const from = state * 3 * this.nodes;
+        const from = this.placesAt(state);
         for (let i = 0; i < which.length; ++i) {
             const n = from + which[i];
             out[3 * i] = this.places[n] * this.step;
@@ -77,7 +97,7 @@ class Structure {
     }
 
     node(state, n) {
-        const from = state * 3 * this.nodes;
+        const from = this.placesAt(state);
         return [this.places[from + n] * this.step, this.places[from + this.nodes + n] * this.step,
             this.places[from + 2 * this.nodes + n] * this.step];
     }

@@ -323,7 +323,7 @@ class Renderer {
     // Normal of a face by its diagonals, and how far its plane lies along it, all over its length.
     setNormal(out, at, state, a, b, c, d) {
         const { places, nodes, step } = this.structure;
-        const o = state * 3 * nodes;
+        const o = this.structure.placesAt(state);
         const ux = places[o + c] - places[o + a];
         const uy = places[o + nodes + c] - places[o + nodes + a];
         const uz = places[o + 2 * nodes + c] - places[o + 2 * nodes + a];

@@ -249,6 +249,7 @@ class Page {
             }
         }).observe(document.getElementById('views'));
         document.documentElement.dataset.ready = String(Math.round(performance.now()));
+        this.player.structure.unpackRest();
     }
 
     fallBack(word, ...values) {

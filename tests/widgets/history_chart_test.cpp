@@ -102,6 +102,10 @@ TEST_F(Chart, WithoutCurvesItSaysWhyAndSavesNothing) {
 
 TEST_F(Chart, ItIsDrawnForFilesToo) {
     EXPECT_GT(panel.chart().svg(QSize(960, 640)).size(), 3000);
+    HistoryChart::Content two = fall();
+    two.subject = QStringLiteral("Fragment 7 & 8");
+    panel.setContent(two, {}, false);
+    EXPECT_TRUE(panel.chart().svg(QSize(960, 640)).contains("<title>History of Fragment 7 &amp; 8</title>"));
     EXPECT_EQ(panel.chart().image(QSize(960, 640)).size(), QSize(960, 640));
 }
 

@@ -50,6 +50,10 @@ TEST(ValidationView, TellsValidationFromAgreementWithTheReference) {
     ValidationView view;
     EXPECT_TRUE(textsOf(view).contains(QStringLiteral("Agreement with the reference, in the panel Accuracy, is a verification")));
     EXPECT_TRUE(textsOf(view).contains(QStringLiteral("was not held against measured falls on this machine yet")));
+    for (const QLabel* label : view.findChildren<QLabel*>()) {
+        EXPECT_TRUE(!label->text().contains(QLatin1String("&amp;")) || label->textFormat() == Qt::RichText)
+            << qPrintable(label->text());
+    }
     EXPECT_EQ(view.figures().rowCount(), 0);
 }
 

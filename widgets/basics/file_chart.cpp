@@ -42,7 +42,8 @@ QByteArray FileChart::svg(const QSize& size) const {
     generator.setOutputDevice(&buffer);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(fileTitle());
+    // Qt 6.4 writes a title as it is given.
+    generator.setTitle(fileTitle().toHtmlEscaped());
     QPainter painter(&generator);
     paintPage(painter, size);
     painter.end();

@@ -80,6 +80,7 @@ ValidationView::ValidationView(QWidget* parent)
            "is one too.") +
         u' ' + figures::validationTerms());
     terms->setObjectName(QStringLiteral("muted"));
+    terms->setTextFormat(Qt::RichText);
     terms->setWordWrap(true);
     column->addWidget(terms);
     column->addWidget(m_notice);

@@ -338,7 +338,8 @@ QByteArray svgOf(const SheetPicture& picture, const FigureStyle& style, const st
         generator.setSize(picture.pixels());
         generator.setViewBox(QRect(QPoint(0, 0), picture.pixels()));
         generator.setTitle(QStringLiteral("Rubble"));
-        generator.setDescription(QString::fromStdString(style.provenance));
+        // Qt 6.4 writes a description as it is given.
+        generator.setDescription(QString::fromStdString(style.provenance).toHtmlEscaped());
         QPainter painter(&generator);
         picture.paint(painter);
     }

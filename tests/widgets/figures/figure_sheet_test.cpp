@@ -308,6 +308,7 @@ TEST(SheetFile, TextOfSvgAndPdfStaysTextAndTheProvenanceIsInside) {
     FigureStyle style;
     style.pixels = {900, 500};
     style.dpi = 150.0;
+    style.provenance = "a < b & c.exo";
     const std::string metadata = R"({"rubble_provenance":1,"kind":"figure","note":"a < b & \"c\""})";
     for (const char* ending : {"svg", "pdf", "png"}) {
         const std::string path = folder / (std::string("f.") + ending);
@@ -320,6 +321,7 @@ TEST(SheetFile, TextOfSvgAndPdfStaysTextAndTheProvenanceIsInside) {
         }
     }
     EXPECT_TRUE(contentOf(folder / "f.svg").contains("Conventional FE result"));
+    EXPECT_TRUE(contentOf(folder / "f.svg").contains("<desc>a &lt; b &amp; c.exo</desc>"));
     EXPECT_TRUE(contentOf(folder / "f.pdf").startsWith("%PDF"));
     EXPECT_THROW(writeSheet(folder / "f.tiff", paintedFigure(), style, metadata), UsageError);
     EXPECT_THROW(writeSheet(folder / "none/f.pdf", paintedFigure(), style, metadata), WorldError);

@@ -105,6 +105,7 @@ TEST_F(Report, HtmlNeedsNothingElse) {
     EXPECT_TRUE(html.contains("<b>Table 1.</b> Numbers"));
     EXPECT_TRUE(html.contains("<b>Figure 1.</b> A chart"));
     EXPECT_TRUE(html.contains("<svg role=\"img\" aria-label=\"A &quot;chart&quot; in words\"")) << "for who cannot see it";
+    EXPECT_TRUE(html.contains("<title>A &quot;chart&quot; in words</title>"));
     EXPECT_EQ(html.count("</script>"), 1);
     for (const char* outside : {"src=\"http", "href=\"http", "@import", "url("}) {
         EXPECT_FALSE(html.contains(outside)) << outside;

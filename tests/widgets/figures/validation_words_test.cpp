@@ -4,12 +4,12 @@
 
 #include <QCoreApplication>
 #include <QTranslator>
-#include <array>
 
 #include "core/validation/scene_sets.h"
 #include "io/validation/set_folder.h"
 #include "tests/scenes/validation_records.h"
 #include "tests/support/places.h"
+#include "widgets/figures/figure_file.h"
 #include "widgets/figures/report/validation_rows.h"
 
 namespace rubble::figures {
@@ -29,13 +29,10 @@ public:
     }
 };
 
-/// Translators belong to an application; it comes before them.
+/// Translators belong to an application.
 class ValidationWords : public testing::Test {
 protected:
-    int m_words = 1;
-    std::array<char, 6> m_name{"words"};
-    std::array<char*, 2> m_argv{m_name.data(), nullptr};
-    QCoreApplication m_application{m_words, m_argv.data()};
+    void SetUp() override { ensureGuiApplication(); }
 };
 
 bool isSaid(const std::string& english) {

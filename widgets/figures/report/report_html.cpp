@@ -61,7 +61,8 @@ QString drawingTag(const ReportFigure& figure) {
         generator.setSize({width, height});
         generator.setViewBox(QRect(0, 0, width, height));
         generator.setResolution(96);
-        generator.setTitle(figure.words);
+        // Qt 6.4 writes a title as it is given.
+        generator.setTitle(figure.words.toHtmlEscaped());
         generator.setDescription(QString());
         QPainter painter(&generator);
         figure.paint(painter, QRectF(0, 0, width, height), 15.0);

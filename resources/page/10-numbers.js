@@ -53,6 +53,16 @@ class IntegerReader {
         } while (byte >= 128);
         return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
     }
+
+    // Numbers of which zeros in a row are kept as the first and how many more follow; what they go into is all zero before.
+    runs(out, first, count) {
+        for (let i = first; i < first + count; ++i) {
+            out[i] = this.next();
+            if (out[i] === 0) {
+                i += this.next();
+            }
+        }
+    }
 }
 
 // The named arrays of the page.
@@ -111,4 +121,19 @@ function lastAtOrBelow(ascending, value) {
         }
     }
     return low;
+}
+
+// The numbers that some lists have, each once, ascending. Lists name one number many times in a row.
+function distinct(...lists) {
+    const found = new Set();
+    for (const list of lists) {
+        let last = NaN;
+        for (let i = 0; i < list.length; ++i) {
+            if (list[i] !== last) {
+                last = list[i];
+                found.add(last);
+            }
+        }
+    }
+    return Float64Array.from(found).sort();
 }

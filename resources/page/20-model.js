@@ -18,38 +18,31 @@ class Structure {
         }
         this.corners = corners;
         this.places = new Int32Array(3 * this.nodes * this.times.length);
-        this.packed = { bytes: arrays.bytes, at: arrays.contents.nodes.at };
+        this.packed = arrays.reader('nodes');
         this.unpacked = 0;
     }
 
     // Places in steps up to a state, each against a straight way on: a page that opens needs the first two states only.
     unpackTo(state) {
-        const { places, packed, nodes } = this;
-        const { bytes } = packed;
+        const { places, nodes } = this;
         const perState = 3 * nodes;
-        let { at } = packed;
-        for (let i = perState * this.unpacked; i < perState * (state + 1); ++i) {
-            let value = bytes[at++];
-            if (value >= 128) {
-                let byte = value;
-                value &= 127;
-                for (let shift = 7; byte >= 128; shift += 7) {
-                    byte = bytes[at++];
-                    value |= (byte & 127) << shift;
+        for (; this.unpacked <= state; ++this.unpacked) {
+            const first = perState * this.unpacked;
+            this.packed.runs(places, first, perState);
+            if (this.unpacked >= 2) {
+                for (let i = first; i < first + perState; ++i) {
+                    places[i] += 2 * places[i - perState] - places[i - 2 * perState];
+                }
+            } else if (this.unpacked === 1) {
+                for (let i = first; i < first + perState; ++i) {
+                    places[i] += places[i - perState];
+                }
+            } else {
+                for (let i = 1; i < perState; ++i) {
+                    places[i] += i % nodes > 0 ? places[i - 1] : 0;
                 }
             }
-            value = (value >>> 1) ^ -(value & 1);
-            if (i >= 2 * perState) {
-                value += 2 * places[i - perState] - places[i - 2 * perState];
-            } else if (i >= perState) {
-                value += places[i - perState];
-            } else if (i % nodes > 0) {
-                value += places[i - 1];
-            }
-            places[i] = value;
         }
-        packed.at = at;
-        this.unpacked = Math.max(this.unpacked, state + 1);
     }
 
     // The other states one by one, when nothing else is to be done.
@@ -300,8 +293,8 @@ class Pieces {
         this.fragments = arrays.steps('pieceFragments', Int32Array);
         this.elements = arrays.steps('pieceElements', Int32Array);
         this.shapes = arrays.numbers('pieceShapes');
-        this.from = arrays.numbers('pieceFrom');
-        this.to = Float64Array.from(arrays.numbers('pieceTo'));
+        this.from = this.timesOf(arrays, 'pieceFrom');
+        this.to = this.timesOf(arrays, 'pieceTo');
         const ends = arrays.numbers('bodyEnds');
         this.births = arrays.numbers('fragmentBirths');
         this.masses = arrays.numbers('fragmentMasses');
@@ -328,6 +321,16 @@ class Pieces {
             this.nextOf[p] = this.firstOf[this.elements[p]];
             this.firstOf[this.elements[p]] = p;
         }
+    }
+
+    timesOf(arrays, name) {
+        const times = arrays.numbers('pieceTimes');
+        const which = arrays.steps(name, Int32Array);
+        const out = new Float64Array(this.count);
+        for (let p = 0; p < this.count; ++p) {
+            out[p] = times[which[p]];
+        }
+        return out;
     }
 
     // Pieces of an element, ascending.

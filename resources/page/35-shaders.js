@@ -24,20 +24,13 @@ void main() {
 const pieceVertex = `${shaderHead}
 in vec3 place;
 in uint body;
-in vec2 span;
 in vec4 tint;
 uniform mat4 view;
 uniform sampler2D poses;
-uniform float time;
 out vec3 at;
 flat out vec4 colour;
 void main() {
     colour = tint;
-    if (time < span.x || time >= span.y) {
-        at = vec3(0.0);
-        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-        return;
-    }
     int width = textureSize(poses, 0).x;
     int first = 2 * int(body);
     vec3 position = texelFetch(poses, ivec2(first % width, first / width), 0).xyz;

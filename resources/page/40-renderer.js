@@ -22,7 +22,7 @@ function startedPrograms(canvas) {
     };
     const programs = {
         structure: started(structureVertex, solidFragment, ['now', 'next', 'tint']),
-        pieces: started(pieceVertex, solidFragment, ['place', 'body', 'span', 'tint']),
+        pieces: started(pieceVertex, solidFragment, ['place', 'body', 'tint']),
         squares: started(squareVertex, solidFragment, ['place', 'tint']),
         plain: started(plainVertex, groundFragment, ['place']),
         picture: started(pictureVertex, pictureFragment, ['place'])
@@ -164,13 +164,10 @@ class Renderer {
 
     makePieces() {
         const gl = this.gl;
-        const { count, offsets, corners, bodies, from, to } = this.pieces;
-        const spans = new Float32Array(2 * count);
+        const { count, offsets, corners, bodies } = this.pieces;
         const middles = new Float32Array(3 * count);
         const sizes = new Float32Array(count);
         for (let p = 0; p < count; ++p) {
-            spans[2 * p] = from[p];
-            spans[2 * p + 1] = Math.min(to[p], 1e30);
             const middle = this.pieces.middle(p);
             middles.set(middle, 3 * p);
             sizes[p] = this.pieces.size(p, middle);
@@ -182,10 +179,8 @@ class Renderer {
         gl.bindVertexArray(this.boxes.array);
         this.attach(0, this.buffer(corners, gl.STATIC_DRAW), 3, gl.FLOAT);
         this.attach(1, this.buffer(this.perCorner(bodies), gl.STATIC_DRAW), 1, gl.UNSIGNED_INT);
-        // Both ends of a span at once, as the eight bytes that they are.
-        this.attach(2, this.buffer(this.perCorner(new Float64Array(spans.buffer)), gl.STATIC_DRAW), 2, gl.FLOAT);
         this.boxes.tints = this.buffer(4 * offsets[count], gl.DYNAMIC_DRAW);
-        this.attach(3, this.boxes.tints, 4, gl.UNSIGNED_BYTE, true);
+        this.attach(2, this.boxes.tints, 4, gl.UNSIGNED_BYTE, true);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
         this.makeSquares();
     }
@@ -195,7 +190,10 @@ class Renderer {
         const { count, offsets } = this.pieces;
         const out = new values.constructor(offsets[count]);
         for (let p = 0; p < count; ++p) {
-            out.fill(values[p], offsets[p], offsets[p + 1]);
+            const value = values[p];
+            for (let c = offsets[p]; c < offsets[p + 1]; ++c) {
+                out[c] = value;
+            }
         }
         return out;
     }
@@ -531,11 +529,10 @@ class Renderer {
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     }
 
-    drawBoxes(view, time) {
+    drawBoxes(view) {
         const gl = this.gl;
         const program = this.programs.pieces;
         this.use(program, view);
-        gl.uniform1f(program.places.time, time);
         gl.uniform1i(program.places.unlit, 0);
         gl.activeTexture(gl.TEXTURE0);
         gl.bindTexture(gl.TEXTURE_2D, this.poses.texture);

@@ -72,7 +72,7 @@ class Player {
         this.listeners = [];
         this.camera = new Camera(this.bounds());
         this.event = NaN;
-        this.events = Float64Array.from(new Set([...this.structure.times, ...this.pieces.from, ...this.pieces.to])).sort();
+        this.events = distinct(this.structure.times, this.pieces.from, this.pieces.to);
         this.there = [new Uint8Array(this.structure.elements), new Uint8Array(this.structure.elements)];
         this.lasting = new Uint8Array(this.structure.elements);
         this.typicalSize = this.renderer.sizes.reduce((sum, size) => sum + size, 0) / Math.max(1, this.pieces.count);
@@ -360,7 +360,7 @@ class Player {
             if (pixels > 0) {
                 renderer.drawSquares(view, pane, this.pixelsPerMetre(pane), Math.max(1, 0.6 * pixels));
             } else {
-                renderer.drawBoxes(view, this.time);
+                renderer.drawBoxes(view);
             }
             if (this.water !== null) {
                 renderer.drawPlain(view, gl.TRIANGLES, this.water, tones.water);

@@ -213,6 +213,7 @@ class Page {
             }
             stage.hidden = false;
             stills.hidden = true;
+            document.documentElement.classList.remove('opening');
             await new Promise((resolve) => setTimeout(resolve, 0));
             const canvas = document.getElementById('canvas');
             const started = startedPrograms(canvas);
@@ -253,6 +254,7 @@ class Page {
     }
 
     fallBack(word, ...values) {
+        document.documentElement.classList.remove('opening');
         const reason = document.getElementById('reason');
         delete reason.dataset.word;
         const none = document.querySelector('#stills figure') === null ? ` ${say('noPictures')}` : '';

@@ -32,6 +32,17 @@ void PackedIntegers::addSteps(std::span<const std::int64_t> numbers) {
     }
 }
 
+void PackedIntegers::addRuns(std::span<const std::int64_t> numbers) {
+    for (auto number = numbers.begin(); number != numbers.end();) {
+        add(*number);
+        const auto next = std::find_if(number + 1, numbers.end(), [](std::int64_t each) { return each != 0; });
+        if (*number++ == 0) {
+            add(next - number);
+            number = next;
+        }
+    }
+}
+
 void PageData::add(std::string_view name, std::string_view type, const void* data, std::size_t bytes, std::size_t count) {
     m_bytes.resize((m_bytes.size() + alignment - 1) / alignment * alignment, '\0');
     m_contents[std::string(name)] = {{"type", type}, {"at", m_bytes.size()}, {"bytes", bytes}, {"count", count}};

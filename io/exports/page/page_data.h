@@ -16,6 +16,8 @@ public:
     void add(std::int64_t number);
     /// Each as its difference to the one before; the first as it is.
     void addSteps(std::span<const std::int64_t> numbers);
+    /// Of zeros in a row the first, and then how many more follow.
+    void addRuns(std::span<const std::int64_t> numbers);
 
     std::size_t count() const { return m_count; }
     const std::string& bytes() const { return m_bytes; }
@@ -26,7 +28,7 @@ private:
 };
 
 /// The numbers of a page: named arrays one behind the other, each at a multiple of eight bytes, and compressed as a whole. The
-/// script of the page (resources/page/numbers.js) unpacks them.
+/// script of the page (resources/page/10-numbers.js) unpacks them.
 class PageData {
 public:
     void add(std::string_view name, std::span<const double> numbers);

@@ -113,7 +113,7 @@ void writeFrame(std::ostream& out, const PageParts& parts) {
     const std::pair<std::string_view, std::string_view> places[] = {
         {"title", parts.title},  {"policy", parts.policy}, {"style", pageStyle()},       {"facts", parts.facts},
         {"data", parts.data},    {"stills", parts.stills}, {"pictures", parts.pictures}, {"provenance", parts.provenance},
-        {"script", pageScript()}};
+        {"script", pageScript()}, {"opening", pageOpening()}};
     std::string_view rest = pageFrame();
     while (!rest.empty()) {
         const std::size_t open = rest.find("{{");
@@ -146,7 +146,8 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
     facts["scene"] = scene.about;
     PageParts parts;
     parts.title = escaped(facts["title"].get<std::string>());
-    parts.policy = "default-src 'none'; script-src " + policyHash(pageScript()) + "; style-src " + policyHash(pageStyle()) +
+    parts.policy = "default-src 'none'; script-src " + policyHash(pageOpening()) + " " + policyHash(pageScript()) +
+                   "; style-src " + policyHash(pageStyle()) +
                    "; img-src data:; form-action 'none'; base-uri 'none'";
     parts.facts = embedded(facts);
     parts.stills = stills(extras);

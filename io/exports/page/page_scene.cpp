@@ -126,14 +126,22 @@ double addCorners(PageData& data, const std::vector<PagePiece>& pieces, double s
 void addPieces(PageScene& scene, const std::vector<PagePiece>& pieces) {
     std::vector<std::int64_t> bodies, fragments, elements;
     std::vector<std::uint8_t> shapes;
-    std::vector<double> from, to;
+    std::vector<double> times;
     for (const PagePiece& piece : pieces) {
         bodies.push_back(static_cast<std::int64_t>(piece.body));
         fragments.push_back(piece.fragment);
         elements.push_back(static_cast<std::int64_t>(piece.element));
         shapes.push_back(static_cast<std::uint8_t>(piece.shape));
-        from.push_back(piece.shown.from);
-        to.push_back(piece.shown.to);
+        times.push_back(piece.shown.from);
+        times.push_back(piece.shown.to);
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    std::vector<std::int64_t> from, to;
+    const auto numberOf = [&](double time) { return std::lower_bound(times.begin(), times.end(), time) - times.begin(); };
+    for (const PagePiece& piece : pieces) {
+        from.push_back(numberOf(piece.shown.from));
+        to.push_back(numberOf(piece.shown.to));
     }
     const auto add = [&](const char* name, const std::vector<std::int64_t>& numbers) {
         PackedIntegers steps;
@@ -144,8 +152,9 @@ void addPieces(PageScene& scene, const std::vector<PagePiece>& pieces) {
     add("pieceFragments", fragments);
     add("pieceElements", elements);
     scene.data.add("pieceShapes", shapes);
-    scene.data.add("pieceFrom", from);
-    scene.data.add("pieceTo", to);
+    scene.data.add("pieceTimes", times);
+    add("pieceFrom", from);
+    add("pieceTo", to);
     scene.about["pieceCount"] = pieces.size();
 }
 

@@ -81,7 +81,7 @@ std::vector<bool> usedNodes(const FeResult& fe, std::size_t state) {
     return used;
 }
 
-/// Packs places state by state against a straight way on; what no active element uses costs nothing.
+/// Packs places state by state against a straight way on, as runs; what no active element uses costs nothing.
 class NodePacker {
 public:
     NodePacker(std::size_t nodes, double step) : m_step(step), m_now(3 * nodes, 0), m_before(3 * nodes, 0) {}
@@ -100,6 +100,7 @@ private:
 
 void NodePacker::add(const std::vector<Vec3>& places, const std::vector<bool>& used) {
     std::vector<std::int64_t> next(m_now.size());
+    std::vector<std::int64_t> steps(m_now.size());
     const std::size_t nodes = places.size();
     for (int c = 0; c < 3; ++c) {
         for (std::size_t n = 0; n < nodes; ++n) {
@@ -111,9 +112,10 @@ void NodePacker::add(const std::vector<Vec3>& places, const std::vector<bool>& u
             const bool known = (used[n] || m_states == 0) && std::isfinite(places[n][c]);
             // What nobody sees stays where it was.
             next[i] = known ? std::llround(places[n][c] / m_step) : m_now[i];
-            numbers.add(known || m_states == 0 ? next[i] - expected : m_now[i] - expected);
+            steps[i] = known || m_states == 0 ? next[i] - expected : m_now[i] - expected;
         }
     }
+    numbers.addRuns(steps);
     for (std::size_t n = 0; n < nodes; ++n) {
         if (used[n] && places[n].allFinite()) {
             const Vec3 shown = m_step * Vec3(static_cast<double>(next[n]), static_cast<double>(next[nodes + n]),

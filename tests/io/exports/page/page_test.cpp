@@ -78,6 +78,19 @@ public:
         return out;
     }
 
+    std::vector<std::int64_t> runs(const std::string& name) const {
+        std::vector<std::int64_t> out;
+        const std::vector<std::int64_t> packed = integers(name);
+        for (auto number = packed.begin(); number != packed.end(); ++number) {
+            out.push_back(*number);
+            if (out.back() == 0) {
+                ++number;
+                out.insert(out.end(), static_cast<std::size_t>(*number), 0);
+            }
+        }
+        return out;
+    }
+
     json facts;
 
 private:
@@ -171,8 +184,9 @@ std::vector<Vec3> cornersOf(const ReadPage& page) {
 std::map<std::size_t, std::vector<Vec3>> shownAt(const ReadPage& page, const PlayedBodies& bodies, double time) {
     const auto bodyOf = page.steps("pieceBodies");
     const auto fragmentOf = page.steps("pieceFragments");
-    const auto from = page.numbers("pieceFrom");
-    const auto to = page.numbers("pieceTo");
+    const auto times = page.numbers("pieceTimes");
+    const auto from = page.steps("pieceFrom");
+    const auto to = page.steps("pieceTo");
     const auto ends = page.numbers("bodyEnds");
     const auto shapes = page.octets("pieceShapes");
     const std::vector<Vec3> corners = cornersOf(page);
@@ -181,7 +195,8 @@ std::map<std::size_t, std::vector<Vec3>> shownAt(const ReadPage& page, const Pla
     for (std::size_t p = 0; p < bodyOf.size(); ++p) {
         const auto count = page.facts["scene"]["cornerCounts"][shapes[p]].get<std::size_t>();
         for (std::size_t c = 0; c < count; ++c, ++corner) {
-            if (from[p] <= time && time < std::min(to[p], ends[static_cast<std::size_t>(bodyOf[p])])) {
+            const double end = std::min(times[static_cast<std::size_t>(to[p])], ends[static_cast<std::size_t>(bodyOf[p])]);
+            if (times[static_cast<std::size_t>(from[p])] <= time && time < end) {
                 shown[static_cast<std::size_t>(fragmentOf[p])].push_back(bodies.at(static_cast<std::size_t>(bodyOf[p]), time) *
                                                                          corners[corner]);
             }
@@ -236,7 +251,7 @@ TEST_F(Page, FragmentsLieWhereTheRunHasThemAtEveryFrame) {
 TEST_F(Page, NodesLieWhereTheResultHasThem) {
     record(12, 12);
     const ReadPage page = exported();
-    const auto numbers = page.integers("nodes");
+    const auto numbers = page.runs("nodes");
     const std::size_t nodes = m_fe->mesh().nodeCount();
     const std::size_t states = page.numbers("stateTimes").size();
     ASSERT_EQ(numbers.size(), 3 * nodes * states);

@@ -34,7 +34,7 @@ struct PlanePair {
     double off = unknown;  ///< along the normal from the point to the plane; not a number without a plane
 };
 
-PlanePair pairOf(const PointIndex& first, const Vec3& place, double radius, std::vector<std::uint32_t>& found) {
+PlanePair pairOf(const PointIndex& first, const Vec3& place, double radius, std::vector<Vec3>& found) {
     PlanePair pair;
     pair.place = place;
     first.within(place, radius, found);
@@ -42,13 +42,13 @@ PlanePair pairOf(const PointIndex& first, const Vec3& place, double radius, std:
         return pair;
     }
     Vec3 mean = Vec3::Zero();
-    for (const std::uint32_t i : found) {
-        mean += first.places()[i] - place;
+    for (const Vec3& there : found) {
+        mean += there - place;
     }
     mean /= static_cast<double>(found.size());
     Mat3 spread = Mat3::Zero();
-    for (const std::uint32_t i : found) {
-        const Vec3 from = first.places()[i] - place - mean;
+    for (const Vec3& there : found) {
+        const Vec3 from = there - place - mean;
         spread += from * from.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
@@ -100,7 +100,7 @@ private:
         m_pairs.resize(m_points.size());
         WorkerPool pool(m_execution.threads());
         pool.loop(m_points.size(), 256, [&](std::size_t from, std::size_t to) {
-            std::vector<std::uint32_t> found;
+            std::vector<Vec3> found;
             for (std::size_t k = from; k < to && !m_execution.cancelled(); ++k) {
                 m_pairs[k] = pairOf(m_first, m_fit(m_points[k]), m_settings.radius, found);
             }

@@ -44,15 +44,16 @@ struct BallMoments {
 /// Points that are found by their place. May be asked by several threads at once.
 class PointIndex {
 public:
-    /// @param places  at most 2^32 - 1, about an origin near them
-    explicit PointIndex(std::vector<Vec3> places);
+    /// @param places  at most 2^32 - 1, about an origin near them; @param cube  side of the cubes by which points are put beside
+    /// each other, m: about the smallest radius that is searched; quickest if orderByCubes() did that before
+    PointIndex(std::vector<Vec3> places, double cube);
     ~PointIndex();
     PointIndex(PointIndex&&) noexcept;
 
-    /// In the order of the index, neighbours beside each other.
-    const std::vector<Vec3>& places() const;
-    /// Numbers of the places within a radius of a place, its rim included, in rising order.
-    void within(const Vec3& centre, double radius, std::vector<std::uint32_t>& found) const;
+    /// All of them, neighbours beside each other.
+    std::vector<Vec3> places() const;
+    /// The places within a radius of a place, its rim included; in the same order each time.
+    void within(const Vec3& centre, double radius, std::vector<Vec3>& found) const;
     /// Of the points within a radius of a place, its rim included. Places count in steps of 2^-29 of the radius or finer, so that
     /// sums are those of whole numbers and no order of the points matters.
     BallMoments moments(const Vec3& centre, double radius) const;

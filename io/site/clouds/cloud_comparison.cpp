@@ -188,7 +188,7 @@ private:
 
     void fit() {
         std::optional<Vec3> origin;
-        const PointIndex first(stablePoints(m_made.first.path, "", origin));
+        const PointIndex first(stablePoints(m_made.first.path, "", origin), m_request.settings.projectionRadius);
         const std::vector<Vec3> second = stablePoints(m_made.second.path, m_made.first.head.crs, origin);
         CloudFitSettings settings;
         settings.radius = m_request.settings.normalRadius;
@@ -308,11 +308,6 @@ private:
         return places;
     }
 
-    std::vector<Vec3> ordered(std::vector<Vec3> places) const {
-        orderByCubes(places, m_request.settings.projectionRadius);
-        return places;
-    }
-
     void measure() {
         const std::vector<CoreStrip> cut = strips(countNear());
         m_made.distances.resize(m_made.cores.size());
@@ -331,11 +326,12 @@ private:
             }
             std::vector<Vec3> firstPlaces = held(m_made.first, "", strip);
             std::vector<Vec3> secondPlaces = held(m_made.second, m_made.first.head.crs, strip);
+            const double radius = m_request.settings.projectionRadius;
             std::future<PointIndex> building =
-                std::async(std::launch::async, [&] { return PointIndex(ordered(std::move(secondPlaces))); });
-            const PointIndex first(ordered(std::move(firstPlaces)));
+                std::async(std::launch::async, [&] { return PointIndex(std::move(secondPlaces), radius); });
+            const PointIndex first(std::move(firstPlaces), radius);
             const PointIndex second = building.get();
-            const std::vector<std::uint32_t> before = orderByCubes(cores, m_request.settings.projectionRadius);
+            const std::vector<std::uint32_t> before = orderByCubes(cores, radius);
             const std::vector<CoreDistance> made = cloudDistances(cores, first, second, m_settings, m_execution);
             for (std::size_t k = 0; k < which.size(); ++k) {
                 m_made.distances[which[before[k]]] = made[k];

@@ -208,7 +208,8 @@ CloudFit fitOf(const RunDistanceRequest& request, const SurfaceTree& tree, const
             }
         }
     }
-    const PointIndex site(seenAlike(tree, stable, {held.scanners, scans}, request.settings.projectionRadius, execution).places);
+    const double radius = request.settings.projectionRadius;
+    const PointIndex site(seenAlike(tree, stable, {held.scanners, scans}, radius, execution).places, radius);
     CloudFitSettings settings;
     settings.radius = request.settings.normalRadius;
     return fitCloud(site, stable, settings, execution);
@@ -348,8 +349,8 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
     compared.againstRun = true;
     compared.parts = 1;
     checkCores(compared.cores.size());
-    std::future<PointIndex> building = std::async(std::launch::async, [&] { return PointIndex(std::move(seen.places)); });
-    const PointIndex first(std::move(held.points));
+    std::future<PointIndex> building = std::async(std::launch::async, [&] { return PointIndex(std::move(seen.places), radius); });
+    const PointIndex first(std::move(held.points), radius);
     const PointIndex second = building.get();
     compared.distances = cloudDistances(compared.cores, first, second, settings, execution);
     judgeDistances(compared, settings);

@@ -53,8 +53,8 @@ TEST(CloudDistance, PlanesAreAsFarApartAsTheyWerePut) {
         const std::vector<Vec3> low = scan(20'000, 5.0, 1, 0.0, [&](double x, double) { return slope * x; });
         const std::vector<Vec3> high = scan(20'000, 5.0, 2, 0.0, [&](double x, double) { return slope * x + 0.7; });
         const std::vector<Vec3> cores = coresOf(low, 200, 2.0);
-        const PointIndex first(low);
-        const PointIndex second(high);
+        const PointIndex first(low, scales.projectionRadius);
+        const PointIndex second(high, scales.projectionRadius);
         for (const CoreDistance& core : cloudDistances(cores, first, second, scales, Execution())) {
             ASSERT_EQ(core.state, CoreState::Measured);
             // The distance of parallel planes is that along z times the cosine of their slope.
@@ -73,7 +73,7 @@ TEST(CloudDistance, PlanesAreAsFarApartAsTheyWerePut) {
 
 TEST(CloudDistance, ACloudAgainstItselfIsNowhereAway) {
     const std::vector<Vec3> cloud = scan(5'000, 3.0, 3, 0.05, [](double x, double y) { return 0.3 * std::sin(x) * y; });
-    const PointIndex index(cloud);
+    const PointIndex index(cloud, scales.projectionRadius);
     for (const CoreDistance& core : cloudDistances(coresOf(cloud, 300, 3.0), index, index, scales, Execution())) {
         ASSERT_EQ(core.state, CoreState::Measured);
         EXPECT_EQ(core.distance, 0.0);
@@ -92,8 +92,8 @@ TEST(CloudDistance, WithNoiseAloneFiveOfAHundredAreSignificant) {
             cores.emplace_back(1.1 * i, 1.1 * j, 0.0);
         }
     }
-    const PointIndex first(one);
-    const PointIndex second(other);
+    const PointIndex first(one, scales.projectionRadius);
+    const PointIndex second(other, scales.projectionRadius);
     const std::vector<CoreDistance> made = cloudDistances(cores, first, second, scales, Execution());
     const auto significant = std::count_if(made.begin(), made.end(), [](const CoreDistance& core) { return core.significant(); });
     // 289 cores: 14.5 are expected, and 3.7 is the deviation.
@@ -126,8 +126,8 @@ TEST(CloudDistance, SaysWhyThereIsNone) {
         high.emplace_back(1.5, 0.0, z);
     }
     const std::vector<Vec3> cores{{-1.0, 0.0, 0.0}, {1.0, -1.0, 0.0}, {50.0, 0.0, 0.0}, {60.05, 0.0, 0.0}, {1.5, 0.0, 0.0}};
-    const PointIndex first(low);
-    const PointIndex second(high);
+    const PointIndex first(low, scales.projectionRadius);
+    const PointIndex second(high, scales.projectionRadius);
     const std::vector<CoreDistance> made = cloudDistances(cores, first, second, scales, Execution());
     EXPECT_EQ(made[0].state, CoreState::Measured);
     EXPECT_EQ(made[1].state, CoreState::NoSecond);
@@ -145,8 +145,8 @@ TEST(CloudDistance, SaysWhyThereIsNone) {
 TEST(CloudDistance, NoResultDependsOnThreads) {
     const auto hill = [](double x, double y) { return std::exp(-0.1 * (x * x + y * y)); };
     const std::vector<Vec3> one = scan(30'000, 5.0, 8, 0.02, hill);
-    const PointIndex first(one);
-    const PointIndex second(scan(30'000, 5.0, 9, 0.02, hill));
+    const PointIndex first(one, scales.projectionRadius);
+    const PointIndex second(scan(30'000, 5.0, 9, 0.02, hill), scales.projectionRadius);
     const std::vector<CoreDistance> alone = cloudDistances(one, first, second, scales, Execution().withThreads(1));
     const std::vector<CoreDistance> together = cloudDistances(one, first, second, scales, Execution().withThreads(5));
     for (std::size_t k = 0; k < one.size(); ++k) {
@@ -162,9 +162,10 @@ TEST(PointIndex, FindsWhatLiesInACylinderHoweverLong) {
     for (int k = 0; k < 5'000; ++k) {
         places.emplace_back(numbers.next(), numbers.next(), 3.0 * numbers.next());
     }
-    const PointIndex index(places);
+    places.emplace_back(4e6, -1.0, 0.0);  // one of another site
     const Vec3 centre(0.1, -0.2, 0.3);
-    for (const double half : {0.05, 0.3, 1.0, 20.0}) {
+    for (const auto& [half, cube] : {std::pair(0.05, 0.3), {0.3, 0.02}, {1.0, 5.0}, {20.0, 1e5}}) {
+        const PointIndex index(places, cube);
         const Vec3 axis = Vec3(0.2, half > 0.5 ? 0.1 : -3.0, 1.0).normalized();
         std::vector<double> expected;
         for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -200,7 +201,7 @@ TEST(PointIndex, MomentsOfABallAreThoseOfItsPointsInWhateverOrder) {
             inside.push_back(place - centre);
         }
     }
-    const BallMoments made = PointIndex(places).moments(centre, radius);
+    const BallMoments made = PointIndex(places, radius).moments(centre, radius);
     ASSERT_EQ(made.points, inside.size());
     Vec3 mean = Vec3::Zero();
     for (const Vec3& off : inside) {
@@ -214,10 +215,10 @@ TEST(PointIndex, MomentsOfABallAreThoseOfItsPointsInWhateverOrder) {
     EXPECT_LT((made.mean - mean).norm(), step);
     EXPECT_LT((made.spread - spread).cwiseAbs().maxCoeff(), step * static_cast<double>(inside.size()));
     std::shuffle(places.begin(), places.end(), random);
-    const BallMoments shuffled = PointIndex(places).moments(centre, radius);
+    const BallMoments shuffled = PointIndex(places, 0.1 * radius).moments(centre, radius);
     EXPECT_EQ(shuffled.mean, made.mean);
     EXPECT_EQ(shuffled.spread, made.spread);
-    EXPECT_EQ(PointIndex(places).moments(Vec3(50.0, 0.0, 0.0), radius).points, 0U);
+    EXPECT_EQ(PointIndex(places, radius).moments(Vec3(50.0, 0.0, 0.0), radius).points, 0U);
 }
 
 TEST(PointIndex, OrderKeepsEveryPlaceAndPutsNeighboursTogether) {
@@ -241,14 +242,42 @@ TEST(PointIndex, OrderKeepsEveryPlaceAndPutsNeighboursTogether) {
 }
 
 TEST(PointIndex, TakesPointsOnOnePlaceAndNoneAtAll) {
-    const PointIndex heap(std::vector<Vec3>(100'000, Vec3(1.0, 2.0, 3.0)));
-    std::vector<std::uint32_t> found;
+    const PointIndex heap(std::vector<Vec3>(100'000, Vec3(1.0, 2.0, 3.0)), 0.1);
+    std::vector<Vec3> found;
     heap.within(Vec3(1.0, 2.0, 3.0), 0.1, found);
     EXPECT_EQ(found.size(), 100'000u);
-    const PointIndex none(std::vector<Vec3>{});
+    const PointIndex none(std::vector<Vec3>{}, 1.0);
     std::vector<double> offsets;
     none.withinCylinder(Vec3::Zero(), Vec3::UnitZ(), 1.0, 1.0, offsets);
     EXPECT_TRUE(offsets.empty());
+    EXPECT_EQ(none.places().size(), 0u);
+}
+
+TEST(PointIndex, HoldsEveryPlaceOnceWhetherTheyCameInOrderOrNot) {
+    std::vector<Vec3> places = scan(20'000, 10.0, 12, 0.1, [](double x, double y) { return 0.2 * x + std::sin(y); });
+    const auto lower = [](const Vec3& a, const Vec3& b) {
+        return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    };
+    std::vector<Vec3> sorted = places;
+    std::sort(sorted.begin(), sorted.end(), lower);
+    for (const bool ordered : {false, true}) {
+        if (ordered) {
+            orderByCubes(places, 0.5);
+            std::swap(places[10], places[11]);
+        }
+        std::vector<Vec3> held = PointIndex(places, 0.5).places();
+        std::sort(held.begin(), held.end(), lower);
+        EXPECT_EQ(held, sorted) << ordered;
+    }
+    const PointIndex index(places, 0.5);
+    for (const Vec3& centre : {Vec3(0.0, 0.0, 0.0), Vec3(4.0, -3.0, 1.0), places[0]}) {
+        std::vector<Vec3> found;
+        index.within(centre, 1.0, found);
+        const auto inside = std::count_if(places.begin(), places.end(),
+                                          [&](const Vec3& place) { return (place - centre).squaredNorm() <= 1.0; });
+        EXPECT_EQ(found.size(), static_cast<std::size_t>(inside));
+        EXPECT_EQ(index.moments(centre, 1.0).points, found.size());
+    }
 }
 
 }  // namespace

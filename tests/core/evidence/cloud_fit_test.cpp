@@ -49,7 +49,7 @@ double leftOver(const CloudFit& fit, const std::vector<Vec3>& was, const std::ve
 }
 
 TEST(CloudFit, FindsTheMoveThatWasMade) {
-    const PointIndex first(site(1, 0.005));
+    const PointIndex first(site(1, 0.005), 0.5);
     const std::vector<Vec3> was = site(2, 0.005);
     const std::vector<Vec3> cloud = misplaced(was);
     const CloudFit fit = fitCloud(first, cloud, {0.5}, Execution());
@@ -67,7 +67,7 @@ TEST(CloudFit, FindsTheMoveThatWasMade) {
 }
 
 TEST(CloudFit, WhatMovedIsTrimmed) {
-    const PointIndex first(site(1, 0.005));
+    const PointIndex first(site(1, 0.005), 0.5);
     std::vector<Vec3> was = site(2, 0.005);
     std::vector<Vec3> cloud = was;
     for (Vec3& place : cloud) {
@@ -101,13 +101,13 @@ TEST(CloudFit, AFewWallsBringItInAcross) {
     for (Vec3& place : cloud) {
         place += Vec3(0.15, -0.12, 0.05);
     }
-    const CloudFit fit = fitCloud(PointIndex(square(1)), cloud, {0.5}, Execution());
+    const CloudFit fit = fitCloud(PointIndex(square(1), 0.5), cloud, {0.5}, Execution());
     EXPECT_TRUE(fit.settled);
     EXPECT_LT(leftOver(fit, was, cloud), 0.01);
 }
 
 TEST(CloudFit, ItsErrorIsThatOfManyTrials) {
-    const PointIndex first(site(1, 0.02));
+    const PointIndex first(site(1, 0.02), 0.5);
     Vec3 squares = Vec3::Zero();
     Vec3 stated = Vec3::Zero();
     constexpr int trials = 12;
@@ -131,7 +131,7 @@ TEST(CloudFit, SaysWhatIsOpen) {
     for (int k = 0; k < 20'000; ++k) {
         level.emplace_back(numbers.between(-10, 10), numbers.between(-10, 10), 0.001 * numbers.between(-1, 1));
     }
-    const PointIndex first(level);
+    const PointIndex first(level, 0.5);
     EXPECT_THROW(fitCloud(first, level, {0.5}, Execution()), UsageError) << "a plane slides along itself";
     EXPECT_THROW(fitCloud(first, {Vec3(0, 0, 50)}, {0.5}, Execution()), UsageError);
 }

@@ -23,7 +23,7 @@ PointIndex surface(std::uint64_t seed, const Height& height) {
         const double y = numbers.between(-half, half);
         places.emplace_back(x, y, height(x, y));
     }
-    return PointIndex(std::move(places));
+    return PointIndex(std::move(places), 0.5);
 }
 
 /// Volumes from level ground to a surface.

@@ -188,8 +188,8 @@ Covered covered(const SurfaceTree& tree, const SiteScan& scan, const ScanSetting
         }
     }
     const PointSights sights{fromAbove ? std::span<const Vec3>() : std::span<const Vec3>(settings.scanners), scan.scanners};
-    const PointIndex second(seenAlike(tree, cloud, sights, scales.projectionRadius, Execution()).places);
-    const PointIndex first(std::move(cloud));
+    const PointIndex second(seenAlike(tree, cloud, sights, scales.projectionRadius, Execution()).places, scales.projectionRadius);
+    const PointIndex first(std::move(cloud), scales.projectionRadius);
     Covered made;
     std::size_t within = 0;
     for (const CoreDistance& core : cloudDistances(cores, first, second, scales, Execution())) {

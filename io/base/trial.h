@@ -2,6 +2,11 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "io/base/file_stamp.h"
 
 namespace rubble::io {
 
@@ -13,5 +18,32 @@ namespace rubble::io {
 /// @return false if the work crashed, or took the processor for longer than two minutes
 /// Call it under a LibraryLock: the child must not inherit a library in the middle of another thread's call.
 bool survivesTrial(const std::function<void()>& work, std::chrono::seconds longestStill = std::chrono::seconds(10));
+
+/// What was learnt of files in trials, for as long as the program runs and they stay as they are. A child costs the parent its
+/// pages as well: each is copied when it is written to next. Under a LibraryLock.
+template <class Learnt>
+class TriedFiles {
+public:
+    /// @param learn  () what a trial of the file says; what it throws is not kept
+    template <class Learn>
+    Learnt of(const std::string& path, const Learn& learn) {
+        const std::optional<FileStamp> stamp = settledStamp(path);
+        if (!stamp) {
+            return learn();
+        }
+        if (const auto found = m_learnt.find(*stamp); found != m_learnt.end()) {
+            return found->second;
+        }
+        Learnt learnt = learn();
+        // One that was written to meanwhile is tried again.
+        if (settledStamp(path) == stamp) {
+            m_learnt.emplace(*stamp, learnt);
+        }
+        return learnt;
+    }
+
+private:
+    std::map<FileStamp, Learnt> m_learnt;
+};
 
 }  // namespace rubble::io

@@ -64,20 +64,26 @@ std::vector<Argument> rootNames(const std::string& path) {
 
 // In a child process: the packaged HDF5 can crash on a damaged file. The names come back as the arguments of an error.
 void lookIntoHdf5(FileHead& head) {
-    try {
-        const std::string& path = head.path;
-        const std::scoped_lock lock(nativeLibraries());
-        survivesTrial([&] { throw ParseError({"fe.names", "", rootNames(path)}, {}); });
-    } catch (const ParseError& answer) {
-        for (const Argument& name : answer.message().arguments) {
-            head.hdf5Names.push_back(std::get<std::string>(name.value));
+    const std::string& path = head.path;
+    const auto names = [&]() -> std::vector<std::string> {
+        std::vector<std::string> found;
+        try {
+            survivesTrial([&] { throw ParseError({"fe.names", "", rootNames(path)}, {}); });
+        } catch (const ParseError& answer) {
+            for (const Argument& name : answer.message().arguments) {
+                found.push_back(std::get<std::string>(name.value));
+            }
+        } catch (const std::exception&) {
+            // A file that cannot be looked into has no names.
         }
-        if (!head.hdf5Names.empty()) {
-            head.hdf5Format = head.hdf5Names.front();
-            head.hdf5Names.erase(head.hdf5Names.begin());
-        }
-    } catch (const std::exception&) {
-        // A file that cannot be looked into has no names.
+        return found;
+    };
+    const std::scoped_lock lock(nativeLibraries());
+    static TriedFiles<std::vector<std::string>> tried;
+    head.hdf5Names = tried.of(path, names);
+    if (!head.hdf5Names.empty()) {
+        head.hdf5Format = head.hdf5Names.front();
+        head.hdf5Names.erase(head.hdf5Names.begin());
     }
 }
 

@@ -5,8 +5,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 
 #include "core/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {
@@ -47,6 +50,27 @@ TEST(Trial, AChildThatStandsStillSaysNothingOfTheFile) {
         },
         std::chrono::seconds(1)));
     EXPECT_EQ(done, 1);
+}
+
+TEST(Trial, AFileIsTriedOnceAsLongAsItStaysAsItIs) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "tried.txt";
+    std::ofstream(path) << "one";
+    TriedFiles<int> tried;
+    int trials = 0;
+    const auto ask = [&] { return tried.of(path, [&] { return ++trials; }); };
+    EXPECT_EQ(ask(), 1);
+    EXPECT_EQ(ask(), 2) << "what was written just now may be written again within one step of the clock";
+    const auto earlier = std::filesystem::last_write_time(path) - std::chrono::minutes(1);
+    std::filesystem::last_write_time(path, earlier);
+    EXPECT_EQ(ask(), 3);
+    EXPECT_EQ(ask(), 3);
+    std::ofstream(path) << "three";
+    EXPECT_EQ(ask(), 4);
+    std::filesystem::last_write_time(path, earlier);
+    EXPECT_EQ(ask(), 5) << "another size";
+    EXPECT_EQ(tried.of(folder / "absent.txt", [&] { return 7; }), 7);
+    EXPECT_THROW(tried.of(path + ".other", []() -> int { throw WorldError({"some.id", "", {}}, {}); }), WorldError);
 }
 
 }  // namespace

@@ -275,6 +275,12 @@ void applyTheme(render::Theme theme) {
     }
 }
 
+void takeOffSheet() {
+    if (!qApp->styleSheet().isEmpty()) {
+        qApp->setStyleSheet(QString());
+    }
+}
+
 render::Theme currentTheme() {
     return themeInForce();
 }

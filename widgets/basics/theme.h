@@ -18,6 +18,8 @@ void giveColours(render::Theme theme);
 /// Gives it the style sheet too. A sheet is matched against every widget that there is, and against each that is put into another
 /// from then on: a window gets it once, when it has all of its widgets.
 void applyTheme(render::Theme theme);
+/// Takes the sheet off until the next applyTheme(), while a window is made.
+void takeOffSheet();
 /// The theme in force, and its colours.
 render::Theme currentTheme();
 const figures::Palette& tints();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/analysis/accuracy/machine_speed.h"
 #include "core/analysis/accuracy/study_tasks.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
@@ -52,7 +53,7 @@ bool Forecast::Loose::of(const Inputs& inputs, const Scenario& scenario) const {
 }
 
 Forecast::Answer Forecast::answer(const Question& question, const std::string& machine, const Calibration* calibration,
-                                  Earlier& earlier, Loose& loose, Speed& speed, const Execution& execution) {
+                                  Earlier& earlier, Loose& loose, const Execution& execution) {
     const int threads = execution.threads();
     const WorldOrigin reference = originOf(question.inputs, referenceScenario(question.scenario), 0, 0.0, machine);
     const Digest scene = sceneDigest(reference, DebrisInstant::AtRest);
@@ -78,11 +79,8 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     for (const Predicted what : shownFigures) {
         Prediction prediction = predict(what, open, earlier.points, calibration);
         if (what == Predicted::WallSeconds && !prediction.known) {
-            if (!speed.measured || speed.threads != threads) {
-                speed = {measureMachineSpeed(execution), threads};
-            }
             prediction = crudeWallSeconds(*question.fragments, question.bodies, question.inputs.fe->times().back(), settled,
-                                          *speed.measured, answer.beside.has_value());
+                                          machineSpeed(execution), answer.beside.has_value());
             for (double* seconds : {&prediction.value, &prediction.low, &prediction.high}) {
                 *seconds *= question.learnt;
             }
@@ -103,17 +101,16 @@ void Forecast::ask(Question question) {
     question.learnt = m_learnt;
     const int number = ++m_asked;
     auto made = std::make_shared<std::optional<Answer>>();
-    m_worker.startNext({Worker::Kind::Study,
-                        [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, loose = m_loose,
-                         speed = m_speed, made](const Execution& execution) {
-                            *made = answer(question, machine, calibration.get(), *earlier, *loose, *speed, execution);
-                        },
-                        [this, number, made](const std::exception_ptr&) {
-                            if (made->has_value()) {
-                                (*made)->newest = number == m_asked;
-                                emit said(**made);
-                            }
-                        }});
+    m_worker.startNext(
+        {Worker::Kind::Study,
+         [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, loose = m_loose,
+          made](const Execution& execution) { *made = answer(question, machine, calibration.get(), *earlier, *loose, execution); },
+         [this, number, made](const std::exception_ptr&) {
+             if (made->has_value()) {
+                 (*made)->newest = number == m_asked;
+                 emit said(**made);
+             }
+         }});
 }
 
 }  // namespace rubble

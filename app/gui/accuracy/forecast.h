@@ -7,7 +7,6 @@
 
 #include "app/gui/session/worker.h"
 #include "core/analysis/accuracy/loose_beside.h"
-#include "core/analysis/accuracy/machine_speed.h"
 #include "core/analysis/accuracy/prediction.h"
 #include "core/pipeline/pipeline.h"
 #include "widgets/basics/prediction_box.h"
@@ -70,13 +69,8 @@ private:
 
         bool of(const Inputs& inputs, const Scenario& scenario) const;
     };
-    /// Of this machine, measured when it is first needed; used by the worker alone.
-    struct Speed {
-        std::optional<MachineSpeed> measured;
-        int threads = 0;
-    };
     static Answer answer(const Question& question, const std::string& machine, const Calibration* calibration, Earlier& earlier,
-                         Loose& loose, Speed& speed, const Execution& execution);
+                         Loose& loose, const Execution& execution);
 
     std::string m_machine;
     int m_asked = 0;
@@ -84,7 +78,6 @@ private:
     std::shared_ptr<const Calibration> m_calibration;
     std::shared_ptr<Earlier> m_earlier = std::make_shared<Earlier>();
     std::shared_ptr<Loose> m_loose = std::make_shared<Loose>();
-    std::shared_ptr<Speed> m_speed = std::make_shared<Speed>();
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };

@@ -6,6 +6,7 @@
 #include "app/gui/session/session.h"
 #include "app/gui/window/main_window.h"
 #include "widgets/basics/language.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble {
 
@@ -13,10 +14,16 @@ namespace {
 
 constexpr int lookEvery = 100;  // ms
 
+std::unique_ptr<MainWindow> made(Session& session) {
+    // A window is made from its parts upwards. Under a style sheet each step would style all below anew; it puts on its own at
+    // last.
+    widgets::takeOffSheet();
+    return std::make_unique<MainWindow>(session);
+}
+
 }  // namespace
 
-RenewedWindow::RenewedWindow(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_window(std::make_unique<MainWindow>(session)) {
+RenewedWindow::RenewedWindow(Session& session, QObject* parent) : QObject(parent), m_session(session), m_window(made(session)) {
     m_wait.setSingleShot(true);
     connect(&m_wait, &QTimer::timeout, this, &RenewedWindow::preferencesChanged);
     connect(&session, &Session::preferencesChanged, this, [this](const widgets::Preferences& before) {
@@ -56,7 +63,7 @@ void RenewedWindow::speak(const QString& language) {
     m_window.reset();
     widgets::speak(wanted);
     m_session.document().nameEdits();
-    m_window = std::make_unique<MainWindow>(m_session);
+    m_window = made(m_session);
     if (visible) {
         m_window->show();
         m_window->activateWindow();

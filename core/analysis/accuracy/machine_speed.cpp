@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <mutex>
 #include <vector>
 
 #include "core/analysis/accuracy/calibration.h"
@@ -37,6 +39,20 @@ MachineSpeed measureMachineSpeed(const Execution& execution) {
     }
     const double span = std::max(result.endTime - result.firstTime, 1e-9);
     return {wall / RunTimeLeft(std::move(course)).work(), static_cast<double>(result.steps) / span, result.substeps};
+}
+
+MachineSpeed machineSpeed(const Execution& execution) {
+    static std::mutex access;
+    static std::map<int, MachineSpeed> measured;
+    {
+        const std::lock_guard lock(access);
+        if (const auto found = measured.find(execution.threads()); found != measured.end()) {
+            return found->second;
+        }
+    }
+    const MachineSpeed speed = measureMachineSpeed(execution);
+    const std::lock_guard lock(access);
+    return measured.emplace(execution.threads(), speed).first->second;
 }
 
 Prediction crudeWallSeconds(const FragmentSet& fragments, std::int64_t bodies, double feEnd, const Scenario& scenario,

@@ -18,6 +18,8 @@ struct MachineSpeed {
 
 /// Simulates the pile on as many threads as the execution grants. Throws Cancelled.
 MachineSpeed measureMachineSpeed(const Execution& execution);
+/// The same, measured once by a program for a number of threads.
+MachineSpeed machineSpeed(const Execution& execution);
 
 /// Wall time of a run that nothing like it was simulated before: from its bodies, their births and the speed of the machine, with
 /// an interval as wide as that is crude.

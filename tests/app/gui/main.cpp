@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QDir>
 #include <QEvent>
 #include <QLocale>
 #include <QMainWindow>
@@ -70,6 +71,11 @@ int main(int argc, char** argv) {
     qputenv("RUBBLE_STATE", state.path().toUtf8());
     // What the user has calibrated and compared on this machine is no part of a test.
     const QTemporaryDir cache;
+    // Shaders that the driver has compiled are: without them each program compiles them anew.
+    if (qEnvironmentVariableIsEmpty("MESA_SHADER_CACHE_DIR")) {
+        const QString usual = qEnvironmentVariable("XDG_CACHE_HOME", QDir::homePath() + QStringLiteral("/.cache"));
+        qputenv("MESA_SHADER_CACHE_DIR", usual.toUtf8());
+    }
     qputenv("XDG_CACHE_HOME", cache.path().toUtf8());
     keepSettingsIn(state.path());
     const BareWindows bare;

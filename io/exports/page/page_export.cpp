@@ -111,8 +111,8 @@ struct PageParts {
 
 void writeFrame(std::ostream& out, const PageParts& parts) {
     const std::pair<std::string_view, std::string_view> places[] = {
-        {"title", parts.title},  {"policy", parts.policy}, {"style", pageStyle()},       {"facts", parts.facts},
-        {"data", parts.data},    {"stills", parts.stills}, {"pictures", parts.pictures}, {"provenance", parts.provenance},
+        {"title", parts.title},   {"policy", parts.policy},  {"style", pageStyle()},       {"facts", parts.facts},
+        {"data", parts.data},     {"stills", parts.stills},  {"pictures", parts.pictures}, {"provenance", parts.provenance},
         {"script", pageScript()}, {"opening", pageOpening()}};
     std::string_view rest = pageFrame();
     while (!rest.empty()) {
@@ -146,9 +146,8 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
     facts["scene"] = scene.about;
     PageParts parts;
     parts.title = escaped(facts["title"].get<std::string>());
-    parts.policy = "default-src 'none'; script-src " + policyHash(pageOpening()) + " " + policyHash(pageScript()) +
-                   "; style-src " + policyHash(pageStyle()) +
-                   "; img-src data:; form-action 'none'; base-uri 'none'";
+    parts.policy = "default-src 'none'; script-src " + policyHash(pageOpening()) + " " + policyHash(pageScript()) + "; style-src " +
+                   policyHash(pageStyle()) + "; img-src data:; form-action 'none'; base-uri 'none'";
     parts.facts = embedded(facts);
     parts.stills = stills(extras);
     parts.pictures = embedded(pictureList(extras));

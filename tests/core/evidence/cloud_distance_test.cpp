@@ -273,8 +273,8 @@ TEST(PointIndex, HoldsEveryPlaceOnceWhetherTheyCameInOrderOrNot) {
     for (const Vec3& centre : {Vec3(0.0, 0.0, 0.0), Vec3(4.0, -3.0, 1.0), places[0]}) {
         std::vector<Vec3> found;
         index.within(centre, 1.0, found);
-        const auto inside = std::count_if(places.begin(), places.end(),
-                                          [&](const Vec3& place) { return (place - centre).squaredNorm() <= 1.0; });
+        const auto inside =
+            std::count_if(places.begin(), places.end(), [&](const Vec3& place) { return (place - centre).squaredNorm() <= 1.0; });
         EXPECT_EQ(found.size(), static_cast<std::size_t>(inside));
         EXPECT_EQ(index.moments(centre, 1.0).points, found.size());
     }

@@ -37,24 +37,27 @@ Vec3 cubeOf(const Vec3& place, double cube) {
     return (place / cube).array().floor();
 }
 
-/// Numbers cubes along a curve that leads through all of them, from the lowest of some places on.
+/// Numbers cubes along a curve that leads through all of them, from the lowest of some places on. Strays beyond 2^20 cubes from the
+/// origin count as there, so that they take no numbers from the others.
 class CubeCurve {
 public:
     CubeCurve(const std::vector<Vec3>& places, double cube) : m_cube(cube), m_lowest(Vec3::Zero()) {
         if (!places.empty()) {
             const auto lower = [](const Vec3& low, const Vec3& place) { return Vec3(low.cwiseMin(place)); };
-            m_lowest = cubeOf(std::accumulate(places.begin() + 1, places.end(), places.front(), lower), cube);
+            m_lowest = cubeOf(std::accumulate(places.begin() + 1, places.end(), places.front(), lower), cube).cwiseMax(-farthest);
         }
     }
 
     std::uint64_t numberOf(const Vec3& place) const {
-        constexpr double most = (1 << 21) - 1;
+        constexpr double most = 2.0 * farthest - 1.0;
         const Vec3 own = cubeOf(place, m_cube) - m_lowest;
         const auto along = [&](int axis) { return spreadBits(static_cast<std::uint64_t>(std::clamp(own[axis], 0.0, most))); };
         return along(0) | along(1) << 1 | along(2) << 2;
     }
 
 private:
+    static constexpr double farthest = 1 << 20;  // cubes
+
     double m_cube;
     Vec3 m_lowest;
 };
@@ -228,7 +231,7 @@ private:
 struct PointIndex::Tree {
     /// In the order in which they are met: below a node come its children, and then what `next` names.
     struct Node {
-        RoundedBox box;       ///< m, about the middle of all
+        RoundedBox box;       ///< m, about `middle`
         std::uint32_t next;   ///< node after all below this one
         std::uint32_t first;  ///< point
         std::uint32_t count;  ///< points; 0: it has children
@@ -252,8 +255,8 @@ struct PointIndex::Tree {
         } else {
             orderByCubes(places, cube);
         }
-        const Aabb all = boxOf(places);
-        middle = 0.5 * (all.min() + all.max());
+        // Single precision is fine where most are, wherever a stray lies.
+        middle = places[places.size() / 2];
         Runs runs;
         std::uint64_t within = 0;
         for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -275,7 +278,7 @@ struct PointIndex::Tree {
     }
 
     /// Hands over the runs whose boxes a test does not cull.
-    /// @param meets  (RoundedBox about the middle); @param visit  (RunView)
+    /// @param meets  (RoundedBox about `middle`); @param visit  (RunView)
     template <class Meets, class Visit>
     void visitRuns(const Meets& meets, const Visit& visit) const {
         const std::size_t end = nodes.size();
@@ -295,7 +298,7 @@ struct PointIndex::Tree {
 
     /// Three numbers a point, m: of each run first all x, then all y, then all z, where its points were before.
     std::vector<Vec3> places;
-    Vec3 middle = Vec3::Zero();
+    Vec3 middle = Vec3::Zero();  ///< a point in the midst of the others
     std::vector<Node> nodes;
 
 private:

@@ -327,9 +327,13 @@ private:
             std::vector<Vec3> firstPlaces = held(m_made.first, "", strip);
             std::vector<Vec3> secondPlaces = held(m_made.second, m_made.first.head.crs, strip);
             const double radius = m_request.settings.projectionRadius;
-            std::future<PointIndex> building =
-                std::async(std::launch::async, [&] { return PointIndex(std::move(secondPlaces), radius); });
-            const PointIndex first(std::move(firstPlaces), radius);
+            const auto indexOf = [radius](std::vector<Vec3>& places) {
+                // Files go line by line, which is near from point to point, but not from line to line.
+                orderByCubes(places, radius);
+                return PointIndex(std::move(places), radius);
+            };
+            std::future<PointIndex> building = std::async(std::launch::async, [&] { return indexOf(secondPlaces); });
+            const PointIndex first = indexOf(firstPlaces);
             const PointIndex second = building.get();
             const std::vector<std::uint32_t> before = orderByCubes(cores, radius);
             const std::vector<CoreDistance> made = cloudDistances(cores, first, second, m_settings, m_execution);

@@ -233,6 +233,15 @@ TEST(PointIndex, OrderKeepsEveryPlaceAndPutsNeighboursTogether) {
         stepsBefore += k > 0 ? (places[k] - places[k - 1]).norm() : 0.0;
     }
     EXPECT_LT(steps, 0.1 * stepsBefore);
+    std::vector<Vec3> astray = places;
+    astray.emplace_back(-3e6, -7e6, -100.0);
+    orderByCubes(astray, 0.5);
+    double stepsAstray = 0.0;
+    for (std::size_t k = 1; k < astray.size(); ++k) {
+        const double step = (astray[k] - astray[k - 1]).norm();
+        stepsAstray += step < 1e6 ? step : 0.0;
+    }
+    EXPECT_LT(stepsAstray, 0.1 * stepsBefore) << "a stray far below takes no numbers from the others";
     CubeThinning thinning(0.5);
     std::vector<Vec3> firsts;
     std::copy_if(ordered.begin(), ordered.end(), std::back_inserter(firsts),

@@ -24,7 +24,7 @@ bool survivesTrial(const std::function<void()>& work, std::chrono::seconds longe
 template <class Learnt>
 class TriedFiles {
 public:
-    /// @param learn  () what a trial of the file says; what it throws is not kept
+    /// @param learn  () what a trial of the file says; what it throws is not kept, nor that there is nothing (Learnt())
     template <class Learn>
     Learnt of(const std::string& path, const Learn& learn) {
         const std::optional<FileStamp> stamp = settledStamp(path);
@@ -35,8 +35,8 @@ public:
             return found->second;
         }
         Learnt learnt = learn();
-        // One that was written to meanwhile is tried again.
-        if (settledStamp(path) == stamp) {
+        // One that was written to meanwhile is tried again, and so is one of which nothing was learnt: that may pass.
+        if (learnt != Learnt() && settledStamp(path) == stamp) {
             m_learnt.emplace(*stamp, learnt);
         }
         return learnt;

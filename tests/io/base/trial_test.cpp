@@ -69,6 +69,11 @@ TEST(Trial, AFileIsTriedOnceAsLongAsItStaysAsItIs) {
     EXPECT_EQ(ask(), 4);
     std::filesystem::last_write_time(path, earlier);
     EXPECT_EQ(ask(), 5) << "another size";
+    TriedFiles<bool> sound;
+    const auto fails = [&] { return sound.of(path, [] { return false; }); };
+    EXPECT_FALSE(fails());
+    EXPECT_TRUE(sound.of(path, [] { return true; })) << "a failure may pass";
+    EXPECT_TRUE(fails());
     EXPECT_EQ(tried.of(folder / "absent.txt", [&] { return 7; }), 7);
     EXPECT_THROW(tried.of(path + ".other", []() -> int { throw WorldError({"some.id", "", {}}, {}); }), WorldError);
 }

@@ -4,6 +4,6 @@
     var page = document.documentElement;
     page.className = 'opening';
     window.addEventListener('error', function () {
-        page.className = '';
+        page.className = page.className.replace('opening', '');
     });
 })();

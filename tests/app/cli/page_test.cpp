@@ -181,6 +181,11 @@ TEST_F(PageInBrowser, WithoutWebGlThePicturesStandThere) {
     Browser plain(m_folder / "plain", 800, 600, {"--disable-3d-apis"});
     EXPECT_EQ(plain.open(m_page), "noWebGl");
     EXPECT_EQ(plain.evaluate("document.getElementById('stills').hidden"), false);
+    EXPECT_NE(plain.evaluate("getComputedStyle(document.getElementById('stills')).display"), "none");
+    EXPECT_EQ(
+        plain.evaluate("document.documentElement.className = 'opening contrast', window.dispatchEvent(new ErrorEvent('error')),"
+                       " document.documentElement.className.trim()"),
+        "contrast");
     EXPECT_GE(plain.evaluate("document.querySelectorAll('#stills img').length").get<int>(), 3);
     EXPECT_EQ(
         plain.evaluate("[...document.querySelectorAll('#stills img')].every((each) => each.complete && each.naturalWidth > 100)"),

@@ -6,6 +6,13 @@
 
 namespace rubble {
 
+namespace {
+
+/// Bodies in a row through which a blow may go in a step.
+constexpr int longestRow = 16;
+
+}  // namespace
+
 void ContactResults::take(SoftSolver& solver, bool corrected, ContactReport& report) {
     m_outcomes.resize(solver.contacts.size());
     solver.takeBack(
@@ -15,14 +22,6 @@ void ContactResults::take(SoftSolver& solver, bool corrected, ContactReport& rep
     m_unloaded.clear();
     for (std::size_t k = 0; k < m_outcomes.size(); ++k) {
         const Outcome& outcome = m_outcomes[k];
-        const SoftContact& contact = m_scene.contacts[solver.contacts[k].found];
-        // Only now, for pushes were handed on from what was known before the step.
-        if (outcome.pushOnA > noPush) {
-            contact.a->loosePush = std::max(contact.a->loosePush, outcome.pushOnA);
-        }
-        if (outcome.pushOnB > noPush) {
-            contact.b->loosePush = std::max(contact.b->loosePush, outcome.pushOnB);
-        }
         report.pairs += outcome.points > 0;
         report.points += outcome.points;
         if (outcome.unloaded != nobody) {
@@ -30,6 +29,47 @@ void ContactResults::take(SoftSolver& solver, bool corrected, ContactReport& rep
         }
         if (outcome.work != 0.0) {
             (outcome.driven ? report.pieceWork : report.overlapWork) += outcome.work;
+        }
+    }
+    handOn(solver);
+}
+
+/// A blow goes through a row of bodies within a step, so this is repeated until nothing changes. Strikes are in the order of the
+/// contacts, which threads do not reach.
+void ContactResults::handOn(const SoftSolver& solver) const {
+    struct Strike {
+        Collider* by;
+        Collider* on;
+        double point;  ///< J/kg, kinetic, of the point that strikes
+        double body;   ///< J/kg, kinetic, of the body that it is of
+    };
+    std::vector<Strike> strikes;
+    const auto note = [&](Collider& by, std::uint32_t slot, Collider& on, double point) {
+        if (point > noPush) {
+            const SolverBody& body = solver.bodies[slot];
+            const Vec3 spin = m_scene.bodies.of(by).pose.orientation.conjugate() * body.spin;
+            strikes.push_back({&by, &on, point, specificKineticEnergy(body.velocity, spin, by.inertia, by.mass)});
+        }
+    };
+    for (std::size_t k = 0; k < m_outcomes.size(); ++k) {
+        const SolverContact& of = solver.contacts[k];
+        const SoftContact& contact = m_scene.contacts[of.found];
+        note(*contact.b, of.b, *contact.a, m_outcomes[k].strikesA);
+        note(*contact.a, of.a, *contact.b, m_outcomes[k].strikesB);
+    }
+    const auto height = [&](const Collider& c) { return m_scene.settings.gravity * m_scene.bodies.of(c).pose.position.z(); };
+    bool changed = !strikes.empty();
+    for (int round = 0; changed && round < longestRow; ++round) {
+        changed = false;
+        for (const Strike& strike : strikes) {
+            // A turning body may have points that are faster than its fall allows. What a piece has pushed may have what that gave.
+            const double allowed = strike.by->allowedEnergy() - height(*strike.by);
+            const bool within = strike.by->pushed || strike.body <= allowed;
+            const double handed = (within ? strike.point : std::clamp(allowed, 0.0, strike.point)) + height(*strike.on);
+            if (handed > strike.on->allowedEnergy()) {
+                strike.on->handedEnergy = handed;
+                changed = true;
+            }
         }
     }
 }
@@ -51,8 +91,8 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
     }
     if (outcome.points > 0) {
         m_assembly.noteSupport(of, contact.normal);
-        outcome.pushOnA = loosePushBy(false, solver, of, c, contact);
-        outcome.pushOnB = loosePushBy(true, solver, of, c, contact);
+        outcome.strikesA = strikes(false, solver, of, c, contact);
+        outcome.strikesB = strikes(true, solver, of, c, contact);
     }
     if (corrected) {
         contact.offset += pressedByCorrection(solver, of, contact);
@@ -70,38 +110,32 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
     return outcome;
 }
 
-/// J/kg, v^2 / 2 + g z with the speed of the fastest point of one side that pushes the other and the height of the other's centre,
-/// or noPush if the first is neither loose nor was pushed by what is, or if the other is loose itself. What a turning span carries
-/// along gets faster than by its fall, and hands that on, but not more.
-double ContactResults::loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
-                                   const SoftContact& contact) const {
-    const Collider& pusher = sideA ? *contact.a : *contact.b;
-    const Collider& pushed = sideA ? *contact.b : *contact.a;
-    if (pushed.kind != ColliderKind::Body || pushed.loose || (!pusher.loose && pusher.loosePush == noPush)) {
+/// J/kg, kinetic, of the fastest point of one side that pushes the other on, or noPush if the other may have that by what is known
+/// yet. What pushes and rubs against its motion hands on nothing, as what a turning span carries along does.
+double ContactResults::strikes(bool byA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
+                               const SoftContact& contact) const {
+    const Collider& pusher = byA ? *contact.a : *contact.b;
+    const Collider& pushed = byA ? *contact.b : *contact.a;
+    if (pusher.kind != ColliderKind::Body || pushed.kind != ColliderKind::Body) {
         return noPush;
     }
-    const SolverBody& body = solver.bodies[sideA ? of.a : of.b];
-    const double gravity = m_scene.settings.gravity;
+    const SolverBody& from = solver.bodies[byA ? of.a : of.b];
+    const SolverBody& to = solver.bodies[byA ? of.b : of.a];
     const Vec3 centre = m_scene.bodies.of(pushed).pose.position;
-    double most = noPush;
+    double most = 0.0;  // m2/s2
     for (std::uint32_t k = 0; k < of.points; ++k) {
         const PointImpulses& p = c.points[k];
-        if (p.largest > 0.0) {
+        const SoftContact::Point& point = contact.points[k];
+        const Vec3 velocity = (byA ? 1.0 : -1.0) * (to.velocity + to.spin.cross(m_assembly.armOf(!byA, of, k)));
+        if (p.largest > 0.0 && (contact.normal.dot(velocity) > 0.0 || point.friction.dot(velocity) > 0.0)) {
             // What lies on it goes as fast as it would at the centre of what lies there.
-            const Vec3 arm = m_assembly.armOf(sideA, of, k);
-            const Vec3 atCentre = arm + centre - contact.points[k].position;
-            most = std::max({most, (body.velocity + body.spin.cross(arm)).squaredNorm(),
-                             (body.velocity + body.spin.cross(atCentre)).squaredNorm()});
+            const Vec3 arm = m_assembly.armOf(byA, of, k);
+            const Vec3 atCentre = arm + centre - point.position;
+            most = std::max({most, (from.velocity + from.spin.cross(arm)).squaredNorm(),
+                             (from.velocity + from.spin.cross(atCentre)).squaredNorm()});
         }
     }
-    if (most == noPush) {
-        return noPush;
-    }
-    const double speed = 0.5 * most;
-    // What was pushed itself hands on the speed that it may have where it is.
-    const double height = m_scene.bodies.of(pusher).pose.position.z();
-    const double own = pusher.loose ? speed : std::min(speed, pusher.loosePush - gravity * height);
-    return std::max(own, 0.0) + gravity * centre.z();
+    return 0.5 * most + m_scene.settings.gravity * centre.z() > pushed.allowedEnergy() ? 0.5 * most : noPush;
 }
 
 Vec3 ContactResults::loadOf(const SoftContact& contact) const {

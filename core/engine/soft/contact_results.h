@@ -28,14 +28,15 @@ private:
         std::uint32_t points = 0;         ///< if one of them acted
         std::uint32_t unloaded = nobody;  ///< a frozen body
         bool driven = false;              ///< the work is that of a piece
-        double pushOnA = noPush;          ///< J/kg, by what is loose
-        double pushOnB = noPush;
+        double strikesA = noPush;         ///< J/kg, of the fastest point of b that pushes a, where a may not have that itself
+        double strikesB = noPush;
     };
     Outcome outcomeOf(const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c, bool corrected) const;
     double pressedByCorrection(const SoftSolver& solver, const SolverContact& of, const SoftContact& contact) const;
     void accountForPiece(const SoftSolver& solver, const SolverContact& of, SoftContact& contact, double pushed) const;
-    double loosePushBy(bool sideA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
-                       const SoftContact& contact) const;
+    double strikes(bool byA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
+                   const SoftContact& contact) const;
+    void handOn(const SoftSolver& solver) const;
     Vec3 loadOf(const SoftContact& contact) const;
     std::uint32_t unloadedBy(const SoftContact& contact) const;
 

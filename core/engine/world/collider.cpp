@@ -6,8 +6,12 @@ namespace rubble {
 
 void Collider::keep(Archive& archive) {
     archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, loose, broken, material, entered,
-            birthDepth, birthDepthApart, penetration, overlapLeft, lifted, smallestSide, volume, mass, loosePush, inertia, parts,
-            nodes);
+            birthDepth, birthDepthApart, penetration, overlapLeft, lifted, smallestSide, volume, mass, birthEnergy, handedEnergy,
+            inertia, parts, nodes);
+}
+
+double specificKineticEnergy(const Vec3& velocity, const Vec3& spin, const Vec3& inertia, double mass) {
+    return 0.5 * (velocity.squaredNorm() + inertia.dot(spin.cwiseAbs2()) / mass);
 }
 
 OrientedBox boxAround(const CollisionShape& parts) {

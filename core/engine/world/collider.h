@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/engine/world/rigid_world.h"
@@ -36,15 +37,26 @@ struct Collider {
     double smallestSide = 0.0;     ///< m, of a body
     double volume = 0.0;           ///< m3, of its material
     double mass = 0.0;             ///< kg, of a body
-    double loosePush = noPush;     ///< J/kg, see RigidWorld::loosePush()
+    double birthEnergy = 0.0;      ///< J/kg, of a body when it entered: kinetic, spin included, and g z
+    double handedEnergy = noPush;  ///< J/kg, see RigidWorld::handedEnergy()
     Vec3 inertia = Vec3::Zero();   ///< kg m2, likewise
     CollisionShape parts;
     std::vector<std::uint32_t> nodes;  ///< see NewBody
     OrientedBox box;                   ///< around the parts
 
+    /// J/kg, kinetic and g z, that a body may have by its birth and by what pushed it so far.
+    double allowedEnergy() const { return std::max(birthEnergy, handedEnergy); }
+
     /// All but what follows from kind, place and parts.
     void keep(Archive& archive);
 };
+
+/// J/kg.
+/// @param velocity  m/s
+/// @param spin      rad/s, about the principal axes
+/// @param inertia   kg m2, principal
+/// @param mass      kg
+double specificKineticEnergy(const Vec3& velocity, const Vec3& spin, const Vec3& inertia, double mass);
 
 /// Distance of the farthest corner from the origin of the frame, m.
 double outerRadius(const CollisionShape& parts);

@@ -39,7 +39,7 @@ public:
     double birthDepthApart(BodyId body) const override { return m_world->birthDepthApart(body); }
     double overlapLeft(BodyId body) const override { return m_world->overlapLeft(body); }
     bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
-    double loosePush(BodyId body) const override { return m_world->loosePush(body); }
+    double handedEnergy(BodyId body) const override { return m_world->handedEnergy(body); }
     const ContactReport& contacts() const override { return m_world->contacts(); }
     const StepCosts& costs() const override { return m_world->costs(); }
 

@@ -84,6 +84,9 @@ struct WorldSettings {
     bool partsJammed = false;
     /// Bodies with very many contacts are solved as several that share their mass, so that no contact waits for another.
     bool splitsMass = false;
+    /// Boxes that are deep in each other meet by faces sooner than by edges, and a patch that has turned takes of the one before
+    /// what acts along it.
+    bool steadyPatches = false;
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };
@@ -110,7 +113,7 @@ struct StepCosts {
     double total = 0.0;             ///< whole steps
 };
 
-/// J/kg, of a body that nothing loose has pushed.
+/// J/kg, of a body to which nothing has handed on energy that it did not have by its birth.
 constexpr double noPush = -std::numeric_limits<double>::infinity();
 
 /// The seam behind which a solver lives: rigid bodies, kinematic pieces, a ground, and time. Bodies and pieces are numbered in the
@@ -168,9 +171,10 @@ public:
     virtual double lifted(BodyId body) const = 0;
     /// A moving piece has pushed this body at some time.
     virtual bool pushedByPiece(BodyId body) const = 0;
-    /// J/kg, v^2 / 2 + g z with the speed of the loose structure (NewBody::loose) that pushed the body and the height of the body's
-    /// centre then, at most so far; noPush: none has, or the solver does not tell.
-    virtual double loosePush(BodyId) const { return noPush; }
+    /// J/kg, v^2 / 2 + g z with the speed of the fastest point of another body that pushed this one and the height of this one's
+    /// centre then, at most so far, where that is more than it had at birth. What has more energy itself than by its birth and by
+    /// what pushed it hands on no more than it may have. noPush: none has, or the solver does not tell.
+    virtual double handedEnergy(BodyId) const { return noPush; }
     virtual const ContactReport& contacts() const = 0;
     virtual const StepCosts& costs() const = 0;
 

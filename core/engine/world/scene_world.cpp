@@ -40,6 +40,9 @@ BodyId SceneWorld::addBody(const NewBody& body) {
     collider.smallestSide = body.smallestSide;
     collider.volume = body.volume;
     collider.loose = body.loose;
+    const Vec3 spin = body.pose.orientation.conjugate() * body.angularVelocity;
+    collider.birthEnergy =
+        specificKineticEnergy(body.velocity, spin, body.inertia, body.mass) + m_settings.gravity * body.pose.position.z();
     collider.nodes = body.nodes;
     m_sleep.addBody();
     bodyEntered(collider, body);

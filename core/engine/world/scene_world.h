@@ -32,7 +32,7 @@ public:
     double birthDepthApart(BodyId body) const override;
     double overlapLeft(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->overlapLeft; }
     bool pushedByPiece(BodyId body) const override { return m_bodies[at(body)]->pushed; }
-    double loosePush(BodyId body) const override { return m_bodies[at(body)]->loosePush; }
+    double handedEnergy(BodyId body) const override { return m_bodies[at(body)]->handedEnergy; }
     const ContactReport& contacts() const override { return m_report; }
     const StepCosts& costs() const override { return m_costs; }
 

@@ -112,7 +112,7 @@ double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted
         own += m_site.current * m_site.current;
     }
     own += 2.0 * m_site.gravity * std::max(0.0, fall);
-    // What loose structure carries along goes with the point that pushes it.
+    // What another body pushes goes with the point that pushes it.
     if (push > noPush) {
         own = std::max(own, 2.0 * (push - m_site.gravity * z));
     }
@@ -123,7 +123,7 @@ double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted
 void HealthMonitor::watchSpeed(const RigidWorld& world, std::size_t index, const TrackedBody& body) {
     Watched& watched = m_bodies[index];
     const double speedSquared = body.latest.velocity.squaredNorm();
-    const double push = world.loosePush(idAt<BodyId>(index));
+    const double push = world.handedEnergy(idAt<BodyId>(index));
     const double allowed = allowedSpeedSquared(body, world.lifted(idAt<BodyId>(index)), push);
     const double energy = 0.5 * speedSquared + m_site.gravity * body.latest.pose.position.z();
     if (push > noPush) {

@@ -200,7 +200,7 @@ TEST_F(HealthMonitorTest, WhatASpanCarriesAlongMayBeAsFastAsTheSpanIsThere) {
     TrackedBody& body = add(Vec3(20, 0, 20));
     TrackedBody& other = add(Vec3(30, 0, 19));
     // The span went by at 12 m/s at a height of 21 m.
-    world.scripted[0].loosePush = 0.5 * 12.0 * 12.0 + standardGravity * 21.0;
+    world.scripted[0].handedEnergy = 0.5 * 12.0 * 12.0 + standardGravity * 21.0;
     run(step);
     const double speed = std::sqrt(12.0 * 12.0 + 2.0 * standardGravity * 1.0);
     body.latest.velocity = Vec3(1.04 * speed, 0, 0);

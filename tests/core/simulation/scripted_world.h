@@ -16,7 +16,7 @@ public:
         double penetration = 0.0;  ///< m
         double lifted = 0.0;       ///< m
         bool pushed = false;
-        double loosePush = noPush;  ///< J/kg
+        double handedEnergy = noPush;  ///< J/kg
     };
     std::vector<Body> scripted;
     ContactReport report;
@@ -42,7 +42,7 @@ public:
     double birthDepthApart(BodyId) const override { return 0.0; }
     double overlapLeft(BodyId) const override { return 0.0; }
     bool pushedByPiece(BodyId body) const override { return scripted[at(body)].pushed; }
-    double loosePush(BodyId body) const override { return scripted[at(body)].loosePush; }
+    double handedEnergy(BodyId body) const override { return scripted[at(body)].handedEnergy; }
     const ContactReport& contacts() const override { return report; }
     const StepCosts& costs() const override { return m_costs; }
 

@@ -148,7 +148,7 @@ struct Scenario {
 inline int substepsOf(const Scenario& scenario) {
     return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 12);
 }
-/// The same from the end of the FE result on, when few spans are left that press on debris.
+/// The same from the end of the FE result on, when few spans are left that press on debris and little still falls.
 inline int settlingSubstepsOf(const Scenario& scenario) {
     return scenario.simulation.substeps.value_or(scenario.effects.loose == LooseStructurePolicy::Fe ? 4 : 8);
 }

@@ -65,7 +65,7 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
     // As a collapse takes them by default, so that what is found here holds there. Its other rules find nothing here: no block is
     // born in another, and none has contacts enough to be split.
     settings.substeps = substepsOf(Scenario());
-    settings.partsJammed = true;
+    settings.partsJammed = settings.steadyPatches = true;
     settings.threads = execution.threads();
     settings.cancelled = [execution] { return execution.cancelled(); };
     const std::unique_ptr<RigidWorld> world = makeWorld(SolverKind::SoftStep, settings);

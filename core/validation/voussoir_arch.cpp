@@ -67,7 +67,7 @@ bool archStands(const VoussoirArch& arch, double thickness, const Execution& exe
     // As a collapse takes them by default, so that what is found here holds there. Its other rules find nothing here: no block is
     // born in another, and none has contacts enough to be split.
     settings.substeps = substepsOf(Scenario());
-    settings.partsJammed = true;
+    settings.partsJammed = settings.steadyPatches = true;
     settings.threads = execution.threads();
     settings.cancelled = [execution] { return execution.cancelled(); };
     const std::unique_ptr<RigidWorld> world = makeWorld(SolverKind::SoftStep, settings);

@@ -11,6 +11,9 @@ namespace {
 /// An edge axis must separate better than the best face axis by this share of the smallest half extent: faces give steadier
 /// contacts.
 constexpr double edgePreference = 0.02;
+/// The same of the depth, where faces are preferred in depth: a thin body that is pressed deep would go to and fro between a face
+/// of four points and an edge of one, and hand on no load.
+constexpr double deepEdgePreference = 0.1;
 /// Squared sine below which two edges count as parallel and give no axis of their own.
 constexpr double parallelEdges = 1e-6;
 
@@ -65,7 +68,7 @@ void clip(Polygon& polygon, bool alongU, double sign, double limit, std::uint32_
     polygon = out;
 }
 
-SeparatingAxis findAxis(const PlacedBox& a, const PlacedBox& b, double margin, bool& apart) {
+SeparatingAxis findAxis(const PlacedBox& a, const PlacedBox& b, double margin, bool faces, bool& apart) {
     const Mat3 c = a.axes.transpose() * b.axes;
     const Mat3 absC = c.cwiseAbs();
     const Vec3 d = b.centre - a.centre;
@@ -90,7 +93,7 @@ SeparatingAxis findAxis(const PlacedBox& a, const PlacedBox& b, double margin, b
         }
     }
     const double preference = edgePreference * std::min(a.halfExtents.minCoeff(), b.halfExtents.minCoeff());
-    double edgeBest = best.separation + preference;
+    double edgeBest = best.separation + preference + (faces ? deepEdgePreference * std::max(0.0, -best.separation) : 0.0);
     for (int i = 0; i < 3; ++i) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
         for (int j = 0; j < 3; ++j) {
@@ -214,9 +217,9 @@ ContactPatch faceContact(const PlacedBox& reference, const PlacedBox& incident, 
 
 }  // namespace
 
-ContactPatch collideBoxes(const PlacedBox& a, const PlacedBox& b, double margin) {
+ContactPatch collideBoxes(const PlacedBox& a, const PlacedBox& b, double margin, bool faces) {
     bool apart = false;
-    const SeparatingAxis axis = findAxis(a, b, margin, apart);
+    const SeparatingAxis axis = findAxis(a, b, margin, faces, apart);
     if (apart) {
         return {};
     }

@@ -14,6 +14,7 @@ struct PlacedBox {
 
 /// Contact between two boxes by separating axes and face clipping; points up to `margin` [m] apart are reported too (speculative).
 /// Returns no points where the boxes are farther apart. Deterministic.
-ContactPatch collideBoxes(const PlacedBox& a, const PlacedBox& b, double margin);
+/// @param faces  the deeper the boxes are in each other, the more an edge must be less deep than a face to be taken
+ContactPatch collideBoxes(const PlacedBox& a, const PlacedBox& b, double margin, bool faces = false);
 
 }  // namespace rubble

@@ -54,7 +54,7 @@ void ContactBook::takeRange(std::span<const Found> found, std::size_t first, std
                 ++before;
             }
             if (before != m_previous.end() && before->key() == contact.key() && !before->aside) {
-                carryOver(*before, contact);
+                carryOver(*before, contact, m_byAngle);
             } else if (recall(contact)) {
                 recalled.push_back(contact.key());
             }
@@ -74,7 +74,7 @@ bool ContactBook::recall(SoftContact& contact) const {
     if (same == kept->end()) {
         return false;
     }
-    carryOver(*same, contact);
+    carryOver(*same, contact, m_byAngle);
     return true;
 }
 

@@ -16,7 +16,8 @@ namespace rubble {
 /// put aside with the bodies that sleep.
 class ContactBook {
 public:
-    explicit ContactBook(WorkerPool& pool) : m_pool(pool) {}
+    /// @param byAngle  see carryOver()
+    ContactBook(WorkerPool& pool, bool byAngle) : m_pool(pool), m_byAngle(byAngle) {}
 
     SoftContact& operator[](std::size_t i) { return m_contacts[i]; }
     const SoftContact& operator[](std::size_t i) const { return m_contacts[i]; }
@@ -55,6 +56,7 @@ private:
                    const std::function<void(std::size_t, std::size_t)>& pairTaken);
 
     WorkerPool& m_pool;
+    bool m_byAngle;
     std::vector<SoftContact> m_contacts, m_previous;
     SleepingContacts m_asleep;
     std::vector<std::vector<Key>> m_recalled;  ///< keys of contacts that slept, by parts of the loop

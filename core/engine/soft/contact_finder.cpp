@@ -56,9 +56,9 @@ void append(const ContactPatch& patch, std::uint32_t part, Collider& a, Collider
 
 }  // namespace
 
-ContactFinder::ContactFinder(const SiteSurface& surface, double gravity, const SoftBodies& bodies, PairFinder& pairs,
+ContactFinder::ContactFinder(const SiteSurface& surface, double gravity, bool faces, const SoftBodies& bodies, PairFinder& pairs,
                              WorkerPool& pool)
-    : m_surface(surface), m_gravity(gravity), m_bodies(bodies), m_pairs(pairs), m_pool(pool) {
+    : m_surface(surface), m_gravity(gravity), m_faces(faces), m_bodies(bodies), m_pairs(pairs), m_pool(pool) {
     m_ground.kind = ColliderKind::Ground;
     m_ground.newborn = false;
 }
@@ -166,7 +166,7 @@ void ContactFinder::collidePair(const NearPair& pair, double dt, std::vector<Fou
         }
         ContactPatch patch;
         if (a.collider->parts[i].points.empty() && b.collider->parts[j].points.empty()) {
-            patch = collideBoxes(boxA, boxB, margin);
+            patch = collideBoxes(boxA, boxB, margin, m_faces);
         } else {
             patch = collideHulls(placedHull(*a.collider, i), placedHull(*b.collider, j), margin);
         }

@@ -26,7 +26,9 @@ struct Found {
 /// step. Contacts have an order of their own, which threads do not reach.
 class ContactFinder {
 public:
-    ContactFinder(const SiteSurface& surface, double gravity, const SoftBodies& bodies, PairFinder& pairs, WorkerPool& pool);
+    /// @param faces  deep boxes meet by faces, see collideBoxes()
+    ContactFinder(const SiteSurface& surface, double gravity, bool faces, const SoftBodies& bodies, PairFinder& pairs,
+                  WorkerPool& pool);
 
     Collider& ground() { return m_ground; }
     /// Takes a body or piece in, here and among the pairs.
@@ -70,6 +72,7 @@ private:
 
     SiteSurface m_surface;
     double m_gravity;  ///< m/s2
+    bool m_faces;
     Collider m_ground;
     const SoftBodies& m_bodies;
     PairFinder& m_pairs;

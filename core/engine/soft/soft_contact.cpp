@@ -52,7 +52,7 @@ void take(const FoundContact& found, SoftContact& contact) {
     }
 }
 
-void carryOver(const SoftContact& from, SoftContact& to) {
+void carryOver(const SoftContact& from, SoftContact& to, bool byAngle) {
     to.offset = std::min(to.depth, from.offset);
     if (!(to.offset > touchingDepth)) {
         to.offset = 0.0;
@@ -78,6 +78,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
             }
         }
     }
+    const double along = byAngle ? std::max(0.0, from.normal.dot(to.normal)) : 1.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(to.count); ++i) {
         if (toDone[i]) {
             continue;
@@ -93,6 +94,8 @@ void carryOver(const SoftContact& from, SoftContact& to) {
         }
         if (best < 4) {
             takePoint(from.points[best], to, to.points[i]);
+            to.points[i].impulse *= along;
+            to.points[i].push *= along;
             fromDone[best] = true;
         }
     }

@@ -79,6 +79,7 @@ struct SoftContact : SoftContactState {
 void take(const FoundContact& found, SoftContact& contact);
 
 /// Hands on what a contact carries to the one found in its place a step later. Points are matched by feature, then by nearness.
-void carryOver(const SoftContact& from, SoftContact& to);
+/// @param byAngle  what is matched by nearness alone takes what acts along its own normal: in a thin body that may be the other way
+void carryOver(const SoftContact& from, SoftContact& to, bool byAngle);
 
 }  // namespace rubble

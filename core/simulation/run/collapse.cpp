@@ -54,6 +54,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     world.partsJammed = description.scenario.effects.loose != LooseStructurePolicy::Fe;
     world.splitsMass = world.partsJammed;
     world.overlapTimeFromEntry = world.partsJammed;
+    world.steadyPatches = world.partsJammed;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
 }
@@ -371,7 +372,6 @@ double Collapse::asleep() const {
 
 void Collapse::settle() {
     const auto steps = static_cast<std::int64_t>(std::ceil(m_settings.settleTime * m_stepRate.settling - 1e-6));
-    m_world->setSubsteps(settlingSubstepsOf(m_description.scenario));
     const double from = m_times.back();
     if (!m_place.settling) {
         m_place = {true, m_times.size() - 1, 0, from + 1.0};
@@ -381,7 +381,12 @@ void Collapse::settle() {
     while (!atRest() && m_place.steps < steps) {
         const std::int64_t i = ++m_place.steps;
         const double dt = m_settings.settleTime / static_cast<double>(steps);
-        advance(dt, from + static_cast<double>(i) * dt, [](double) {});
+        const bool falling = stillFalling(*m_world, present());
+        const int parts = falling ? static_cast<int>(std::ceil(m_stepRate.perSecond / m_stepRate.settling - 1e-9)) : 1;
+        m_world->setSubsteps(falling ? substepsOf(m_description.scenario) : settlingSubstepsOf(m_description.scenario));
+        for (int part = 1; part <= parts; ++part) {
+            advance(dt / parts, from + (static_cast<double>(i - 1) + static_cast<double>(part) / parts) * dt, [](double) {});
+        }
         if (m_recorder.due(m_time)) {
             record(FrameKind::Simulated);
         }

@@ -26,6 +26,8 @@ constexpr double turnPerStep = 1.5 * std::numbers::pi / 180.0;  ///< rad
 /// 1/s, at most: of 285 tosses of a 0.1 m cube a hundredth more end on the right face at 240 than at 146, none more at 2,000.
 constexpr double tumblingRate = 480.0;
 constexpr double mostParts = 32.0;
+constexpr double fallingShare = 0.02;  ///< of the bodies present
+constexpr double fallingSpeed = 3.0;   ///< m/s
 
 /// m3, of each body's elements at rest.
 /// @param apart  clusters break up
@@ -84,6 +86,15 @@ StepRate chosenStepRate(const RunDescription& description, const EffectDecisions
     return {fe ? bySize : std::max(bySize, looseRate),
             bySize,
             {"simulation.step_rate.size", "by size and number of the bodies, {0} and {1}", {{size, "m"}, volumes.size()}}};
+}
+
+bool stillFalling(const RigidWorld& world, std::int64_t present) {
+    std::int64_t falling = 0;
+    for (std::size_t i = 0; i < world.bodyCount(); ++i) {
+        const BodyId body = idAt<BodyId>(i);
+        falling += world.state(body) == BodyState::Awake && world.motion(body).velocity.norm() > fallingSpeed;
+    }
+    return static_cast<double>(falling) > fallingShare * static_cast<double>(present);
 }
 
 int partsOfStep(double spin, double dt) {

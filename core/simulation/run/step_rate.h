@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/base/message.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/simulation/effects/decisions.h"
 #include "core/trajectory/trajectory.h"
 
@@ -17,12 +18,17 @@ namespace rubble {
 /// would be half a body deep in them after one longer step. 60 for Bullet's solver, whose piles squeeze together at larger steps.
 /// Bodies of a table, each let go by itself, are judged one by one, not by their pile: a cube of side d that falls over its edge
 /// turns at 0.79 sqrt(g / d), and by no more than 1.5 degrees in a step (30 sqrt(g / d)), from 40 to 480.
-/// From the end of the FE result on nothing is born and few spans are left, so the least for these no longer holds.
+/// From the end of the FE result on nothing is born and few spans are left, so the least for these no longer holds once what still
+/// falls has landed.
 struct StepRate {
     double perSecond = 0.0;
-    double settling = 0.0;  ///< 1/s, from the end of the FE result on
+    double settling = 0.0;  ///< 1/s, from the end of the FE result on, unless much still falls
     Message reason;
 };
+/// More than 2 % of the bodies present are faster than 3 m/s. What stood at the end of the FE result may fall apart later: then
+/// the collapse goes on, in its own steps and substeps, until it has landed.
+bool stillFalling(const RigidWorld& world, std::int64_t present);
+
 /// In how many equal parts a step of dt [s] is simulated, so that no rolling body of a table turns by more than 1.5 degrees in one:
 /// at most 32. A contact acts with the arms that it has when the step begins, so that longer ones brake what rolls: a granite block
 /// of 26 corners went 7.0 m over level ground at 11 degrees a step, 8.2 at 3 and 8.5 to 8.7 from 1.4 on.

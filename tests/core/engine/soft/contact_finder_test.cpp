@@ -18,7 +18,7 @@ protected:
     SoftBodies bodies;
     WorkerPool pool{1};
     PairFinder pairs{true, pool};
-    ContactFinder finder{SiteSurface{}, standardGravity, bodies, pairs, pool};
+    ContactFinder finder{SiteSurface{}, standardGravity, false, bodies, pairs, pool};
 
     void SetUp() override {
         for (std::uint32_t i = 0; i < 2; ++i) {

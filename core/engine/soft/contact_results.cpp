@@ -10,6 +10,8 @@ namespace {
 
 /// Bodies in a row through which a blow may go in a step.
 constexpr int longestRow = 16;
+/// Cosine between a push and the motion of what it acts on, from which on it drives that on.
+constexpr double drivingCosine = 0.1;
 
 }  // namespace
 
@@ -111,7 +113,8 @@ ContactResults::Outcome ContactResults::outcomeOf(const SoftSolver& solver, cons
 }
 
 /// J/kg, kinetic, of the fastest point of one side that pushes the other on, or noPush if the other may have that by what is known
-/// yet. What pushes and rubs against its motion hands on nothing, as what a turning span carries along does.
+/// yet. What neither pushes nor rubs it on, but against or across its motion, hands on nothing: so does what a turning span carries
+/// along.
 double ContactResults::strikes(bool byA, const SoftSolver& solver, const SolverContact& of, const ContactOutcome& c,
                                const SoftContact& contact) const {
     const Collider& pusher = byA ? *contact.a : *contact.b;
@@ -127,7 +130,9 @@ double ContactResults::strikes(bool byA, const SoftSolver& solver, const SolverC
         const PointImpulses& p = c.points[k];
         const SoftContact::Point& point = contact.points[k];
         const Vec3 velocity = (byA ? 1.0 : -1.0) * (to.velocity + to.spin.cross(m_assembly.armOf(!byA, of, k)));
-        if (p.largest > 0.0 && (contact.normal.dot(velocity) > 0.0 || point.friction.dot(velocity) > 0.0)) {
+        const double least = drivingCosine * velocity.norm();
+        if (p.largest > 0.0 &&
+            (contact.normal.dot(velocity) > least || point.friction.dot(velocity) > least * point.friction.norm())) {
             // What lies on it goes as fast as it would at the centre of what lies there.
             const Vec3 arm = m_assembly.armOf(byA, of, k);
             const Vec3 atCentre = arm + centre - point.position;

@@ -12242,8 +12242,8 @@
         <translation>有限元结果结束时仍存活、没有路径通向支座且尚未由引擎带动（loose_structure）的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
     </message>
     <message>
-        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load. Automatic: 4, or 12 where the engine moves loose structure and 8 once the FE result has ended.</source>
-        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。自动：4，由引擎移动松脱结构时为 12，有限元结果结束后为 8。</translation>
+        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load. Automatic: 4, or 12 where the engine moves loose structure and 8 once the FE result has ended and what still falls then has landed.</source>
+        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。自动：4，由引擎移动松脱结构时为 12，有限元结果结束且其时仍在下落者落定后为 8。</translation>
     </message>
     <message>
         <source>Parts of the dead</source>
@@ -12566,8 +12566,8 @@
         <translation>各材料对的恢复系数在其来源范围内的位置：0 为最小，1 为最大，所有材料对相同。已设定的材料对不变。自动：表中的数。</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure, until the FE result ends; bodies of a table 40 to 480, so that one that falls over its edge turns by 1.5 degrees in a step; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时在有限元结果结束前最低 40；物体表为 40 至 480，使绕棱翻倒的刚体每步转动 1.5 度；bullet 始终为 60。</translation>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure, until the FE result has ended and what still falls then has landed; bodies of a table 40 to 480, so that one that falls over its edge turns by 1.5 degrees in a step; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时在有限元结果结束且其时仍在下落者落定之前最低 40；物体表为 40 至 480，使绕棱翻倒的刚体每步转动 1.5 度；bullet 始终为 60。</translation>
     </message>
     <message>
         <source>m or m2</source>

@@ -127,16 +127,16 @@ std::vector<Parameter> simulationRows() {
             "step_rate", "1/s", 10, 10000, RUBBLE_AT(simulation.stepRate), "Steps per second",
             "Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. "
             "Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their "
-            "size down to 20, or 40 where the engine moves loose structure, until the FE result ends; bodies of a table 40 to 480, "
-            "so "
-            "that one that falls over its edge turns by 1.5 degrees in a step; always 60 for bullet.")
+            "size down to 20, or 40 where the engine moves loose structure, until the FE result has ended and what still falls "
+            "then has landed; bodies of a table 40 to 480, so that one that falls over its edge turns by 1.5 degrees in a step; "
+            "always 60 for bullet.")
         .integer("iterations", 1, 1000, RUBBLE_AT(simulation.iterations), "Solver iterations",
                  "Iterations of Bullet's contact solver in each step. Costs time; a smaller step buys more.")
         .integer(
             "substeps", 1, 64, RUBBLE_AT(simulation.substeps), "Substeps",
             "Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin "
             "bodies would sink into each other under their load. Automatic: 4, or 12 where the engine moves loose structure and 8 "
-            "once the FE result has ended.")
+            "once the FE result has ended and what still falls then has landed.")
         .choice("cluster_shape", {"axis_box", "oriented_box", "hull", "compound", "bricks", "auto"}, RUBBLE_AT(simulation.shape),
                 "Cluster shape",
                 "Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, "

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <queue>
 
 #include "core/base/same_bits.h"
@@ -79,11 +78,10 @@ struct Joined {
     double volume = 0.0;
     std::size_t bricks = 1;
     std::vector<std::uint32_t> neighbours;  ///< some may have been joined to others since
-    std::optional<std::uint32_t> into;      ///< the one that it was joined to
 };
 
 Joined joinedOf(const OrientedBox& box, double volume, std::size_t bricks) {
-    return {box, box.orientation.toRotationMatrix(), volume, bricks, {}, std::nullopt};
+    return {box, box.orientation.toRotationMatrix(), volume, bricks, {}};
 }
 
 /// The box in the axes of the larger one around both.
@@ -101,20 +99,38 @@ OrientedBox around(const Joined& a, const Joined& b) {
     return box;
 }
 
-/// What a group has become by now.
-std::uint32_t nowOf(const std::vector<Joined>& groups, std::uint32_t group) {
-    while (groups[group].into) {
-        group = *groups[group].into;
+/// What each group was joined to; a group that still stands alone leads to itself.
+class Joins {
+public:
+    explicit Joins(std::size_t groups) : m_into(groups) { std::iota(m_into.begin(), m_into.end(), 0u); }
+
+    /// The group that two others become, with the next number.
+    void join(std::uint32_t i, std::uint32_t j) {
+        const auto both = static_cast<std::uint32_t>(m_into.size());
+        m_into[i] = m_into[j] = both;
+        m_into.push_back(both);
     }
-    return group;
-}
+
+    bool alone(std::uint32_t group) const { return m_into[group] == group; }
+
+    /// What a group has become by now. Half of the way there is left out the next time.
+    std::uint32_t nowOf(std::uint32_t group) {
+        while (!alone(group)) {
+            group = m_into[group] = m_into[m_into[group]];
+        }
+        return group;
+    }
+
+private:
+    std::vector<std::uint32_t> m_into;
+};
 
 /// The groups beside either of two that are joined, in order.
-std::vector<std::uint32_t> neighboursOfBoth(const std::vector<Joined>& groups, std::uint32_t i, std::uint32_t j) {
+std::vector<std::uint32_t> neighboursOfBoth(const std::vector<Joined>& groups, Joins& joins, std::uint32_t i, std::uint32_t j) {
     std::vector<std::uint32_t> both;
     for (const std::uint32_t one : {i, j}) {
         for (const std::uint32_t n : groups[one].neighbours) {
-            const std::uint32_t now = nowOf(groups, n);
+            const std::uint32_t now = joins.nowOf(n);
             if (now != i && now != j) {
                 both.push_back(now);
             }
@@ -151,14 +167,19 @@ double reachOf(const Joined& group, const JoinLimits& limits) {
 
 void findNeighbours(std::vector<Joined>& groups, const JoinLimits& limits) {
     std::vector<Aabb> bounds;
+    Aabb all;
     for (const Joined& group : groups) {
         bounds.push_back(boundsOf(group, reachOf(group, limits)));
+        all.extend(bounds.back());
     }
+    // Along the longest side of all, where the fewest lie beside each other.
+    Eigen::Index axis = 0;
+    all.sizes().maxCoeff(&axis);
     std::vector<std::uint32_t> order(groups.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(bounds[i].min().x(), i); });
+    std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(bounds[i].min()[axis], i); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-        for (std::size_t j = i + 1; j < order.size() && bounds[order[j]].min().x() <= bounds[order[i]].max().x(); ++j) {
+        for (std::size_t j = i + 1; j < order.size() && bounds[order[j]].min()[axis] <= bounds[order[i]].max()[axis]; ++j) {
             if (bounds[order[i]].intersects(bounds[order[j]])) {
                 groups[order[i]].neighbours.push_back(order[j]);
                 groups[order[j]].neighbours.push_back(order[i]);
@@ -187,6 +208,7 @@ std::vector<OrientedBox> joinedOnce(std::span<const OrientedBox> bricks, const J
         groups.push_back(joinedOf(brick, brick.volume(), 1));
     }
     findNeighbours(groups, limits);
+    Joins joins(groups.size());
     /// Two that could be one: the share that would be empty, then by number.
     using Candidate = std::tuple<double, std::uint32_t, std::uint32_t>;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
@@ -211,23 +233,23 @@ std::vector<OrientedBox> joinedOnce(std::span<const OrientedBox> bricks, const J
     while (!candidates.empty()) {
         const auto [empty, i, j] = candidates.top();
         candidates.pop();
-        if (groups[i].into || groups[j].into) {
+        if (!joins.alone(i) || !joins.alone(j)) {
             continue;
         }
         const auto number = static_cast<std::uint32_t>(groups.size());
         Joined both =
             joinedOf(around(groups[i], groups[j]), groups[i].volume + groups[j].volume, groups[i].bricks + groups[j].bricks);
-        both.neighbours = neighboursOfBoth(groups, i, j);
-        groups[i].into = groups[j].into = number;
+        both.neighbours = neighboursOfBoth(groups, joins, i, j);
+        joins.join(i, j);
         groups.push_back(std::move(both));
         for (const std::uint32_t n : groups[number].neighbours) {
             consider(n, number);
         }
     }
     std::vector<OrientedBox> boxes;
-    for (const Joined& group : groups) {
-        if (!group.into) {
-            boxes.push_back(ofVolume(group.box, group.volume));
+    for (std::uint32_t i = 0; i < groups.size(); ++i) {
+        if (joins.alone(i)) {
+            boxes.push_back(ofVolume(groups[i].box, groups[i].volume));
         }
     }
     return boxes;

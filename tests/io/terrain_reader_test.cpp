@@ -5,54 +5,31 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/site/height_raster.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {
 
-/// An ESRI ASCII grid; heights are those of the middles of its cells.
-struct AsciiGrid {
-    std::size_t columns = 30;
-    std::size_t rows = 20;
-    double west = -15.0;
-    double south = -10.0;
-    double cell = 1.0;
+/// A grid of 30 x 20 cells, and what it says of each.
+struct SaidGrid : AsciiGrid {
     std::function<std::string(double, double)> text;
 
-    void write(const std::string& path) const {
-        std::ofstream out(path);
-        out << std::setprecision(15) << "ncols " << columns << "\nnrows " << rows << "\nxllcorner " << west << "\nyllcorner "
-            << south << "\ncellsize " << cell << "\nNODATA_value -9999\n";
-        for (std::size_t r = 0; r < rows; ++r) {
-            for (std::size_t c = 0; c < columns; ++c) {
-                const double x = west + cell * (static_cast<double>(c) + 0.5);
-                const double y = south + cell * (static_cast<double>(rows - r) - 0.5);
-                out << text(x, y) << (c + 1 < columns ? " " : "\n");
-            }
-        }
-    }
+    void write(const std::string& path) const { writeText(path, text); }
 };
-
-std::string number(double value) {
-    std::ostringstream text;
-    text << std::setprecision(17) << value;
-    return text.str();
-}
 
 double plane(double x, double y) {
     return 2.0 + 0.1 * x - 0.05 * y;
 }
 
-AsciiGrid planeGrid() {
-    AsciiGrid grid;
-    grid.text = [](double x, double y) { return number(plane(x, y)); };
+SaidGrid planeGrid() {
+    SaidGrid grid{{30, 20, -15.0, -10.0}, {}};
+    grid.text = [](double x, double y) { return AsciiGrid::textOf(plane(x, y)); };
     return grid;
 }
 
@@ -101,10 +78,10 @@ TEST_F(TerrainReader, APlaneComesOutWhereItIs) {
 }
 
 TEST_F(TerrainReader, TheOriginAndTheUpAxisOfTheFrameAreTakenOff) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.west += 400000.0;
     grid.south += 5300000.0;
-    grid.text = [](double x, double y) { return number(100.0 + plane(x - 400000.0, y - 5300000.0)); };
+    grid.text = [](double x, double y) { return AsciiGrid::textOf(100.0 + plane(x - 400000.0, y - 5300000.0)); };
     grid.write(path);
     frame.origin << 400000, 5300000, 100;
     // Coordinates of 5.3e6 m keep 1e-9 m.
@@ -119,7 +96,7 @@ TEST_F(TerrainReader, TheOriginAndTheUpAxisOfTheFrameAreTakenOff) {
 }
 
 TEST_F(TerrainReader, ReadsAllOfARasterAroundTheWindowAboutTheStructure) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.columns = 900;
     grid.rows = 700;
     grid.west = -450.0;
@@ -140,8 +117,10 @@ TEST_F(TerrainReader, ReadsAllOfARasterAroundTheWindowAboutTheStructure) {
 }
 
 TEST_F(TerrainReader, GapsAreFilledFromTheirRimsAndCounted) {
-    AsciiGrid grid = planeGrid();
-    grid.text = [](double x, double y) { return std::hypot(x - 3.0, y) < 2.2 ? "-9999" : x > 14.0 ? "nan" : number(5.0); };
+    SaidGrid grid = planeGrid();
+    grid.text = [](double x, double y) {
+        return std::hypot(x - 3.0, y) < 2.2 ? "-9999" : x > 14.0 ? "nan" : AsciiGrid::textOf(5.0);
+    };
     grid.write(path);
     const TerrainInput terrain = read();
     EXPECT_EQ(terrain.grid->lowest(), 5.0);
@@ -150,7 +129,7 @@ TEST_F(TerrainReader, GapsAreFilledFromTheirRimsAndCounted) {
 }
 
 TEST_F(TerrainReader, AMarkForNoDataThatTheFileDoesNotNameIsSeen) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.text = [](double x, double) { return x < -14.0 ? "-32768" : "4"; };
     grid.write(path);
     const TerrainInput terrain = read();
@@ -160,7 +139,7 @@ TEST_F(TerrainReader, AMarkForNoDataThatTheFileDoesNotNameIsSeen) {
 }
 
 TEST_F(TerrainReader, WhatIsMostlyOrAllGapIsRefused) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.text = [](double x, double) { return x < 1.0 ? "-9999" : "4"; };
     grid.write(path);
     EXPECT_EQ(errorOf(), "terrain.gaps");
@@ -188,7 +167,7 @@ TEST_F(TerrainReader, MissingEmptyCutAndForeignFilesAreNamed) {
 }
 
 TEST_F(TerrainReader, ATerrainElsewhereSaysWhere) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.west += 400000.0;
     grid.write(path);
     EXPECT_EQ(errorOf(), "terrain.elsewhere");
@@ -201,7 +180,7 @@ TEST_F(TerrainReader, ATerrainThatEndsUnderTheStructureIsFound) {
 }
 
 TEST_F(TerrainReader, ATerrainFarAboveOrBelowIsFound) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.text = [](double, double) { return "312"; };
     grid.write(path);
     EXPECT_EQ(read().findings.count("terrain.far_off"), 1);
@@ -231,7 +210,7 @@ TEST_F(TerrainReader, AHeaderThatPromisesMoreThanThereIsIsRefused) {
 }
 
 TEST_F(TerrainReader, AStripIsNoSurface) {
-    AsciiGrid grid = planeGrid();
+    SaidGrid grid = planeGrid();
     grid.rows = 1;
     grid.south = 0.0;
     grid.write(path);

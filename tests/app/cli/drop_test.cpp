@@ -1,10 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/simulation/health/passed_limits.h"
 #include "io/run/run_file.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/command_run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,15 +25,8 @@ protected:
         return m_folder / "bodies.csv";
     }
     std::string slope() {
-        std::ofstream out(m_folder / "slope.asc");
-        out << "ncols 30\nnrows 30\nxllcorner -10\nyllcorner -15\ncellsize 1\n";
-        for (int j = 0; j < 30; ++j) {
-            for (int i = 0; i < 30; ++i) {
-                out << (i < 15 ? 15 - i : 0) << ' ';
-            }
-            out << '\n';
-        }
-        return m_folder / "slope.asc";
+        const io::AsciiGrid slope{30, 30, -10.0, -15.0};
+        return slope.write(m_folder / "slope.asc", [](double x, double) { return std::max(5.5 - x, 0.0); });
     }
 
     io::TemporaryFolder m_folder;

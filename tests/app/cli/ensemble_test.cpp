@@ -4,8 +4,10 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "io/case/case_file.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 
@@ -60,12 +62,7 @@ TEST_F(Ensemble, MapsProbabilitiesAndKeepsItsMembers) {
 /// As other commands open it: scenarios by id or name, no FE input that would have to be named, debris on the surroundings.
 TEST_F(Ensemble, OpensACaseAsEveryCommandDoes) {
     std::ofstream(m_folder / "house.obj") << "v 4 -1 0\nv 6 -1 0\nv 4 1 1\nf 1 2 3\n";
-    std::ofstream level(m_folder / "level.asc");
-    level << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\n";
-    for (int i = 0; i < 40 * 40; ++i) {
-        level << "-1.5" << (i % 40 == 39 ? '\n' : ' ');
-    }
-    level.close();
+    io::AsciiGrid().writeLevel(m_folder / "level.asc", -1.5);
     const std::string casePath = m_folder / "small.rubble";
     Case theCase = io::caseForFe(m_path, casePath);
     theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "level.asc", {}});
@@ -193,13 +190,8 @@ TEST_F(Compare, OneCauseUnderTwoNamesIsNotToldApart) {
 
 TEST_F(Compare, SaysWhatItAssumesOfEvidenceAsSurveyDoes) {
     // Half a metre of debris beside a place that was not surveyed, in a unit that the file does not name.
-    const std::string grid = m_folder / "heights.asc";
-    std::ofstream out(grid);
-    out << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\nnodata_value -9999\n";
-    for (int cell = 0; cell < 1600; ++cell) {
-        out << (cell < 80 ? "-9999" : "0.5") << (cell % 40 == 39 ? '\n' : ' ');
-    }
-    out.close();
+    const std::string grid = io::AsciiGrid().write(
+        m_folder / "heights.asc", [](double, double y) { return y > 18.0 ? std::numeric_limits<double>::quiet_NaN() : 0.5; });
     const auto counted = [](const nlohmann::json& made, const std::string& id) {
         for (const nlohmann::json& warning : made["warnings"]) {
             if (warning["id"] == id) {

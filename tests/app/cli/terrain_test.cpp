@@ -8,6 +8,7 @@
 
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
@@ -20,26 +21,10 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A raster of one height around the small collapse.
-std::string writeLevel(const std::string& path, double height) {
-    std::ofstream out(path);
-    out << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\n";
-    for (int i = 0; i < 40 * 40; ++i) {
-        out << height << (i % 40 == 39 ? '\n' : ' ');
-    }
-    return path;
-}
-
 /// A slope of 3 in 5 to the east, so many metres long.
-std::string writeSlope(const std::string& path, int length) {
-    std::ofstream out(path);
-    out << "ncols " << length << "\nnrows 200\nxllcorner -20\nyllcorner -100\ncellsize 1\n";
-    for (int j = 0; j < 200; ++j) {
-        for (int i = 0; i < length; ++i) {
-            out << -1.0 - 0.6 * (-19.5 + i) << (i + 1 == length ? '\n' : ' ');
-        }
-    }
-    return path;
+std::string writeSlope(const std::string& path, std::size_t length) {
+    const io::AsciiGrid slope{length, 200, -20.0, -100.0};
+    return slope.write(path, [](double x, double) { return -1.0 - 0.6 * x; });
 }
 
 /// Columns final_x_m and final_z_m of a table of fragments.
@@ -63,7 +48,7 @@ class Terrain : public SmallRun {
 protected:
     nlohmann::json run(std::vector<std::string> more = {}) { return SmallRun::run(std::move(more), "2"); }
 
-    std::string m_terrain = writeLevel(m_folder / "level.asc", -1.5);
+    std::string m_terrain = io::AsciiGrid().writeLevel(m_folder / "level.asc", -1.5);
 };
 
 /// Points of the same level ground at places that follow no lattice.
@@ -145,7 +130,7 @@ TEST_F(Terrain, ARunFindsItsTerrainAgainAndRepeats) {
     EXPECT_EQ(lost.exitCode, 1);
     EXPECT_THAT(lost.err, HasSubstr("--terrain FILE"));
     EXPECT_EQ(cli({"verify", m_out, "--terrain", m_folder / "elsewhere.bin"}).exitCode, 0);
-    const Outcome other = cli({"verify", m_out, "--terrain", writeLevel(m_terrain, -1.0)});
+    const Outcome other = cli({"verify", m_out, "--terrain", io::AsciiGrid().writeLevel(m_terrain, -1.0)});
     EXPECT_EQ(other.exitCode, 1);
     EXPECT_THAT(other.err, HasSubstr("SHA-256"));
 }
@@ -159,7 +144,7 @@ TEST_F(Terrain, ACaseBringsItsOwn) {
     m_path = casePath;
     EXPECT_EQ(run()["trajectory_hash"], hash);
     EXPECT_EQ(cli({"verify", casePath}).exitCode, 0);
-    writeLevel(m_terrain, -1.0);
+    io::AsciiGrid().writeLevel(m_terrain, -1.0);
     EXPECT_EQ(cli({"verify", casePath}).exitCode, 1);
     EXPECT_THAT(run()["warnings"].dump(), HasSubstr("case.terrain_changed"));
     fs::remove(m_terrain);

@@ -10,6 +10,7 @@
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/views/status_line.h"
@@ -47,12 +48,7 @@ TEST_F(OneDoor, AScenarioThatNamesNoFeInputStandsOnTheOneOfTheCase) {
 
 TEST_F(OneDoor, AFigureMadeBeforeARunCarriesTheSite) {
     std::ofstream(m_folder / "house.obj") << "v 4 -1 0\nv 6 -1 0\nv 4 1 1\nf 1 2 3\n";
-    std::ofstream level(m_folder / "level.asc");
-    level << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\n";
-    for (int i = 0; i < 40 * 40; ++i) {
-        level << "-1.5" << (i % 40 == 39 ? '\n' : ' ');
-    }
-    level.close();
+    io::AsciiGrid().writeLevel(m_folder / "level.asc", -1.5);
     m_case.inputs.push_back({"terrain-1", InputRole::Terrain, "level.asc", {}});
     m_case.inputs.push_back({"surroundings-1", InputRole::Surroundings, "house.obj", {}});
     m_case.site.heightShift = 0.25;

@@ -7,27 +7,19 @@
 
 #include "core/base/error.h"
 #include "io/case/case_file.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {
 
-std::string writeLevel(const std::string& path, double height) {
-    std::ofstream out(path);
-    out << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\n";
-    for (int i = 0; i < 40 * 40; ++i) {
-        out << height << (i % 40 == 39 ? '\n' : ' ');
-    }
-    return path;
-}
-
 /// The small collapse on a level terrain, beside a house that debris falls on, with two scenarios.
 class CaseDoor : public testing::Test {
 protected:
     void SetUp() override {
         m_case = caseForFe(cli::writeSmallCollapse(m_folder / "small.exo"), m_path);
-        writeLevel(m_folder / "level.asc", -1.5);
+        AsciiGrid().writeLevel(m_folder / "level.asc", -1.5);
         std::ofstream(m_folder / "house.obj") << "v 4 -1 0\nv 6 -1 0\nv 4 1 1\nf 1 2 3\n";
         m_case.inputs.push_back({"terrain-1", InputRole::Terrain, "level.asc", {}});
         m_case.inputs.push_back({"surroundings-1", InputRole::Surroundings, "house.obj", {}});
@@ -145,7 +137,7 @@ TEST_F(CaseDoor, SettingsAreAppliedInTheirOrderAndMayHaveUnits) {
 
 TEST_F(CaseDoor, ATerrainThatIsGivenLeavesTheSurroundingsWhereTheyAre) {
     const OpenedCase own = open();
-    m_request.terrain = writeLevel(m_folder / "lower.asc", -2.5);
+    m_request.terrain = AsciiGrid().writeLevel(m_folder / "lower.asc", -2.5);
     const OpenedCase lower = open();
     EXPECT_EQ(lower.terrain.path, m_folder / "lower.asc");
     EXPECT_TRUE(lower.terrain.collided);
@@ -159,7 +151,7 @@ TEST_F(CaseDoor, AnInputThatChangedIsAFinding) {
     ExodusBuilder other = cli::smallCollapse();
     other.times.back() += 0.05;
     other.write(m_folder / "small.exo");
-    writeLevel(m_folder / "level.asc", -1.0);
+    AsciiGrid().writeLevel(m_folder / "level.asc", -1.0);
     OpenedCase opened = openCase(m_request, Execution());
     const Findings findings = allFindings(opened, {});
     EXPECT_EQ(findings.count("case.input_changed"), 1);

@@ -8,10 +8,12 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "io/exports/survey_files.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -118,12 +120,10 @@ TEST_F(SurveyFile, NeitherHeightsNorPolygonsAreRefused) {
 }
 
 TEST_F(SurveyFile, HeightsKeepTheirGaps) {
-    std::ofstream out(folder / "a.asc");
-    out << "ncols 20\nnrows 20\nxllcorner -10\nyllcorner -10\ncellsize 1\nNODATA_value -9999\n";
-    for (int k = 0; k < 400; ++k) {
-        out << (k % 20 < 5 ? "-9999" : k % 20 < 15 && k / 20 < 10 ? "2" : "0") << (k % 20 == 19 ? '\n' : ' ');
-    }
-    out.close();
+    const AsciiGrid around{20, 20, -10.0, -10.0};
+    around.write(folder / "a.asc", [](double x, double y) {
+        return x < -5.0 ? std::numeric_limits<double>::quiet_NaN() : x < 5.0 && y > 0.0 ? 2.0 : 0.0;
+    });
     const SurveyInput input = readSurvey(folder / "a.asc", frame, Site(), Aabb(), Execution());
     EXPECT_FALSE(input.survey.isFootprint);
     EXPECT_TRUE(std::isnan(input.survey.heights.at(-8.0, 3.0)));

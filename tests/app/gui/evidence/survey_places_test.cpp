@@ -17,6 +17,7 @@
 #include "io/case/case_file.h"
 #include "io/site/point_pairs.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/evidence/evidence_panel.h"
@@ -34,18 +35,10 @@ namespace {
 
 class SurveyPlaces : public FreshWorkbench {
 protected:
-    /// An ESRI ASCII grid of heights every metre around the arch.
+    /// Heights every metre around the arch.
     QString heights(const char* name, const std::function<double(double, double)>& height) {
-        const std::string path = m_folder / name;
-        std::ofstream out(path);
-        out << "ncols 120\nnrows 60\nxllcorner -60\nyllcorner -30\ncellsize 1\nNODATA_value -9999\n";
-        for (int row = 59; row >= 0; --row) {
-            for (int column = 0; column < 120; ++column) {
-                out << height(column - 59.5, row - 29.5) << ' ';
-            }
-            out << '\n';
-        }
-        return QString::fromStdString(path);
+        const io::AsciiGrid around{120, 60, -60.0, -30.0};
+        return QString::fromStdString(around.write(m_folder / name, height));
     }
     static double pile(double x, double y) { return std::abs(x) < 15.0 && std::abs(y) < 5.0 ? 1.0 : 0.0; }
     SurveyDisplay& surveys() { return *window->rooms().survey; }

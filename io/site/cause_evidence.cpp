@@ -28,7 +28,7 @@ SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site,
     request.registration = stated.registration;
     const SurveyInput survey = readSurvey(file.path, site.frame, site.site, Aabb(), execution, request);
     findings.append(survey.findings);
-    return surfaceEvidence(survey, stated.scope, settings.cell, site.ground, execution);
+    return surfaceEvidence(survey, stated, settings.cell, site.ground, execution);
 }
 
 const CaseInput* surveyOfFile(const Case& theCase, const std::string& casePath, const std::string& file) {

@@ -15,41 +15,42 @@ namespace {
 constexpr double leastSurveyed = 0.05;
 constexpr double leastMapped = 1e-6;
 
-void coverCells(SurfaceEvidence& evidence, const Survey& survey, const CellGrid& grid, const Execution& execution) {
-    OutlineFill fill(survey.footprint);
-    for (int row = 0; row < grid.rows; ++row) {
-        execution.check();
-        const std::int32_t j = grid.low.j + row;
-        std::int32_t next = grid.low.i;  // that is not covered yet
-        for (const auto& [from, to] : fill.within((j + 0.5) * grid.cell)) {
-            const auto first = static_cast<std::int32_t>(std::ceil(from / grid.cell - 0.5));
-            const auto end = static_cast<std::int32_t>(std::ceil(to / grid.cell - 0.5));
-            for (next = std::max(next, first); next < end; ++next) {
-                evidence.seen.cells.push_back({j, next});
+void coverCells(SurfaceEvidence& evidence, const CellGrid& laid) {
+    for (int row = 0; row < laid.rows; ++row) {
+        for (int column = 0; column < laid.columns; ++column) {
+            if (laid.values[laid.index(column, row)] >= coveredLeast) {
+                evidence.seen.cells.push_back(laid.at(column, row));
             }
         }
     }
     evidence.seen.heights.assign(evidence.seen.cells.size(), 1.0F);
+    evidence.seen.covered.assign(evidence.seen.cells.size(), 1.0F);
 }
 
-void liftCells(SurfaceEvidence& evidence, const Survey& survey, const CellGrid& grid, const SiteSurface& ground,
-               const Execution& execution) {
-    const CellGrid laid = surveyedOn(grid, survey, ground, Vec3::Zero(), execution);
-    const double least = survey.heights.everywhere ? leastMapped : leastSurveyed;
-    evidence.everywhere = survey.heights.everywhere;
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            const double height = laid.values[grid.index(column, row)];
-            const MapCell at = grid.at(column, row);
-            if (std::isfinite(height) && !evidence.everywhere) {
-                evidence.looked.push_back(at);
-            }
-            if (height >= least) {
-                evidence.seen.cells.push_back(at);
+/// Of a survey all that has a height was seen, for it tells the noise; of a map of our own what debris lies in.
+void liftCells(SurfaceEvidence& evidence, const CellGrid& laid) {
+    for (int row = 0; row < laid.rows; ++row) {
+        for (int column = 0; column < laid.columns; ++column) {
+            const double height = laid.values[laid.index(column, row)];
+            if (std::isfinite(height) && (evidence.surveyed || height >= evidence.least)) {
+                evidence.seen.cells.push_back(laid.at(column, row));
                 evidence.seen.heights.push_back(static_cast<float>(height));
             }
         }
     }
+    if (evidence.surveyed) {
+        evidence.looked = evidence.seen.cells;
+    }
+}
+
+/// @param thatCount  none else
+std::size_t cellsWithDebris(const SurfaceEvidence& evidence, bool thatCount) {
+    std::size_t cells = 0;
+    for (std::size_t c = 0; c < evidence.seen.cells.size(); ++c) {
+        const bool lies = evidence.holds(evidence.seen, static_cast<std::ptrdiff_t>(c));
+        cells += lies && (!thatCount || evidence.counts(evidence.seen.cells[c])) ? 1 : 0;
+    }
+    return cells;
 }
 
 /// The cells that an outline holds, ascending. @param cell  m
@@ -90,45 +91,46 @@ void narrow(SurfaceEvidence& evidence, const SurveyScope& scope, const CellGrid&
 
 /// Refuses a scope that nothing is seen in.
 void checkScope(const SurfaceEvidence& evidence, const SurveyInput& input, const SurveyScope& scope) {
-    const auto counts = [&](const MapCell& cell) {
-        return !std::binary_search(evidence.leftOut.begin(), evidence.leftOut.end(), cell) &&
-               (evidence.everywhere || std::binary_search(evidence.looked.begin(), evidence.looked.end(), cell));
-    };
-    if (!scope.whole() && std::none_of(evidence.seen.cells.begin(), evidence.seen.cells.end(), counts)) {
+    if (!scope.whole() && cellsWithDebris(evidence, true) == 0) {
         refuseContent({"evidence.area_misses",
                        "What is compared of {0} holds none of its {1} cells with debris",
-                       {input.path, evidence.seen.cells.size()}},
+                       {input.path, cellsWithDebris(evidence, false)}},
                       "Check the area of interest and what is left out, their coordinate systems and that of the case.");
     }
 }
 
 }  // namespace
 
-SurfaceEvidence surfaceEvidence(const SurveyInput& input, const SurveyScope& scope, double cell, const SiteSurface& ground,
+SurfaceEvidence surfaceEvidence(const SurveyInput& input, const CaseInput& stated, double cell, const SiteSurface& ground,
                                 const Execution& execution) {
     const Survey& survey = input.survey;
-    const CellGrid grid = gridAround(survey, PieceRaster(), cell, 0);
+    const CellGrid laid = surveyedOn(gridAround(survey, PieceRaster(), cell, 0), survey, ground, Vec3::Zero(), execution);
     SurfaceEvidence evidence;
     evidence.name = survey.name;
-    evidence.kind = survey.isFootprint ? EvidenceKind::Footprint : EvidenceKind::Heights;
     if (survey.isFootprint) {
-        coverCells(evidence, survey, grid, execution);
+        evidence.kind = EvidenceKind::Footprint;
+        evidence.reached = survey.reached;
+        coverCells(evidence, laid);
         if (evidence.seen.cells.empty()) {
             refuseContent({"evidence.no_area", "The polygons of {0} cover no cell of {1}", {input.path, {cell, "m"}}},
                           "Check their coordinate system and that of the case, or choose smaller cells.");
         }
-        narrow(evidence, scope, grid, execution);
-        checkScope(evidence, input, scope);
-        return evidence;
+    } else {
+        evidence.kind = EvidenceKind::Heights;
+        evidence.everywhere = survey.heights.everywhere;
+        evidence.surveyed = !survey.heights.everywhere;
+        evidence.least = evidence.surveyed ? leastSurveyed : leastMapped;
+        evidence.noise = stated.noise;
+        evidence.groundNoise = stated.groundNoise;
+        liftCells(evidence, laid);
+        if (cellsWithDebris(evidence, false) == 0) {
+            refuseContent(
+                {"evidence.no_debris", "{0} shows no debris: no cell of {1} is higher than the ground", {input.path, {cell, "m"}}},
+                "Check what its heights are measured from: height= is above the ground, surface= in the heights of the case.");
+        }
     }
-    liftCells(evidence, survey, grid, ground, execution);
-    if (evidence.seen.cells.empty()) {
-        refuseContent(
-            {"evidence.no_debris", "{0} shows no debris: no cell of {1} is higher than the ground", {input.path, {cell, "m"}}},
-            "Check what its heights are measured from: height= is above the ground, surface= in the heights of the case.");
-    }
-    narrow(evidence, scope, grid, execution);
-    checkScope(evidence, input, scope);
+    narrow(evidence, stated.scope, laid, execution);
+    checkScope(evidence, input, stated.scope);
     return evidence;
 }
 

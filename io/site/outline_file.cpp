@@ -46,8 +46,9 @@ public:
     }
 
 private:
-    static std::vector<OGRLayer*> layersOf(GDALDataset& file) {
+    std::vector<OGRLayer*> layersOf(GDALDataset& file) {
         if (OGRLayer* ours = file.GetLayerByName("footprint")) {
+            m_ours = true;
             return {ours};
         }
         std::vector<OGRLayer*> layers;
@@ -65,7 +66,9 @@ private:
             const OGRGeometry* shape = feature->GetGeometryRef();
             // What our own maps call live structure is a layer of its own there as well.
             const int of = feature->GetFieldIndex("of");
-            const bool fallen = of >= 0 && std::string_view(feature->GetFieldAsString(of)) == "live structure";
+            const std::string_view what = of >= 0 ? feature->GetFieldAsString(of) : "";
+            const bool fallen = what == "live structure";
+            m_result.debrisMap = m_result.debrisMap || (m_ours && (fallen || what == "fragments"));
             m_result.fallen += fallen ? 1 : 0;
             if (shape != nullptr && (m_withFallen || !fallen)) {
                 add(*shape);
@@ -216,6 +219,7 @@ private:
     bool m_unplaced = false;   ///< a layer names no system
     bool m_projected = false;
     std::size_t m_corners = 0;
+    bool m_ours = false;        ///< the layer is named as in maps of our own
     bool m_drawing = false;     ///< a DXF
     std::int64_t m_closed = 0;  ///< closed lines of a drawing
     std::int64_t m_others = 0;  ///< shapes that are no polygons

@@ -15,6 +15,7 @@ namespace rubble::io {
 /// Polygons of a file in the local frame.
 struct OutlineReading {
     Outline outline;
+    bool debrisMap = false;   ///< it is a map of our own: cells that debris reaches into
     std::int64_t fallen = 0;  ///< polygons that a map of our own calls live structure, taken in or left out
     std::string crs;          ///< name of the file's system, empty if it states none
     Findings findings;

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 void takeOutline(SurveyInput& input, OutlineReading outline, const SurveyRequest& request) {
     input.survey.isFootprint = true;
     input.survey.footprint = std::move(outline.outline);
+    input.survey.reached = outline.debrisMap;
     input.crs = std::move(outline.crs);
     input.findings = std::move(outline.findings);
     if (outline.fallen > 0) {

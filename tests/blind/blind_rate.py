@@ -2,7 +2,7 @@
 """Blind rate of rubble-cli compare: how often it names the cause of collapses that are known to this program alone.
 
 Each collapse has one of the causes, in turn, and friction, births and a seed that are drawn and that no member has. A survey is
-taken of its debris, with noise and with patches that nobody surveyed; what it finds lower than twice the noise it takes for ground.
+taken of its debris, with noise and with patches that nobody surveyed; the comparison finds the level of detection by itself.
 With --time a witness says when debris first lay at a place, to half a second; of a place that none reached nobody says anything.
 Causes are then compared twice: all of them, and without the true one. Tells a table and, with --json, every collapse.
 
@@ -67,7 +67,7 @@ def write_survey(options, heights, chance, path):
             for i in range(columns):
                 height = heights.get((x0 + i * CELL, y0 + j * CELL), 0.0) + chance.gauss(0.0, options.noise)
                 hidden = any(0 <= i - a < PATCH and 0 <= j - b < PATCH for a, b in holes)
-                line.append("-9999" if hidden else f"{height if height >= 2 * options.noise else 0.0:.3f}")
+                line.append("-9999" if hidden else f"{height:.3f}")
             out.write(" ".join(line) + "\n")
 
 

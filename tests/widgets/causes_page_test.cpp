@@ -30,6 +30,7 @@ std::shared_ptr<const EnsembleReport> ensembleAt(int column) {
                 surface.cells.push_back({j, column + i + m % 3});
                 surface.heights.push_back(1.0F);
                 surface.masses.push_back(2000.0F);
+                surface.covered.push_back(1.0F);
             }
         }
         member.surface = std::make_shared<const MemberSurface>(surface);

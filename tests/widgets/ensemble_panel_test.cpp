@@ -158,6 +158,7 @@ TEST(EnsemblePage, ShowsTheSpreadOfTheMembersThatAreDone) {
         surface.cells = {{0, 0}, {0, m + 1}};
         surface.heights = {1.0F, 0.5F};
         surface.masses = {2000.0F, 1000.0F};
+        surface.covered = {1.0F, 1.0F};
         member.surface = std::make_shared<const MemberSurface>(surface);
     }
     EnsemblePage::Content content;

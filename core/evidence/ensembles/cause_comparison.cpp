@@ -9,6 +9,7 @@
 #include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "core/evidence/ensembles/evidence_noise.h"
 
 namespace rubble {
 
@@ -24,29 +25,6 @@ constexpr std::size_t membersToJudge = 8;
 constexpr double leastFit = 0.01;
 /// Share of what speaks for a hypothesis that the telling place holds.
 constexpr double tellingMost = 0.5;
-
-/// Whether a cell was looked at; asked in ascending order.
-class Looked {
-public:
-    explicit Looked(const SurfaceEvidence& evidence) : m_evidence(evidence) {}
-
-    bool at(const MapCell& cell) {
-        if (std::binary_search(m_evidence.leftOut.begin(), m_evidence.leftOut.end(), cell)) {
-            return false;
-        }
-        if (m_evidence.everywhere) {
-            return true;
-        }
-        while (m_next < m_evidence.looked.size() && m_evidence.looked[m_next] < cell) {
-            ++m_next;
-        }
-        return m_next < m_evidence.looked.size() && m_evidence.looked[m_next] == cell;
-    }
-
-private:
-    const SurfaceEvidence& m_evidence;
-    std::size_t m_next = 0;
-};
 
 /// Calls visit(cell, i, j) for each cell of either surface with the places in their lists; -1 where one holds nothing.
 template <class Visit>
@@ -79,23 +57,12 @@ Departures departuresOf(const Hypothesis& hypothesis, const CauseEvidence& evide
     return departures;
 }
 
-/// A member as if it had been surveyed.
-SurfaceEvidence asEvidence(const MemberSurface& surface, EvidenceKind kind) {
-    SurfaceEvidence evidence;
-    evidence.kind = kind;
-    evidence.seen = surface;
-    return evidence;
-}
-
 /// How far each member, taken as evidence that was looked at as this was, departs from the others in the mean.
 FigureSpread amongMembers(const Hypothesis& hypothesis, const SurfaceEvidence& evidence) {
     const std::vector<const EnsembleMember*> members = hypothesis.ensemble->done();
     std::vector<double> among;
     for (const EnsembleMember* seen : members) {
-        SurfaceEvidence own = asEvidence(*seen->surface, evidence.kind);
-        own.everywhere = evidence.everywhere;
-        own.looked = evidence.looked;
-        own.leftOut = evidence.leftOut;
+        const SurfaceEvidence own = seenAs(*seen->surface, evidence);
         std::vector<double> departures;
         for (const EnsembleMember* other : members) {
             if (other != seen) {
@@ -140,28 +107,34 @@ double chanceOf(const Hypothesis& hypothesis, const TimeEvidence& evidence) {
     return 2.0 * studentBelow(-apart / std::sqrt(variance), count - 1.0);
 }
 
-/// Height of a surface in a cell, m; 0 where it has nothing.
-double heightAt(const MemberSurface& surface, MapCell cell) {
+/// Height of a surface in a cell, m; 0 where it has nothing that counts.
+double heightAt(const SurfaceEvidence& evidence, const MemberSurface& surface, MapCell cell) {
     const std::ptrdiff_t at = surface.find(cell);
-    return at < 0 ? 0.0 : double{surface.heights[static_cast<std::size_t>(at)]};
+    return evidence.holds(surface, at) ? double{surface.heights[static_cast<std::size_t>(at)]} : 0.0;
 }
 
 /// What decides a cell: whether debris lies there, or of heights whether it is higher than that of half of all members.
-double decisiveHeight(std::span<const EnsembleMember* const> members, MapCell cell, EvidenceKind kind) {
-    if (kind != EvidenceKind::Heights) {
+double decisiveHeight(std::span<const EnsembleMember* const> members, MapCell cell, const SurfaceEvidence& evidence) {
+    if (evidence.kind != EvidenceKind::Heights) {
         return 0.0;
     }
     std::vector<double> heights;
     for (const EnsembleMember* member : members) {
-        heights.push_back(heightAt(*member->surface, cell));
+        heights.push_back(heightAt(evidence, *member->surface, cell));
     }
     return spreadOf(std::move(heights)).middle;
 }
 
+/// Whether a surface is higher in a cell, or of no height whether it holds debris there.
+bool liesAbove(const SurfaceEvidence& evidence, const MemberSurface& surface, MapCell cell, double height) {
+    return height > 0.0 ? heightAt(evidence, surface, cell) > height : evidence.holds(surface, surface.find(cell));
+}
+
 /// Probability that a member is higher in a cell; half a member more that is and half a one that is not, so that none is certain.
-double probabilityAbove(std::span<const EnsembleMember* const> members, MapCell cell, double height) {
+double probabilityAbove(std::span<const EnsembleMember* const> members, MapCell cell, const SurfaceEvidence& evidence,
+                        double height) {
     const auto above = std::count_if(members.begin(), members.end(), [&](const EnsembleMember* member) {
-        return height > 0.0 ? heightAt(*member->surface, cell) > height : member->surface->find(cell) >= 0;
+        return liesAbove(evidence, *member->surface, cell, height);
     });
     return (static_cast<double>(above) + 0.5) / (static_cast<double>(members.size()) + 1.0);
 }
@@ -177,14 +150,13 @@ DebrisMap separationOf(const Hypothesis& first, const Hypothesis& second, const 
     map.hypotheses = {first.name, second.name};
     map.cells = cellsOfAny(all);
     std::vector<double>& values = map.layers[static_cast<std::size_t>(MapLayer::Separation)];
-    Looked looked(evidence);
     for (const MapCell& cell : map.cells) {
-        const double height = decisiveHeight(all, cell, evidence.kind);
-        const double p = probabilityAbove(ours, cell, height);
-        const double q = probabilityAbove(theirs, cell, height);
-        const bool seen = height > 0.0 ? heightAt(evidence.seen, cell) > height : evidence.seen.find(cell) >= 0;
+        const double height = decisiveHeight(all, cell, evidence);
+        const double p = probabilityAbove(ours, cell, evidence, height);
+        const double q = probabilityAbove(theirs, cell, evidence, height);
+        const bool seen = liesAbove(evidence, evidence.seen, cell, height);
         const double says = seen ? std::log(p / q) : std::log((1.0 - p) / (1.0 - q));
-        values.push_back(looked.at(cell) ? says : unknown);
+        values.push_back(evidence.counts(cell) ? says : unknown);
     }
     return map;
 }
@@ -299,6 +271,9 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
                            {}},
                           '"' + made.hypotheses[best.hypothesis] + '"');
     }
+    for (const SurfaceEvidence& surface : evidence.surfaces) {
+        findApart(made.findings, surface, hypotheses);
+    }
     for (std::size_t k = 1; k < made.ranking.causes.size(); ++k) {
         if (!made.ranking.causes[k].apart) {
             made.alike.push_back(made.hypotheses[made.ranking.causes[k].hypothesis]);
@@ -360,22 +335,47 @@ EvidenceKind CauseEvidence::kind(std::size_t evidence) const {
     return evidence < surfaces.size() + photographs.size() ? EvidenceKind::Photograph : EvidenceKind::Time;
 }
 
+bool SurfaceEvidence::counts(const MapCell& cell) const {
+    return !std::binary_search(leftOut.begin(), leftOut.end(), cell) &&
+           (everywhere || std::binary_search(looked.begin(), looked.end(), cell));
+}
+
+bool SurfaceEvidence::holds(const MemberSurface& surface, std::ptrdiff_t at) const {
+    if (kind == EvidenceKind::Footprint) {
+        return surface.covers(at, reached);
+    }
+    return at >= 0 && double{surface.heights[static_cast<std::size_t>(at)]} >= least;
+}
+
+SurfaceEvidence seenAs(const MemberSurface& surface, const SurfaceEvidence& like) {
+    SurfaceEvidence evidence;
+    evidence.kind = like.kind;
+    evidence.seen = surface;
+    evidence.everywhere = like.everywhere;
+    evidence.looked = like.looked;
+    evidence.leftOut = like.leftOut;
+    evidence.least = like.least;
+    evidence.reached = like.reached;
+    return evidence;
+}
+
 double departureFrom(const SurfaceEvidence& evidence, const MemberSurface& surface) {
     const bool footprint = evidence.kind == EvidenceKind::Footprint;
     double apart = 0.0;
     double all = 0.0;
-    Looked looked(evidence);
     forCellsOfEither(evidence.seen, surface, [&](const MapCell& cell, std::ptrdiff_t i, std::ptrdiff_t j) {
-        if (!looked.at(cell)) {
+        const bool seen = evidence.holds(evidence.seen, i);
+        const bool lies = evidence.holds(surface, j);
+        if (!(seen || lies) || !evidence.counts(cell)) {
             return;
         }
         if (footprint) {
-            apart += i < 0 || j < 0 ? 1.0 : 0.0;
+            apart += seen && lies ? 0.0 : 1.0;
             all += 1.0;
             return;
         }
-        const double a = i < 0 ? 0.0 : double{evidence.seen.heights[static_cast<std::size_t>(i)]};
-        const double b = j < 0 ? 0.0 : double{surface.heights[static_cast<std::size_t>(j)]};
+        const double a = seen ? double{evidence.seen.heights[static_cast<std::size_t>(i)]} : 0.0;
+        const double b = lies ? double{surface.heights[static_cast<std::size_t>(j)]} : 0.0;
         apart += std::abs(a - b);
         all += a + b;
     });
@@ -422,14 +422,15 @@ std::vector<double> lookedAt(const CauseEvidence& evidence, const MemberSite& si
     return departures;
 }
 
-CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {
-    if (evidence.count() == 0) {
+CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const CauseEvidence& given) {
+    if (given.count() == 0) {
         throw UsageError(
             {"causes.no_evidence", "There is no evidence to hold the hypotheses against.", {}},
             {"causes.no_evidence.remedy", "Give a footprint, a height model, a time, or photographs with an outline.", {}});
     }
     checkAlike(hypotheses);
     CauseComparison made;
+    const CauseEvidence evidence = withDetection(given, hypotheses, made.findings);
     for (const Hypothesis& hypothesis : hypotheses) {
         made.hypotheses.push_back(hypothesis.name);
         made.departures.push_back(departuresOf(hypothesis, evidence));
@@ -472,7 +473,8 @@ BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, c
     test.named.assign(count, std::vector<std::int64_t>(count, 0));
     test.undecided.assign(count, 0);
     test.closest.assign(count, 0);
-    const SurfaceEvidence everywhere = asEvidence(MemberSurface(), kind);
+    SurfaceEvidence everywhere;
+    everywhere.kind = kind;
     std::vector<FigureSpread> among;
     for (const Hypothesis& hypothesis : hypotheses) {
         execution.check();
@@ -484,7 +486,7 @@ BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, c
     for (std::size_t truth = 0; truth < count; ++truth) {
         for (const EnsembleMember* seen : hypotheses[truth].ensemble->done()) {
             execution.check();
-            const SurfaceEvidence evidence = asEvidence(*seen->surface, kind);
+            const SurfaceEvidence evidence = seenAs(*seen->surface, everywhere);
             std::vector<Departures> departures;
             for (const Hypothesis& hypothesis : hypotheses) {
                 Departures& own = departures.emplace_back(1);

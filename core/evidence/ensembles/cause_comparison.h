@@ -15,7 +15,8 @@ enum class EvidenceKind : std::uint8_t { Footprint, Heights, Photograph, Time };
 /// "footprint", "heights", "photograph", "time"
 std::string_view evidenceKindName(EvidenceKind kind);
 
-/// Where debris was seen on the ground, on the cells that hypotheses are mapped on.
+/// Where debris was seen on the ground, on the cells that hypotheses are mapped on. An outline covers a cell, on either side, if
+/// half of it lies within; a height below `least` counts, on either side, as the ground.
 struct SurfaceEvidence {
     std::string name;
     EvidenceKind kind = EvidenceKind::Footprint;  ///< or Heights
@@ -23,7 +24,20 @@ struct SurfaceEvidence {
     bool everywhere = true;                       ///< what is not among `seen` holds no debris
     std::vector<MapCell> looked;                  ///< else the cells that were looked at, ascending; no others count
     std::vector<MapCell> leftOut = {};            ///< cells that do not count in any case, ascending
+    double least = 0.0;                           ///< m, from where on heights count
+    bool reached = false;                         ///< an outline of all cells that debris reaches into at all
+    bool surveyed = false;                        ///< heights with noise; `seen` holds all that were surveyed, of the ground too
+    /// m, standard deviations of the heights and of those of the ground; unset: not stated.
+    std::optional<double> noise = {};
+    std::optional<double> groundNoise = {};
+
+    bool counts(const MapCell& cell) const;
+    /// Debris lies in a cell of a surface; -1: nothing does.
+    bool holds(const MemberSurface& surface, std::ptrdiff_t at) const;
 };
+
+/// A surface as if it had been surveyed as that evidence was.
+SurfaceEvidence seenAs(const MemberSurface& surface, const SurfaceEvidence& like);
 
 /// A photograph with an outline of the debris and the camera that took it.
 struct PhotoEvidence {
@@ -113,8 +127,8 @@ struct CauseComparison {
 /// Throws UsageError for ensembles that are not mapped alike.
 void checkAlike(std::span<const Hypothesis> hypotheses);
 
-/// Compares hypotheses. Throws UsageError for ensembles on other cells or with other counting of fallen structure, no evidence, and
-/// as rankCauses().
+/// Compares hypotheses. Heights of a survey count from its level of detection on (withDetection()). Throws UsageError for ensembles
+/// on other cells or with other counting of fallen structure, no evidence, and as rankCauses().
 CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence);
 
 /// What comes of it if each member in turn is what was observed, and left out of its own ensemble: how far evidence of a kind can

@@ -11,6 +11,10 @@ std::ptrdiff_t MemberSurface::find(MapCell cell) const {
     return found != cells.end() && *found == cell ? found - cells.begin() : -1;
 }
 
+bool MemberSurface::covers(std::ptrdiff_t at, bool reached) const {
+    return at >= 0 && (reached || double{covered[static_cast<std::size_t>(at)]} >= coveredLeast);
+}
+
 MemberSurface surfaceOf(const MemberSite& site, const SurfaceSettings& settings, const Execution& execution) {
     std::vector<MapPiece> pieces;
     for (const DebrisFragment& lies : site.debris->fragments) {
@@ -28,6 +32,7 @@ MemberSurface surfaceOf(const MemberSite& site, const SurfaceSettings& settings,
     MemberSurface surface;
     surface.cells = raster.cells;
     surface.heights.assign(raster.height.begin(), raster.height.end());
+    surface.covered.assign(raster.covered.begin(), raster.covered.end());
     surface.masses.reserve(raster.mass.size());
     for (const double mass : raster.mass) {
         surface.masses.push_back(static_cast<float>(mass / area));

@@ -15,14 +15,20 @@ struct SurfaceSettings {
     friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
 };
 
+/// Share of a cell from which on an outline covers it, as it is of a survey.
+inline constexpr double coveredLeast = 0.5;
+
 /// Debris as it lies, cell by cell. Cells that nothing reaches into are left out.
 struct MemberSurface {
     std::vector<MapCell> cells;  ///< ascending
     std::vector<float> heights;  ///< m, mean height of the top above the ground
     std::vector<float> masses;   ///< kg/m2
+    std::vector<float> covered;  ///< share of the cell that debris lies in
 
     /// Place of a cell in the lists; -1 if nothing lies there.
     std::ptrdiff_t find(MapCell cell) const;
+    /// Debris covers a cell of the lists; -1: nothing lies there. @param reached  it is enough that debris reaches into it
+    bool covers(std::ptrdiff_t at, bool reached) const;
 };
 
 /// All that is known of where one simulated world came to lie. Pointers must outlive the call they are given to.

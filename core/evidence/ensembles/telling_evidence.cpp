@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "core/evidence/ensembles/evidence_noise.h"
 
 namespace rubble {
 
@@ -51,16 +52,6 @@ private:
     std::vector<float> m_values;
 };
 
-SurfaceEvidence seenAs(const MemberSurface& surface, const SurfaceEvidence& like) {
-    SurfaceEvidence evidence;
-    evidence.kind = like.kind;
-    evidence.seen = surface;
-    evidence.everywhere = like.everywhere;
-    evidence.looked = like.looked;
-    evidence.leftOut = like.leftOut;
-    return evidence;
-}
-
 Apart apartBy(const std::vector<Trial>& trials, const SurfaceEvidence& like, const Execution& execution) {
     std::size_t last = trials.size();
     SurfaceEvidence evidence;
@@ -93,6 +84,7 @@ MemberSurface within(const MemberSurface& surface, const Eigen::AlignedBox2d& pa
             kept.cells.push_back(at);
             kept.heights.push_back(surface.heights[c]);
             kept.masses.push_back(surface.masses[c]);
+            kept.covered.push_back(surface.covered[c]);
         }
     }
     return kept;
@@ -313,7 +305,8 @@ TellingEvidence tellingEvidence(std::span<const Hypothesis> hypotheses, const Ca
         return telling;  // nothing is left to compare one with
     }
     std::vector<Apart> known;
-    for (const SurfaceEvidence& surface : atHand.surfaces) {
+    Findings told;  // where the causes are compared
+    for (const SurfaceEvidence& surface : withDetection(atHand, hypotheses, told).surfaces) {
         known.push_back(apartBy(trials, surface, execution));
     }
     for (const TimeEvidence& time : atHand.times) {

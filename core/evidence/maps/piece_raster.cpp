@@ -152,6 +152,7 @@ private:
 
     void addShare(int column, int row, const MapPiece& piece, double share);
     double heightOf(int column, int row, const SiteSurface& ground) const;
+    double coverOf(int column, int row) const;
 
     std::span<const MapPiece> m_pieces;
     const std::vector<SmallPolygon>& m_outlines;
@@ -233,6 +234,16 @@ double TileSums::heightOf(int column, int row, const SiteSurface& ground) const 
     return sum / (heightPoints * heightPoints);
 }
 
+double TileSums::coverOf(int column, int row) const {
+    int covered = 0;
+    for (int b = 0; b < heightPoints; ++b) {
+        for (int a = 0; a < heightPoints; ++a) {
+            covered += std::isinf(m_surface.at(column * heightPoints + a, row * heightPoints + b)) ? 0 : 1;
+        }
+    }
+    return static_cast<double>(covered) / (heightPoints * heightPoints);
+}
+
 void TileSums::giveRow(int row, const SiteSurface& ground, PieceRaster& raster) const {
     for (int column = 0; column < tileCells; ++column) {
         const Sum& sum = m_sums[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
@@ -241,6 +252,7 @@ void TileSums::giveRow(int row, const SiteSurface& ground, PieceRaster& raster) 
         }
         raster.cells.push_back({m_origin.j + row, m_origin.i + column});
         raster.height.push_back(heightOf(column, row, ground));
+        raster.covered.push_back(coverOf(column, row));
         raster.volume.push_back(sum.volume);
         raster.mass.push_back(sum.mass);
         raster.pieces.push_back(sum.pieces);
@@ -270,6 +282,7 @@ void appendRow(PieceRaster& raster, const TileRows& tile, std::size_t row) {
     const std::size_t last = tile.rowStart[row + 1];
     appendPart(raster.cells, tile.raster.cells, first, last);
     appendPart(raster.height, tile.raster.height, first, last);
+    appendPart(raster.covered, tile.raster.covered, first, last);
     appendPart(raster.volume, tile.raster.volume, first, last);
     appendPart(raster.mass, tile.raster.mass, first, last);
     appendPart(raster.pieces, tile.raster.pieces, first, last);

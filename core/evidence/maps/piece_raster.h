@@ -16,6 +16,7 @@ namespace rubble {
 struct PieceRaster {
     std::vector<MapCell> cells;            ///< ascending
     std::vector<double> height;            ///< m, mean over the cell of the top of what lies there above the ground, never negative
+    std::vector<double> covered;           ///< share of the cell that something lies in, by the points that heights are taken at
     std::vector<double> volume;            ///< m3
     std::vector<double> mass;              ///< kg
     std::vector<double> pieces;            ///< how many reach into it

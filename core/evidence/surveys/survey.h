@@ -38,6 +38,7 @@ struct Survey {
     /// are taken above the nodes of that terrain.
     std::optional<SurveyHeights> ground;
     Outline footprint;
+    bool reached = false;             ///< the outline holds each cell that debris reaches into, as one of our own maps does
     std::optional<bool> showsFallen;  ///< whether live structure that fell is in it; unset: the file does not say
 
     /// Box around what was surveyed, m.

@@ -11,10 +11,8 @@ namespace rubble {
 
 namespace {
 
-constexpr double apartFrom = 2.0;    // m, farther than this from simulated debris a patch is apart
-constexpr double rounding = 1e-6;    // m, of a height
-constexpr double nowhere = 1e9;      // m
-constexpr double apartShare = 0.05;  // of the surveyed debris: from here on it is much
+constexpr double rounding = 1e-6;  // m, of a height
+constexpr double nowhere = 1e9;    // m
 
 /// Overlap of two sets of cells over their union, of those that count.
 class Overlap {

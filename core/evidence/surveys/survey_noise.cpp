@@ -9,7 +9,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double farFrom = 5.0;          // m, from all simulated debris
 constexpr std::size_t cellsLeast = 100;  // that an estimate takes
 constexpr double normalShare = 1.4826;   // of the standard deviation over the median of absolute values
 
@@ -66,7 +65,7 @@ void estimate(SurveyNoise& found, const CellGrid& surveyed, const std::vector<do
     CellGrid noise = surveyed;
     std::vector<double> values;
     for (std::size_t k = 0; k < noise.values.size(); ++k) {
-        if (std::isfinite(noise.values[k]) && distances[k] * surveyed.cell >= farFrom) {
+        if (std::isfinite(noise.values[k]) && distances[k] * surveyed.cell >= farFromDebris) {
             values.push_back(noise.values[k]);
         } else {
             noise.values[k] = unknown;

@@ -7,6 +7,8 @@
 
 namespace rubble {
 
+inline constexpr double farFromDebris = 5.0;  ///< m, from where on a survey shows the ground alone
+
 /// How well a survey and the ground below it are known: the noise of surveyed height above the ground in a cell.
 struct SurveyNoise {
     enum class Source {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/evidence/ensembles/evidence_noise.h"
 
 namespace rubble {
 namespace {
@@ -18,6 +19,7 @@ MemberSurface patch(std::int32_t i0, std::int32_t j0, std::int32_t side, float h
             surface.cells.push_back({j, i});
             surface.heights.push_back(height);
             surface.masses.push_back(2000.0F * height);
+            surface.covered.push_back(1.0F);
         }
     }
     return surface;
@@ -74,6 +76,123 @@ TEST(CauseComparison, OnlyWhatWasLookedAtCounts) {
     evidence.looked = patch(0, 0, 5, 1.0F).cells;
     EXPECT_EQ(departureFrom(evidence, patch(0, 0, 5, 1.0F)), 0.0);
     EXPECT_EQ(departureFrom(evidence, patch(40, 40, 5, 1.0F)), 1.0);
+}
+
+TEST(CauseComparison, AnOutlineCoversHalfOfACellOnBothSides) {
+    // Debris reaches by a tenth, or by six tenths, into the cells around a square.
+    for (const float part : {0.1F, 0.6F}) {
+        MemberSurface debris = patch(0, 0, 10, 1.0F);
+        for (std::size_t c = 0; c < debris.cells.size(); ++c) {
+            const MapCell at = debris.cells[c];
+            debris.covered[c] = std::min({at.i, at.j, 9 - at.i, 9 - at.j}) == 0 ? part : 1.0F;
+        }
+        const MemberSurface covered = part < 0.5F ? patch(1, 1, 8, 1.0F) : patch(0, 0, 10, 1.0F);
+        SurfaceEvidence outline = evidenceOf(covered, EvidenceKind::Footprint);
+        EXPECT_EQ(departureFrom(outline, debris), 0.0) << part;
+        EXPECT_EQ(departureFrom(seenAs(debris, outline), covered), 0.0) << "the same the other way";
+        // A map of our own has all cells that debris reaches into.
+        outline = evidenceOf(patch(0, 0, 10, 1.0F), EvidenceKind::Footprint);
+        outline.reached = true;
+        EXPECT_EQ(departureFrom(outline, debris), 0.0) << part;
+    }
+}
+
+TEST(CauseComparison, HeightsBelowTheLeastAreGroundOnBothSides) {
+    SurfaceEvidence evidence = evidenceOf(patch(0, 0, 10, 2.0F), EvidenceKind::Heights);
+    evidence.least = 0.3;
+    MemberSurface low = patch(20, 0, 10, 0.2F);
+    EXPECT_EQ(departureFrom(evidence, low), 1.0) << "it counts nowhere";
+    EXPECT_TRUE(std::isnan(departureFrom(seenAs(low, evidence), low)));
+    MemberSurface both = patch(0, 0, 10, 2.0F);
+    for (const std::int32_t i : {20, 21}) {
+        both.cells.push_back({9, i});
+        both.heights.push_back(0.2F);
+        both.covered.push_back(1.0F);
+    }
+    EXPECT_EQ(departureFrom(evidence, both), 0.0);
+    both.heights.back() = 0.4F;
+    EXPECT_NEAR(departureFrom(evidence, both), 0.4 / 400.4, 1e-6);
+}
+
+/// Heights of a square of 60 cells with noise, debris as given among them.
+SurfaceEvidence surveyOf(const MemberSurface& debris, double noise, double offset, std::int32_t margin = 25) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> error(offset, noise);
+    SurfaceEvidence evidence = evidenceOf({}, EvidenceKind::Heights);
+    for (std::int32_t j = -margin; j < 10 + margin; ++j) {
+        for (std::int32_t i = -margin; i < 10 + margin; ++i) {
+            const std::ptrdiff_t at = debris.find({j, i});
+            const double height = at >= 0 ? double{debris.heights[static_cast<std::size_t>(at)]} : 0.0;
+            evidence.seen.cells.push_back({j, i});
+            evidence.seen.heights.push_back(static_cast<float>(height + error(random)));
+        }
+    }
+    evidence.surveyed = true;
+    evidence.everywhere = false;
+    evidence.looked = evidence.seen.cells;
+    evidence.least = 0.05;
+    return evidence;
+}
+
+TEST(CauseComparison, HeightsCountFromTheLevelOfDetectionOn) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 3, 1, 2)};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(surveyOf(patch(0, 1, 10, 1.1F), 0.1, 0.0));
+    Findings said;
+    const SurfaceEvidence held = withDetection(evidence, hypotheses, said).surfaces.front();
+    EXPECT_NEAR(held.least, 1.96 * 0.1, 0.02) << "of some 3,000 cells";
+    EXPECT_EQ(said.count("evidence.detection"), 1);
+    EXPECT_EQ(said.list().size(), 1u);
+    // Noise over a field of thirty times the area of the debris is not taken for debris.
+    EXPECT_LT(departureFrom(held, patch(0, 1, 10, 1.1F)), 0.15);
+    EXPECT_GT(departureFrom(evidence.surfaces.front(), patch(0, 1, 10, 1.1F)), 0.4) << "as it was without";
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_EQ(made.hypotheses[made.ranking.causes.front().hypothesis], "west");
+    EXPECT_EQ(made.findings.count("evidence.detection"), 1);
+
+    evidence.surfaces.front().noise = 0.2;
+    evidence.surfaces.front().groundNoise = 0.0;
+    Findings stated;
+    EXPECT_NEAR(withDetection(evidence, hypotheses, stated).surfaces.front().least, 1.96 * 0.2, 1e-9);
+    EXPECT_NE(englishText(stated.list().front().what).find("stated"), std::string::npos);
+}
+
+TEST(CauseComparison, SaysWhatItDoesNotKnowOfASurvey) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 3, 1, 2)};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(surveyOf(patch(0, 1, 10, 1.1F), 0.1, 0.0, 3));
+    Findings close;
+    EXPECT_EQ(withDetection(evidence, hypotheses, close).surfaces.front().least, 0.05);
+    EXPECT_EQ(close.count("evidence.noise_unknown"), 1) << "it ends beside the debris";
+    evidence.surfaces.front() = surveyOf(patch(0, 1, 10, 1.1F), 0.05, -0.5);
+    Findings low;
+    withDetection(evidence, hypotheses, low);
+    ASSERT_EQ(low.count("evidence.offset"), 1);
+    EXPECT_NE(englishText(low.list().back().what).find("below the ground"), std::string::npos);
+    // An outline and a map of our own have no noise.
+    evidence.surfaces.front() = evidenceOf(patch(0, 0, 10, 1.0F), EvidenceKind::Heights);
+    Findings none;
+    EXPECT_EQ(withDetection(evidence, hypotheses, none).surfaces.front().least, 0.0);
+    EXPECT_TRUE(none.empty());
+}
+
+TEST(CauseComparison, SaysWhatLiesApartFromAllHypotheses) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2)};
+    CauseEvidence evidence;
+    MemberSurface seen = patch(0, 1, 10, 1.1F);
+    const MemberSurface truck = patch(3, 30, 3, 2.0F);
+    for (std::size_t c = 0; c < truck.cells.size(); ++c) {
+        seen.cells.push_back(truck.cells[c]);
+        seen.heights.push_back(truck.heights[c]);
+        seen.covered.push_back(1.0F);
+    }
+    for (const EvidenceKind kind : {EvidenceKind::Footprint, EvidenceKind::Heights}) {
+        evidence.surfaces = {evidenceOf(seen, kind)};
+        const CauseComparison made = compareCauses(hypotheses, evidence);
+        EXPECT_EQ(made.findings.count("causes.apart"), 1);
+        evidence.surfaces.front().leftOut = truck.cells;
+        EXPECT_EQ(compareCauses(hypotheses, evidence).findings.count("causes.apart"), 0) << "left out of the comparison";
+    }
 }
 
 TEST(CauseComparison, NamesTheCauseAndWhereItShows) {

@@ -93,6 +93,23 @@ TEST(PieceRaster, AgreesWithTheMapsOfTheMeasures) {
     }
 }
 
+TEST(PieceRaster, SaysHowMuchOfACellIsCovered) {
+    // Two blocks of 1.5 by 1 m, one above the other, over the first of two cells and half of the second.
+    std::vector<MapPiece> pieces;
+    for (const double z : {0.5, 1.5}) {
+        const DebrisFragment block = boxAt(Vec3(0.75, 0.5, z), 1000.0, Vec3(0.75, 0.5, 0.5));
+        pieces.push_back({block.box, block.centre, block.mass, block.volume});
+    }
+    const PieceRaster map = raster(pieces, 1.0);
+    ASSERT_EQ(map.cells.size(), 2u);
+    EXPECT_EQ(map.covered, (std::vector<double>{1.0, 0.5}));
+    // Of a field as much as its outlines hold, to the points that are looked at.
+    const std::vector<MapPiece> field = piecesOf(randomField(3, 40, 30.0));
+    const double fine = 0.05;
+    const double exact = fine * fine * sum(raster(field, fine).covered);
+    EXPECT_NEAR(sum(raster(field, 0.5).covered) * 0.25, exact, 0.02 * exact);
+}
+
 TEST(PieceRaster, SumsAreThoseOfThePieces) {
     const std::vector<MapPiece> pieces = piecesOf(randomField(5, 3000, 40.0));
     double mass = 0.0;

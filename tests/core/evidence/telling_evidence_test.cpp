@@ -21,6 +21,7 @@ MemberSurface field(std::int32_t columns, std::int32_t rows, const std::function
                 surface.cells.push_back({j, i});
                 surface.heights.push_back(static_cast<float>(h));
                 surface.masses.push_back(static_cast<float>(2000.0 * h));
+                surface.covered.push_back(1.0F);
             }
         }
     }

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 
+#include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "io/exports/ensemble_origin.h"
 #include "io/exports/map_files.h"
@@ -86,12 +88,46 @@ TEST_F(EvidenceSurface, FootprintOfAPackageComesBack) {
     writeMapPackage(path, m_map, MapFragments{&none, &nothing, {}, {}, {}}, 0.5, m_origin, Execution());
     const SurfaceEvidence all = readFootprint(path);
     EXPECT_EQ(all.seen.cells, m_map.cells) << "polygons that overlap do not cancel";
+    EXPECT_TRUE(all.reached) << "of cells that debris reaches into";
     const SurfaceEvidence fragments = readFootprint(path, 0.5, false);
     EXPECT_LT(fragments.seen.cells.size(), all.seen.cells.size());
     EXPECT_GT(fragments.seen.cells.size(), 0u);
 }
 
-TEST_F(EvidenceSurface, APolygonCoversCellsByTheirMiddles) {
+TEST_F(EvidenceSurface, AnExactOutlineDepartsFromItsOwnDebrisByNothing) {
+    // Of blocks that lie askew on cells as large as they are: each polygon is the outline of one of them.
+    std::vector<MapPiece> pieces;
+    std::string features;
+    for (int k = 0; k < 12; ++k) {
+        const Quat turn(Eigen::AngleAxisd(0.3 * k, Vec3::UnitZ()));
+        const DebrisFragment block = analysis_scene::boxAt(Vec3(1.7 * k, 0.9 * k, 0.5), 1000.0, Vec3(1.4, 0.9, 0.5), turn);
+        pieces.push_back({block.box, block.centre, block.mass, block.volume});
+        std::string ring;
+        for (const auto& [x, y] : std::array<std::pair<double, double>, 5>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}}) {
+            const Vec3 corner = block.centre + turn * Vec3(1.4 * x, 0.9 * y, 0.0);
+            ring +=
+                (ring.empty() ? "[" : ",[") + exactNumber(500000.0 + corner.x()) + "," + exactNumber(5600000.0 + corner.y()) + "]";
+        }
+        features += (features.empty() ? "" : ",") +
+                    (R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" + ring + "]]}}");
+    }
+    const std::string path = m_folder / "exact.geojson";
+    std::ofstream(path) << R"({"type":"FeatureCollection","features":[)" << features << "]}";
+    const SurfaceEvidence evidence = readFootprint(path, 1.0);
+    EXPECT_FALSE(evidence.reached);
+    const PieceRaster raster = rasterOf(pieces, 1.0, SiteSurface{}, Execution());
+    MemberSurface debris;
+    debris.cells = raster.cells;
+    debris.heights.assign(raster.height.begin(), raster.height.end());
+    debris.covered.assign(raster.covered.begin(), raster.covered.end());
+    // Points stand for areas: a cell that is covered by close to a half may count on one side.
+    EXPECT_LT(departureFrom(evidence, debris), 0.05);
+    SurfaceEvidence wholly = evidence;
+    wholly.reached = true;
+    EXPECT_GT(departureFrom(wholly, debris), 0.15) << "as it was when any touch was debris";
+}
+
+TEST_F(EvidenceSurface, APolygonCoversCellsByHalfOfTheirArea) {
     const std::string path = m_folder / "outline.geojson";
     std::ofstream(path)
         << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
@@ -126,7 +162,8 @@ TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
     for (const float height : {1.0F, 2.0F}) {
         EnsembleMember& member = report.members.emplace_back();
         member.done = true;
-        member.surface = std::make_shared<const MemberSurface>(MemberSurface{{{0, 0}, {0, 1}}, {height, height}, {100.0F, 100.0F}});
+        member.surface = std::make_shared<const MemberSurface>(
+            MemberSurface{{{0, 0}, {0, 1}}, {height, height}, {100.0F, 100.0F}, {1.0F, 1.0F}});
     }
     const DebrisMap map = probabilityMap(report, usualThresholds);
     const MapOrigin origin = ensembleOrigin(report, map, m_frame, Site(), {{"fe", "a.exo", std::string(64, 'b')}});

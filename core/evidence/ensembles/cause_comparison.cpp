@@ -57,12 +57,12 @@ Departures departuresOf(const Hypothesis& hypothesis, const CauseEvidence& evide
     return departures;
 }
 
-/// How far each member, taken as evidence that was looked at as this was, departs from the others in the mean.
+/// How far each member, taken as evidence that was looked at as this was and with its noise, departs from the others in the mean.
 FigureSpread amongMembers(const Hypothesis& hypothesis, const SurfaceEvidence& evidence) {
     const std::vector<const EnsembleMember*> members = hypothesis.ensemble->done();
     std::vector<double> among;
     for (const EnsembleMember* seen : members) {
-        const SurfaceEvidence own = seenAs(*seen->surface, evidence);
+        const SurfaceEvidence own = surveyedAs(*seen->surface, evidence, hypothesis.ensemble->surface.cell, among.size());
         std::vector<double> departures;
         for (const EnsembleMember* other : members) {
             if (other != seen) {

@@ -8,6 +8,7 @@
 #include "core/evidence/ensembles/cause_ranking.h"
 #include "core/evidence/ensembles/probability_map.h"
 #include "core/evidence/photographs/photo_comparison.h"
+#include "core/evidence/surveys/survey_noise.h"
 
 namespace rubble {
 
@@ -30,6 +31,7 @@ struct SurfaceEvidence {
     /// m, standard deviations of the heights and of those of the ground; unset: not stated.
     std::optional<double> noise = {};
     std::optional<double> groundNoise = {};
+    SurveyNoise found = {};  ///< of a cell, by withDetection()
 
     bool counts(const MapCell& cell) const;
     /// Debris lies in a cell of a surface; -1: nothing does.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/base/sequence.h"
 #include "core/base/unknown.h"
 #include "core/evidence/maps/mark_distances.h"
 #include "core/evidence/surveys/survey_measures.h"
@@ -59,6 +61,14 @@ SeenGrid gridOfSeen(const SurfaceEvidence& evidence, std::span<const Hypothesis>
     return grid;
 }
 
+/// Of a normal distribution with a deviation of 1 (Box & Muller 1958), for one square of many.
+double noiseOfSquare(std::uint64_t seed, std::int32_t j, std::int32_t i) {
+    const auto part = [](std::int32_t place) { return std::uint64_t{static_cast<std::uint32_t>(place)}; };
+    Sequence sequence(seed * 0x9e3779b97f4a7c15U + (part(j) << 32U | part(i)));
+    const double first = 1.0 - sequence.between(0.0, 1.0);
+    return std::sqrt(-2.0 * std::log(std::max(first, 1e-300))) * std::cos(2.0 * std::numbers::pi * sequence.between(0.0, 1.0));
+}
+
 void tellNoise(Findings& findings, const SurfaceEvidence& evidence, const SurveyNoise& noise) {
     if (noise.source == SurveyNoise::Source::Unknown) {
         findings.add({"evidence.noise_unknown",
@@ -105,9 +115,29 @@ CauseEvidence withDetection(const CauseEvidence& evidence, std::span<const Hypot
         const SeenGrid grid = gridOfSeen(surface, hypotheses);
         const SurveyNoise noise = noiseOf(grid.heights, grid.distances, surface.noise, surface.groundNoise);
         surface.least = std::max(surface.least, noise.detection());
+        surface.found = noise;
         tellNoise(findings, surface, noise);
     }
     return held;
+}
+
+SurfaceEvidence surveyedAs(const MemberSurface& surface, const SurfaceEvidence& like, double cell, std::uint64_t seed) {
+    if (!like.surveyed || !(like.found.deviation > 0.0)) {
+        return seenAs(surface, like);
+    }
+    const double length = std::isfinite(like.found.correlation) ? like.found.correlation : 0.0;
+    const double side = std::max(1.0, std::round(std::sqrt(2.0 * std::numbers::pi) * length / cell));  // cells
+    SurfaceEvidence own = seenAs({}, like);
+    own.seen.cells = like.seen.cells;
+    own.seen.heights.reserve(own.seen.cells.size());
+    for (const MapCell& at : own.seen.cells) {
+        const std::ptrdiff_t lies = surface.find(at);
+        const double height = lies >= 0 ? double{surface.heights[static_cast<std::size_t>(lies)]} : 0.0;
+        const double noise = noiseOfSquare(seed, static_cast<std::int32_t>(std::floor(at.j / side)),
+                                           static_cast<std::int32_t>(std::floor(at.i / side)));
+        own.seen.heights.push_back(static_cast<float>(height + like.found.deviation * noise));
+    }
+    return own;
 }
 
 void findApart(Findings& findings, const SurfaceEvidence& evidence, std::span<const Hypothesis> hypotheses) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <regex>
 #include <sstream>
 
+#include "io/exports/convert/grid_writer.h"
 #include "io/exports/exports.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/io/sample_run.h"
@@ -206,6 +208,31 @@ TEST_F(ParaViewOpens, TheSeriesOfVtuFiles) {
         EXPECT_NEAR(each.cellSpeed, fragmentSpeeds(each.time), 1e-9 + 1e-6 * each.cellSpeed) << each.time;
     }
     EXPECT_GT(values.back().cellSpeed + values[values.size() / 2].cellSpeed, 0.0) << "nothing was compared";
+}
+
+TEST_F(ParaViewOpens, AConvertedFeResult) {
+    if (m_program.empty()) {
+        return;
+    }
+    writeGridSeries(m_folder / "c.pvd", *m_fe, Vec3::Zero(), false, Execution());
+    const std::string text = opened("c.pvd");
+    EXPECT_THAT(text, HasSubstr("reader PVDReader times " + std::to_string(m_fe->times().size())));
+    EXPECT_THAT(text, HasSubstr("'STATUS'"));
+    const std::vector<std::size_t> cells = cellsOf(text);
+    ASSERT_EQ(cells.size(), 2 * m_fe->times().size()) << text;
+    for (const std::size_t count : cells) {
+        EXPECT_EQ(count, m_fe->mesh().elementCount()) << "the dead are hidden, not gone";
+    }
+    const std::vector<Values> values = valuesOf(text);
+    ASSERT_EQ(values.size(), cells.size()) << text;
+    for (std::size_t k = 0; k < m_fe->times().size(); ++k) {
+        double x = 0.0;
+        for (const Vec3& place : m_fe->state(k)->positions) {
+            x += place.x();
+        }
+        EXPECT_EQ(values[k].time, m_fe->times()[k]);
+        EXPECT_NEAR(values[k].x, x, 1e-5 * (1.0 + std::abs(x))) << values[k].time;
+    }
 }
 
 TEST_F(ParaViewOpens, TheFragmentsAsGltf) {

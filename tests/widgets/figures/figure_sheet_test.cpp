@@ -194,6 +194,44 @@ TEST(Arrange, AGivenHeightIsKeptAndTheModelIsAsLargeAsItGoes) {
     EXPECT_GT(free.height(), 0);
 }
 
+// Figure 13: the debris is large in the picture, and the ground around it is seen to the sides, before and behind.
+TEST(Arrange, DebrisInItsSurroundingsIsWhatIsFramed) {
+    const std::vector<Vec3> bridge = longBridge();
+    std::vector<Vec3> around;
+    for (const double x : {-70.0, 70.0}) {
+        for (const double y : {-11.2, 11.2}) {
+            around.emplace_back(x, y, 0.0);
+        }
+    }
+    for (const render::Preset look : {render::Preset::Corner, render::Preset::Top, render::Preset::Side}) {
+        for (const QSize asked : {QSize(1600, 0), QSize(800, 600), QSize(1600, 1000)}) {
+            SCOPED_TRACE(std::to_string(static_cast<int>(look)) + " at " + std::to_string(asked.height()));
+            render::Framing framing(look);
+            framing.add(bridge, bridge, Aabb(), 1.0);
+            framing.widen(1.4);
+            Sheet sheet;
+            sheet.framed = true;
+            sheet.look = look;
+            sheet.panels.resize(1);
+            QSize pixels = asked;
+            arrange(sheet, framing, pixels, 200.0, true, false);
+            const QSize panel = layOutSheet(sheet.columns, sheet.rows(), legendOf(sheet), true, pixels, 200.0).panel;
+            const double aspect = static_cast<double>(panel.width()) / panel.height();
+            const render::Camera& camera = sheet.panels[0].view.cameras[0];
+            shareFilled(around, camera, aspect);
+            shareFilled(bridge, camera, aspect);
+            Eigen::AlignedBox2d seen;
+            for (const Vec3& point : bridge) {
+                const auto place = render::project(camera, point, aspect);
+                ASSERT_TRUE(place);
+                seen.extend(Eigen::Vector2d(place->u, place->v));
+            }
+            EXPECT_GT(seen.sizes().maxCoeff(), 0.55) << "it is what is shown";
+            EXPECT_LT(seen.sizes().maxCoeff(), 0.9) << "with something around it";
+        }
+    }
+}
+
 TEST(Framing, LeavesOutTheFewThatLieFarOut) {
     std::vector<Vec3> points = longBridge();
     std::vector<Vec3> pile;

@@ -36,7 +36,8 @@ namespace {
 std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const StudyOrder& order, const Execution& execution) {
     std::vector<io::EnsembleSource> sources;
     for (const StudyCase& cause : causes.causes) {
-        execution.report({"gui.opening_cause", "Opening \"{0}\"", {cause.name}}, 0.0);
+        const std::string& shown = cause.name.empty() ? cause.theCase.title : cause.name;
+        execution.report({"gui.opening_cause", "Opening \"{0}\"", {shown}}, 0.0);
         io::EnsembleSource source = io::openEnsemble(caseRequest(cause, order), order.settings, execution);
         if (!cause.name.empty()) {
             source.name = cause.name;

@@ -146,7 +146,7 @@ void findApart(Findings& findings, const SurfaceEvidence& evidence, std::span<co
     }
     const SeenGrid grid = gridOfSeen(evidence, hypotheses);
     const double cell = grid.heights.cell;
-    const double from = std::max(apartFrom, 2.0 * cell);
+    const double from = std::max(apartLeast, 2.0 * cell);
     const bool heights = evidence.kind == EvidenceKind::Heights;
     double all = 0.0;
     double apart = 0.0;

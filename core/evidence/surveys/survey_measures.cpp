@@ -137,7 +137,7 @@ ApartDebris apartDebris(const SurveyComparison& made, const std::vector<double>&
     ApartDebris apart;
     apart.nearest = std::numeric_limits<double>::infinity();
     const double cell = made.settings.cell;
-    const double from = std::max(apartFrom, 2.0 * cell);
+    const double from = std::max(apartLeast, 2.0 * cell);
     double largest = 0.0;
     Patches patches(made);
     for (std::size_t k = 0; k < made.compared.size(); ++k) {

@@ -11763,6 +11763,42 @@
         <source>the comparison of causes that the report names does not travel by itself</source>
         <translation>报告所引用的原因比较不会自动随包携带</translation>
     </message>
+    <message>
+        <source>far from all debris the survey lies {0} above the ground, in the median of {1} cells</source>
+        <translation>在远离所有堆积物处，测量高于地面 {0}（{1} 个单元的中位数）</translation>
+    </message>
+    <message>
+        <source>far from all debris the survey lies {0} below the ground, in the median of {1} cells</source>
+        <translation>在远离所有堆积物处，测量低于地面 {0}（{1} 个单元的中位数）</translation>
+    </message>
+    <message>
+        <source>heights count from {0} on, the level of detection (95 %) of a noise of {1}, estimated from {2} cells far from all debris</source>
+        <translation>高度从 {0} 起计入，即噪声 {1} 的检测限（95 %），噪声由远离所有堆积物的 {2} 个单元估计</translation>
+    </message>
+    <message>
+        <source>heights count from {0} on, the level of detection (95 %) of the stated noise of {1}</source>
+        <translation>高度从 {0} 起计入，即所给噪声 {1} 的检测限（95 %）</translation>
+    </message>
+    <message>
+        <source>if that is no debris (vehicles, trees, houses), give an area of interest or leave it out; else no hypothesis explains it</source>
+        <translation>若那不是堆积物（车辆、树木、房屋），请给出关注区域或将其排除；否则没有假设能解释它</translation>
+    </message>
+    <message>
+        <source>none is needed; what lies lower may be noise and is taken for ground on both sides</source>
+        <translation>不需要；更低之处可能是噪声，两侧都视为地面</translation>
+    </message>
+    <message>
+        <source>state the noise of the survey and of the ground in the case</source>
+        <translation>请在案例中给出测量和地面的噪声</translation>
+    </message>
+    <message>
+        <source>the noise of surveyed heights is not known: none is stated, and too few cells lie far from all debris; heights count from {0} on</source>
+        <translation>测量高度的噪声未知：没有给出，且远离所有堆积物的单元太少；高度从 {0} 起计入</translation>
+    </message>
+    <message>
+        <source>{0} of {1} that were seen lie farther than {2} from the debris of every member of every hypothesis</source>
+        <translation>所见的 {1} 中有 {0} 距每个假设的每个成员的堆积物都超过 {2}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

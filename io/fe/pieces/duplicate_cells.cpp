@@ -64,6 +64,7 @@ void DuplicateCells::leaveOut(SeriesStep& step, Findings& findings) {
         m_left = step.pieces.size() > 1 ? find(step, findings) : std::vector<bool>{};
         if (!m_left.empty()) {
             step.mesh = without(*step.mesh, m_left);
+            removeMarked(step.cells, m_left);
         }
     }
     if (!m_left.empty()) {

@@ -26,6 +26,8 @@ struct SeriesStep {
     std::vector<MeshPiece> pieces;
     /// Which elements the file marks as copies of those of another piece [elements]; empty: none. Comes with the mesh.
     std::vector<bool> ghosts;
+    /// The cell of the file that each element is or is a piece of [elements]; empty: none was taken apart. Comes with the mesh.
+    std::vector<std::size_t> cells;
 };
 
 /// Nodal values of one state in the file's own units and axes [nodes of that state's mesh].

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
@@ -33,10 +32,12 @@ std::uint32_t pieceOf(const std::vector<MeshPiece>& pieces, std::size_t node) {
 
 }  // namespace
 
-void MeshUnion::add(const Mesh& mesh, const std::vector<MeshPiece>& pieces, std::size_t state) {
+void MeshUnion::add(const Mesh& mesh, const std::vector<MeshPiece>& pieces, const std::vector<std::size_t>& cells,
+                    std::size_t state) {
     const bool first = m_epochs.empty();
     if (first) {
-        decideNumbers(mesh, pieces);
+        decideNumbers(mesh, cells);
+        decideNodeNumbers(mesh, pieces);
         m_mesh.offsets.push_back(0);
     }
     MeshEpoch epoch;
@@ -77,16 +78,23 @@ void MeshUnion::add(const Mesh& mesh, const std::vector<MeshPiece>& pieces, std:
     m_epochs.push_back(std::move(epoch));
 }
 
-void MeshUnion::decideNumbers(const Mesh& mesh, const std::vector<MeshPiece>& pieces) {
-    std::array<std::unordered_set<std::int64_t>, 3> seen;
+// Pieces of one cell have its number, which tells no piece; it is shared by right.
+void MeshUnion::decideNumbers(const Mesh& mesh, const std::vector<std::size_t>& cells) {
+    std::array<std::unordered_map<std::int64_t, std::size_t>, 3> owners;
+    bool twice = false;
     m_byNumber = !mesh.elementIds.empty();
-    for (std::size_t e = 0; m_byNumber && e < mesh.elementCount(); ++e) {
-        m_byNumber = seen[kindOf(mesh.shapes[e])].insert(mesh.elementIds[e]).second;
+    for (std::size_t e = 0; !twice && e < mesh.elementIds.size(); ++e) {
+        const auto [known, isNew] = owners[kindOf(mesh.shapes[e])].try_emplace(mesh.elementIds[e], e);
+        m_byNumber = m_byNumber && isNew;
+        twice = !isNew && (cells.empty() || cells[known->second] != cells[e]);
     }
-    if (!mesh.elementIds.empty() && !m_byNumber) {
+    if (twice) {
         m_findings.add({"fe.number_twice", "Elements share a number; they were told apart by their nodes", {}},
                        {"fe.number_twice.remedy", "Let the analysis number its elements uniquely.", {}}, m_path);
     }
+}
+
+void MeshUnion::decideNodeNumbers(const Mesh& mesh, const std::vector<MeshPiece>& pieces) {
     m_nodesNumbered = !mesh.nodeIds.empty();
     const double tolerance = placeTolerance(mesh.nodes);
     std::unordered_map<std::int64_t, std::size_t> firstOf;

@@ -36,7 +36,8 @@ public:
     MeshUnion(std::string path, bool timed) : m_path(std::move(path)), m_timed(timed) {}
 
     /// Adds the mesh of a state. Throws ParseError where it cannot be matched with those before; names the state.
-    void add(const Mesh& mesh, const std::vector<MeshPiece>& pieces, std::size_t state);
+    /// @param cells  see SeriesStep
+    void add(const Mesh& mesh, const std::vector<MeshPiece>& pieces, const std::vector<std::size_t>& cells, std::size_t state);
 
     const std::vector<MeshEpoch>& epochs() const { return m_epochs; }
     std::size_t elementCount() const { return m_mesh.elementCount(); }
@@ -63,7 +64,8 @@ private:
     using Twins = std::vector<std::uint32_t>;
     static constexpr std::uint32_t none = PlaceIndex::nowhere;
 
-    void decideNumbers(const Mesh& mesh, const std::vector<MeshPiece>& pieces);
+    void decideNumbers(const Mesh& mesh, const std::vector<std::size_t>& cells);
+    void decideNodeNumbers(const Mesh& mesh, const std::vector<MeshPiece>& pieces);
     std::uint32_t addNode(const Mesh& mesh, std::size_t n, const std::vector<MeshPiece>& pieces);
     std::uint32_t addElement(const Mesh& mesh, std::size_t e, const Tuple& corners);
     std::uint32_t partOf(const Part& part);

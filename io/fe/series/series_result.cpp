@@ -85,7 +85,7 @@ private:
                 continue;
             }
             if (withMesh) {
-                m_union.add(*withMesh->mesh, withMesh->pieces, k);
+                m_union.add(*withMesh->mesh, withMesh->pieces, withMesh->cells, k);
                 m_parts.add(*withMesh->mesh, m_union, k);
                 withMesh.reset();
             }

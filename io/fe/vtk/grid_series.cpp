@@ -234,6 +234,9 @@ SeriesStep GridSeries::step(std::size_t k) {
         if (k == 0 || !(cells == m_cells)) {
             step.mesh = meshOf(grid, k);
             findGhosts(grid, k, step);
+            if (std::adjacent_find(m_kept.begin(), m_kept.end()) != m_kept.end()) {
+                step.cells = m_kept;
+            }
             m_cells = cells;
         }
     }

@@ -123,7 +123,7 @@ TEST(CellPieces, HigherOrdersAreKnownByTheirCornersAndNamed) {
 class CellKindsTest : public testing::Test {
 protected:
     // Two hexagonal prisms, or the polyhedra of their points, that share a side. The second dies.
-    std::shared_ptr<const FeResult> open(int type, bool faces) {
+    std::shared_ptr<const FeResult> open(int type, bool faces, const std::string& numbers = "10 20") {
         for (int k = 0; k < 2; ++k) {
             std::string text = "# vtk DataFile Version 3.0\nprisms\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 20 double\n";
             const double side = std::sqrt(3.0) / 2.0;
@@ -155,7 +155,7 @@ protected:
             }
             text += "CELLS 2 " + std::to_string(words) + "\n" + cells + "CELL_TYPES 2\n" + std::to_string(type) + "\n" +
                     std::to_string(type) + "\nCELL_DATA 2\nSCALARS alive int\nLOOKUP_TABLE default\n1 " + (k == 0 ? "1" : "0") +
-                    "\nSCALARS ELEMENT_ID int\nLOOKUP_TABLE default\n10 20\n";
+                    "\nSCALARS ELEMENT_ID int\nLOOKUP_TABLE default\n" + numbers + "\n";
             writeContent(m_folder / ("prisms_" + std::to_string(k) + ".vtk"), text);
         }
         return openFe(m_folder / "prisms_0.vtk", {}, {}, Execution{});
@@ -206,6 +206,15 @@ TEST_F(CellKindsTest, PrismsAndPolyhedraDieWhole) {
         EXPECT_NEAR(standing, areaOf(6), 1e-5) << type << faces;
         EXPECT_NEAR(dead, areaOf(6), 1e-5) << type << faces;
         EXPECT_EQ(fe->contents().findings.count("vtk.taken_apart"), 2);
+    }
+}
+
+TEST_F(CellKindsTest, PiecesOfOneCellHaveItsNumberByRight) {
+    for (const auto& [type, faces] : {std::pair{16, false}, {42, true}, {42, false}}) {
+        EXPECT_EQ(open(type, faces)->contents().findings.count("fe.number_twice"), 0) << type << faces;
+        const auto twice = open(type, faces, "10 10");
+        EXPECT_EQ(twice->contents().findings.count("fe.number_twice"), 1) << type << faces;
+        EXPECT_EQ(2 * twice->activity().activeCount(1), twice->mesh().elementCount()) << type << faces;
     }
 }
 

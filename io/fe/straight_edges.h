@@ -22,7 +22,9 @@ enum class EdgeOrder : std::uint8_t { TopBeforeSides, SidesBeforeTop };
 class StraightEdges {
 public:
     /// Takes an element by the places of all its nodes: corners, then those on the edges; others are passed over. A place that is
-    /// no number is that of a node which the element does not have. Elements without nodes on the edges count nothing.
+    /// no number is that of a node which the element does not have. Elements without nodes on the edges count nothing: those in
+    /// the middle of faces and of the whole say nothing of edges. Where nodes stand elsewhere than on the middles of edges, it is
+    /// not known how curved they are.
     /// @param name  of the element, in the finding
     void add(ElementShape shape, EdgeOrder order, std::span<const Vec3> nodes, const std::string& name);
     /// Adds a finding for solids, shells and beams whose size differs, each with the share that is lost or won;

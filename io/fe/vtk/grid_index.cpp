@@ -35,18 +35,14 @@ std::vector<std::string> namesListed(const std::string& index, const std::string
     return files;
 }
 
-void addPieces(const std::string& index, const std::string& file, GridEntry& entry) {
-    requireMember(index, file);
-    const StatePieces pieces = piecesOfState(file);
-    entry.files.insert(entry.files.end(), pieces.grids.begin(), pieces.grids.end());
-    entry.indices.insert(entry.indices.end(), pieces.indices.begin(), pieces.indices.end());
-    entry.left.insert(entry.left.end(), pieces.left.begin(), pieces.left.end());
-}
-
-bool sameFile(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    return Path(a).filename() == Path(b).filename() &&
-           std::filesystem::absolute(a, ignored).lexically_normal() == std::filesystem::absolute(b, ignored).lexically_normal();
+GridEntry stateOf(const std::string& index, const std::optional<double>& time, const ListedState& listed) {
+    for (const std::string& file : listed.files) {
+        requireMember(index, file);
+    }
+    StatePieces pieces = piecesOfState(listed.files);
+    GridEntry entry{time, std::move(pieces.grids), std::move(pieces.indices), std::move(pieces.left), listed.again};
+    entry.again.insert(entry.again.end(), pieces.again.begin(), pieces.again.end());
+    return entry;
 }
 
 bool endsAsIndex(const std::string& name) {
@@ -105,22 +101,19 @@ std::vector<GridEntry> indexGrids(const std::string& path, bool alone) {
     std::vector<GridEntry> entries;
     if (isTimeIndex(head)) {
         for (const ListedState& state : statesListed(listedBy(path, head))) {
-            entries.push_back({state.time, {}, {}, {}});
-            for (const std::string& file : state.files) {
-                addPieces(path, file, entries.back());
-            }
+            entries.push_back(stateOf(path, state.time, state));
         }
     } else if (head.starts_with("# vtk DataFile") || vtkTypeOf(head) == "UnstructuredGrid" || isPieceIndex(vtkTypeOf(head))) {
         const std::vector<std::string> siblings = alone ? std::vector<std::string>{path} : numberedSiblings(path);
         for (const std::string& sibling : siblings) {
             try {
-                addPieces(path, sibling, entries.emplace_back());
+                entries.push_back(stateOf(path, std::nullopt, {0.0, {sibling}, {}}));
             } catch (const ParseError&) {
                 // The last index may still be being written: its grid is not whole either.
                 if (siblings.size() == 1 || sibling != siblings.back()) {
                     throw;
                 }
-                entries.back() = {std::nullopt, {sibling}, {}, {}};
+                entries.push_back({std::nullopt, {sibling}, {}, {}, {}});
             }
         }
     } else {

@@ -12,6 +12,7 @@ struct GridEntry {
     std::vector<std::string> files;    ///< grids; several where a state is written in pieces
     std::vector<std::string> indices;  ///< that name them
     std::vector<std::string> left;     ///< blocks that are no unstructured grid
+    std::vector<std::string> again;    ///< files that are named once more, each as often as that; they are among the others once
 };
 
 /// The states that a file stands for, in the order in which they were written: those that a .pvd or .series lists; else the file

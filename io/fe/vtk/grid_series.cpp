@@ -169,6 +169,12 @@ void GridSeries::noteLeftBlock(const std::string& file) {
                          {"vtk.left_block.remedy", "Write them as unstructured grids if the structure is made of them.", {}}, file);
 }
 
+void GridSeries::noteListedAgain(const std::string& file, std::int64_t times) {
+    m_facts.findings.add({"vtk.listed_again", "Files that are listed more than once for a state were read once", {}},
+                         {"vtk.listed_again.remedy", "Check the index; its writer may have been started twice.", {}},
+                         file + ", listed " + englishInteger(times) + " times", times - 1);
+}
+
 void GridSeries::noteGaps(const std::vector<std::string>& numbered) {
     noteNumberGaps(numbered, m_facts.findings);
 }

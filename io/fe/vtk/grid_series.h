@@ -34,6 +34,8 @@ public:
     void noteUnfinished(const std::string& file);
     /// Counts a block of a state that is no unstructured grid.
     void noteLeftBlock(const std::string& file);
+    /// Counts a file that an index names more than once for one state. @param times  how often
+    void noteListedAgain(const std::string& file, std::int64_t times);
     /// Counts numbers that are missing between files that are states by their numbers.
     void noteGaps(const std::vector<std::string>& numbered);
 

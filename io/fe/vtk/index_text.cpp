@@ -81,6 +81,12 @@ pugi::xml_document indexXml(const std::string& path) {
     return document;
 }
 
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return Path(a).filename() == Path(b).filename() &&
+           std::filesystem::absolute(a, ignored).lexically_normal() == std::filesystem::absolute(b, ignored).lexically_normal();
+}
+
 std::string namedByIndex(const std::string& index, const std::string& name) {
     if (name.empty()) {
         failIndex(index, "an entry names no file");

@@ -16,6 +16,8 @@ std::string indexText(const std::string& path);
 pugi::xml_document indexXml(const std::string& path);
 /// The file that an index names, see namedFile(). Throws ParseError for no name.
 std::string namedByIndex(const std::string& index, const std::string& name);
+/// Whether two paths name one file, however they are spelled.
+bool sameFile(const std::string& a, const std::string& b);
 [[noreturn]] void failIndex(const std::string& path, const std::string& why);
 /// Throws WorldError that names index and file where a named file is not there.
 void requireMember(const std::string& index, const std::string& path);

@@ -1,7 +1,7 @@
 #include "io/fe/vtk/piece_index.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "io/fe/vtk/index_text.h"
 
@@ -11,7 +11,14 @@ namespace {
 
 constexpr int deepest = 16;
 
-void collect(const std::string& path, int depth, StatePieces& pieces) {
+// Of files that are done already, as some writers name a piece twice, the cells would count twice.
+void collect(const std::string& path, int depth, StatePieces& pieces, std::set<std::filesystem::path>& done) {
+    std::error_code ignored;
+    const std::filesystem::path place = std::filesystem::absolute(path, ignored).lexically_normal();
+    if (done.contains(place)) {
+        pieces.again.push_back(path);
+        return;
+    }
     const std::string head = headOfFile(path);
     const std::string type = vtkTypeOf(head);
     if (isPieceIndex(type)) {
@@ -21,13 +28,14 @@ void collect(const std::string& path, int depth, StatePieces& pieces) {
         pieces.indices.push_back(path);
         for (const std::string& piece : namedPieces(path)) {
             requireMember(path, piece);
-            collect(piece, depth + 1, pieces);
+            collect(piece, depth + 1, pieces, done);
         }
     } else if (depth > 0 && !type.empty() && type != "UnstructuredGrid") {
         pieces.left.push_back(std::filesystem::path(path).filename().string());
     } else {
         pieces.grids.push_back(path);
     }
+    done.insert(place);
 }
 
 void collectNames(pugi::xml_node node, const std::string& index, std::vector<std::string>& files) {
@@ -55,19 +63,15 @@ std::vector<std::string> namedPieces(const std::string& index) {
     std::vector<std::string> files;
     const pugi::xml_document document = indexXml(index);
     collectNames(document.child("VTKFile"), index, files);
-    std::vector<std::string> once;
-    for (const std::string& file : files) {
-        // Some writers name a piece twice.
-        if (std::find(once.begin(), once.end(), file) == once.end()) {
-            once.push_back(file);
-        }
-    }
-    return once;
+    return files;
 }
 
-StatePieces piecesOfState(const std::string& path) {
+StatePieces piecesOfState(const std::vector<std::string>& paths) {
     StatePieces pieces;
-    collect(path, 0, pieces);
+    std::set<std::filesystem::path> done;
+    for (const std::string& path : paths) {
+        collect(path, 0, pieces, done);
+    }
     return pieces;
 }
 

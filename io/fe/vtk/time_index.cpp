@@ -21,9 +21,10 @@ namespace {
 struct OpenState {
     double time = 0.0;
     std::vector<std::pair<std::string, std::string>> parts;  // part and file
+    std::vector<std::string> again;                          // files listed once more
 
     bool names(const std::string& file) const {
-        return std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return part.second == file; });
+        return std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return sameFile(part.second, file); });
     }
     const std::string* fileOf(const std::string& part) const {
         const auto found = std::find_if(parts.begin(), parts.end(), [&](const auto& known) { return known.first == part; });
@@ -35,7 +36,7 @@ std::vector<Vec3> pointsOf(const std::string& file) {
     GridSelection selection;
     selection.cells = false;
     std::vector<Vec3> points;
-    for (const std::string& grid : piecesOfState(file).grids) {
+    for (const std::string& grid : piecesOfState({file}).grids) {
         const std::vector<Vec3> more = readGridFile(grid, selection).points;
         points.insert(points.end(), more.begin(), more.end());
     }
@@ -156,6 +157,7 @@ std::vector<ListedState> statesListed(const std::vector<ListedFile>& list) {
         const auto found = newest.find(entry.time);
         OpenState* const state = found == newest.end() ? nullptr : &open[found->second];
         if (state && state->names(entry.file)) {
+            state->again.push_back(entry.file);
             continue;
         }
         const std::string* const known = state ? state->fileOf(entry.part) : nullptr;
@@ -164,14 +166,14 @@ std::vector<ListedState> statesListed(const std::vector<ListedFile>& list) {
             continue;
         }
         newest[entry.time] = open.size();
-        open.push_back({entry.time, {{entry.part, entry.file}}});
+        open.push_back({entry.time, {{entry.part, entry.file}}, {}});
     }
     if (disordered(open)) {
         std::stable_sort(open.begin(), open.end(), [](const OpenState& a, const OpenState& b) { return a.time < b.time; });
     }
     std::vector<ListedState> states;
     for (const OpenState& state : open) {
-        ListedState& listed = states.emplace_back(ListedState{state.time, {}});
+        ListedState& listed = states.emplace_back(ListedState{state.time, {}, state.again});
         for (const auto& [part, file] : state.parts) {
             listed.files.push_back(file);
         }

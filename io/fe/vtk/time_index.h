@@ -21,6 +21,7 @@ std::vector<ListedFile> listedBySeries(const std::string& path);
 struct ListedState {
     double time = 0.0;
     std::vector<std::string> files;
+    std::vector<std::string> again;  ///< of those, listed once more, each as often as that
 };
 /// The states in the order in which they were written: different parts of one time are pieces of one state; another file of the
 /// same part is the state written again, unless the two lie at different places. An index that only is in disorder, as one sorted

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "io/fe/series/series_result.h"
@@ -33,6 +35,18 @@ public:
     const std::vector<std::string>& unfinished() const { return m_unfinished; }
     /// Blocks of the first state that are no unstructured grid.
     const std::vector<std::string>& left() const { return m_entries.front().left; }
+    /// Files that are named more than once for a state, and how often.
+    std::vector<std::pair<std::string, std::int64_t>> listedAgain() const {
+        std::vector<std::pair<std::string, std::int64_t>> all;
+        for (const GridEntry& entry : m_entries) {
+            std::map<std::string, std::int64_t> times;
+            for (const std::string& file : entry.again) {
+                ++times.try_emplace(std::filesystem::path(file).filename().string(), 1).first->second;
+            }
+            all.insert(all.end(), times.begin(), times.end());
+        }
+        return all;
+    }
     /// The first file of each state.
     std::vector<std::string> firstFiles() const {
         std::vector<std::string> files;
@@ -159,6 +173,7 @@ FeResult::Contents readVtk(const std::string& path, const ImportSettings& settin
     const FileGrids& grids = *source;
     const bool timed = grids.timed();
     const std::vector<std::string> unfinished = grids.unfinished(), left = grids.left(), states = grids.firstFiles();
+    const std::vector<std::pair<std::string, std::int64_t>> again = grids.listedAgain();
     const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
     if (!timed) {
         series->noteMissingTimes(states);
@@ -168,6 +183,9 @@ FeResult::Contents readVtk(const std::string& path, const ImportSettings& settin
     }
     for (const std::string& block : left) {
         series->noteLeftBlock(block);
+    }
+    for (const auto& [file, times] : again) {
+        series->noteListedAgain(file, times);
     }
     if (!settings.onlyThisFile) {
         series->noteGaps(numberedGrids(path));

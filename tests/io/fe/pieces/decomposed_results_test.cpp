@@ -174,6 +174,7 @@ TEST_F(DecomposedResult, TimesOfAnIndexThatComeAgain) {
     const auto same = open("same.pvd");
     EXPECT_EQ(same->mesh().elementCount(), 10u);
     EXPECT_EQ(dead(*same), (Counts{0, 1, 1}));
+    EXPECT_EQ(same->contents().findings.count("vtk.listed_again"), 2);
     writeContent(
         m_folder / "same.pvd",
         pvd({{"0", "0", "s0.vtu"}, {"1", "0", "s1.vtu"}, {"2", "0", "s2.vtu"}, {"1", "0", "r1.vtu"}, {"2.5", "0", "r2.vtu"}}));
@@ -187,6 +188,53 @@ TEST_F(DecomposedResult, TimesOfAnIndexThatComeAgain) {
     writeContent(m_folder / "same.pvd",
                  pvd({{"0", "0", "s0.vtu"}, {"0", "0", "h.vtu"}, {"10", "0", "s2.vtu"}, {"10", "0", "h.vtu"}}));
     EXPECT_EQ(open("same.pvd")->mesh().elementCount(), 12u);
+}
+
+std::string vtm(const std::vector<std::string>& files) {
+    std::string text = "<?xml version='1.0'?><VTKFile type='vtkMultiBlockDataSet'><vtkMultiBlockDataSet>";
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        text += "<Block index='" + std::to_string(i) + "'><DataSet index='0' file='" + files[i] + "'/></Block>";
+    }
+    return text + "</vtkMultiBlockDataSet></VTKFile>";
+}
+
+// Two states of five bricks, of which one dies, whatever names their files once more.
+TEST_F(DecomposedResult, AFileThatIsListedTwiceForAStateCountsOnceAndIsNamed) {
+    for (int k = 0; k < 2; ++k) {
+        const std::string name = "s" + std::to_string(k);
+        writeContent(m_folder / (name + "_0.vtu"), BrickRow{.bricks = {0, 1, 2}, .status = {1, 1, 1}}.vtu());
+        writeContent(m_folder / (name + "_1.vtu"), BrickRow{.bricks = {3, 4}, .status = {1, k == 0 ? 1 : 0}}.vtu());
+        writeContent(m_folder / (name + ".pvtu"), pvtu({name + "_0.vtu", name + "_1.vtu", name + "_0.vtu"}));
+        writeContent(m_folder / (name + ".vtm"), vtm({name + "_0.vtu", name + "_1.vtu", "./" + name + "_1.vtu", name + "_1.vtu"}));
+        writeContent(m_folder / (name + "_whole.vtu"),
+                     BrickRow{.bricks = {0, 1, 2, 3, 4}, .status = {1, 1, 1, 1, k == 0 ? 1 : 0}}.vtu());
+    }
+    writeContent(m_folder / "parts.pvd", pvd({{"0", "0", "s0_0.vtu"},
+                                              {"0", "1", "s0_1.vtu"},
+                                              {"0", "1", "./s0_1.vtu"},
+                                              {"1", "0", "s1_0.vtu"},
+                                              {"1", "1", "s1_1.vtu"},
+                                              {"1", "2", "s1_1.vtu"}}));
+    writeContent(m_folder / "mixed.pvd", pvd({{"0", "0", "s0.vtm"}, {"1", "0", "s1.vtm"}, {"1", "1", "s1_0.vtu"}}));
+    writeContent(m_folder / "nested.vtm", vtm({"s0.vtm", "s0.pvtu", "s0.vtm"}));
+    writeContent(m_folder / "s.vtu.series",
+                 R"({"file-series-version":"1.0","files":[{"name":"s0_whole.vtu","time":0},{"name":"s0_whole.vtu","time":0},)"
+                 R"({"name":"s1_whole.vtu","time":1}]})");
+    const auto opens = [&](const std::string& name, const Counts& deaths, std::int64_t again, const std::string& example) {
+        const auto fe = open(name);
+        EXPECT_EQ(fe->mesh().elementCount(), 5u) << name;
+        EXPECT_EQ(fe->mesh().nodeCount(), 24u) << name;
+        EXPECT_EQ(dead(*fe), deaths) << name;
+        EXPECT_EQ(fe->contents().findings.count("pieces.duplicates"), 0) << name;
+        EXPECT_EQ(fe->contents().findings.count("vtk.listed_again"), again) << name;
+        for (const Finding& finding : fe->contents().findings.list()) {
+            EXPECT_TRUE(finding.what.id != "vtk.listed_again" || finding.example == example) << name << finding.example;
+        }
+    };
+    opens("parts.pvd", {0, 1}, 2, "s0_1.vtu, listed 2 times");
+    opens("mixed.pvd", {0, 1}, 5, "s0_1.vtu, listed 3 times");
+    opens("nested.vtm", {0}, 6, "s0.vtm, listed 2 times");
+    opens("s.vtu.series", {0, 1}, 1, "s0_whole.vtu, listed 2 times");
 }
 
 TEST_F(DecomposedResult, LooselyWrittenIndicesAreRead) {

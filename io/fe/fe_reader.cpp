@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/fe/fe_copy/file_traces.h"
 #include "io/fe/fe_search.h"
+#include "io/fe/pieces/elements_twice.h"
 #include "io/fe/result_frame.h"
 #include "io/fe/series/death_list.h"
 #include "io/fe/series/numbered_files.h"
@@ -84,6 +85,7 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
     if (traces.size() != found.files.size()) {
         traces = tracesOf(found.files);
     }
+    noteElementsTwice(*contents.mesh, contents.activity, contents.findings);
     notePiece(found, path, contents.findings);
     contents.indexSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     contents.format = found.format->name;

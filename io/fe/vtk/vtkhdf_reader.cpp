@@ -24,7 +24,14 @@ const std::string root = "/VTKHDF";
 struct Step {
     std::int64_t part = 0, parts = 1;
     std::int64_t point = 0, cell = 0, entry = 0;  // of points, cells, connectivity
+    std::int64_t meshes = 0;                      // partitions before it in the tables: each has one offset more than it has cells
     std::map<std::string, std::int64_t> pointArrays, cellArrays;
+};
+
+/// A mesh in tables that do not say where it lies.
+struct AppendedMesh {
+    std::int64_t cell = 0, entry = 0;     // before it
+    std::int64_t cells = 0, entries = 0;  // of its own
 };
 
 /// Grids in one VTKHDF file. The layout of steps is that of the VTK file format specification, VTKHDF 2.0.
@@ -66,7 +73,7 @@ public:
             const auto left = a.cellArrays.find(name), right = b.cellArrays.find(name);
             return left != a.cellArrays.end() && right != b.cellArrays.end() && left->second != right->second;
         };
-        return a.part == b.part && a.parts == b.parts && a.cell == b.cell && a.entry == b.entry &&
+        return a.meshes == b.meshes && a.parts == b.parts && a.cell == b.cell && a.entry == b.entry &&
                std::none_of(cellArrays.begin(), cellArrays.end(), moved);
     }
 
@@ -76,7 +83,7 @@ public:
         std::int64_t point = 0, cell = 0, entry = 0;
         for (std::int64_t p = 0; p < step.parts; ++p) {
             const auto part = static_cast<std::size_t>(step.part + p);
-            Grid piece = readPiece(step, part, {point, cell, entry}, step.part + p, selection);
+            Grid piece = readPiece(step, part, {point, cell, entry}, step.meshes + p, selection);
             point = sum(point, m_points[part]);
             cell = sum(cell, m_cells[part]);
             entry = sum(entry, m_entries[part]);
@@ -129,7 +136,61 @@ private:
         for (const std::string& name : m_file.tablesIn(steps + "/CellDataOffsets")) {
             fill("Steps/CellDataOffsets/" + name, [&](Step& step) -> std::int64_t& { return step.cellArrays[name]; });
         }
+        for (Step& step : m_steps) {
+            step.meshes = step.part;
+        }
+        followAppendedMeshes();
         requireParts();
+    }
+
+    /// The recorder of OpenSees appends its mesh again whenever the model changes, and counts of it for every state. It leaves the
+    /// places of partitions, cells and connectivity at zero: only those of the points say that a state has another mesh.
+    void followAppendedMeshes() {
+        const auto left = [](const Step& step) { return step.part == 0 && step.parts == 1 && step.cell == 0 && step.entry == 0; };
+        const auto moved = [](const Step& step) { return step.point != 0; };
+        if (m_points.size() != m_steps.size() || !std::all_of(m_steps.begin(), m_steps.end(), left) ||
+            std::none_of(m_steps.begin(), m_steps.end(), moved)) {
+            return;
+        }
+        const std::vector<AppendedMesh> meshes = appendedMeshes();
+        std::size_t mesh = 0;
+        for (std::size_t k = 0; k < m_steps.size(); ++k) {
+            Step& step = m_steps[k];
+            const std::int64_t before = k == 0 ? 0 : m_steps[k - 1].point, points = m_points[k == 0 ? 0 : k - 1];
+            if (step.point > before) {
+                // Some are of no state: the model changed more than once in between.
+                mesh +=
+                    static_cast<std::size_t>(std::max<std::int64_t>((step.point - before) / std::max<std::int64_t>(points, 1), 1));
+            }
+            while (mesh < meshes.size() && (meshes[mesh].cells != m_cells[k] || meshes[mesh].entries != m_entries[k])) {
+                ++mesh;
+            }
+            if (mesh >= meshes.size() || step.point < before) {
+                failLayout(m_file.path(), "none of its meshes has the counts of state " + std::to_string(k));
+            }
+            step.part = static_cast<std::int64_t>(k);
+            step.meshes = static_cast<std::int64_t>(mesh);
+            step.cell = meshes[mesh].cell;
+            step.entry = meshes[mesh].entry;
+        }
+    }
+
+    // Each begins with an offset of zero.
+    std::vector<AppendedMesh> appendedMeshes() const {
+        const auto entries = static_cast<std::int64_t>(m_file.shape(root + "/Connectivity").rows);
+        std::vector<AppendedMesh> meshes;
+        for (const std::int64_t offset : all("Offsets")) {
+            if (offset == 0) {
+                const AppendedMesh last = meshes.empty() ? AppendedMesh() : meshes.back();
+                meshes.push_back({last.cell + last.cells, last.entry + last.entries, 0, 0});
+            } else if (meshes.empty() || offset < 0 || offset > entries) {
+                failLayout(m_file.path(), "its offsets lie outside its connectivity");
+            } else {
+                ++meshes.back().cells;
+                meshes.back().entries = offset;
+            }
+        }
+        return meshes;
     }
 
     /// States that do not say how many partitions they have take all up to those that follow.

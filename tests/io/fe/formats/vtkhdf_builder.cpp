@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -65,8 +66,8 @@ void writeVtkHdf(const std::string& path, const VtkHdfRows& rows) {
     const Hdf5Handle file = createTables(path);
     const Hdf5Handle grid(H5Gcreate2(file.get(), "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
     const Hdf5Handle steps(H5Gcreate2(file.get(), "VTKHDF/Steps", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-    const auto states = static_cast<int>(rows.status.size());
-    const std::vector<int> version{2, 0}, count{states};
+    const int states = std::max(static_cast<int>(rows.status.size()), rows.states);
+    const std::vector<int> version{2, rows.recorded ? 3 : 0}, count{states};
     putAttribute(grid.get(), "Version", H5T_NATIVE_INT, version, version.data());
     const Hdf5Handle word(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(word.get(), 16);
@@ -76,29 +77,54 @@ void writeVtkHdf(const std::string& path, const VtkHdfRows& rows) {
     Partitions all;
     std::vector<int> status, partAt, pointAt, cellAt, entryAt, statusAt, parts;
     std::vector<double> times;
+    std::vector<VtkHdfPart> now = rows.parts;
+    const auto addAll = [&] {
+        for (const VtkHdfPart& part : now) {
+            all.add(part);
+        }
+    };
     for (int k = 0; k < states; ++k) {
-        if (k == 0 || rows.meshAnew) {
+        if (std::find(rows.changes.begin(), rows.changes.end(), k) != rows.changes.end()) {
+            addAll();
+        }
+        const auto other = rows.later.find(k);
+        if (other != rows.later.end()) {
+            now = other->second;
+        }
+        if (k == 0 || rows.meshAnew || other != rows.later.end()) {
             partAt.push_back(static_cast<int>(all.points.size()));
             pointAt.push_back(static_cast<int>(all.places.size() / 3));
             cellAt.push_back(static_cast<int>(all.ghosts.size()));
             entryAt.push_back(static_cast<int>(all.connectivity.size()));
-            for (const VtkHdfPart& part : rows.parts) {
-                all.add(part);
-            }
+            addAll();
         } else {
             for (auto* at : {&partAt, &pointAt, &cellAt, &entryAt}) {
                 at->push_back(at->back());
             }
         }
-        statusAt.push_back(static_cast<int>(status.size()));
-        const std::vector<int>& now = rows.status[static_cast<std::size_t>(k)];
-        status.insert(status.end(), now.begin(), now.end());
-        parts.push_back(static_cast<int>(rows.parts.size()));
+        if (!rows.status.empty()) {
+            statusAt.push_back(static_cast<int>(status.size()));
+            const std::vector<int>& flags = rows.status[static_cast<std::size_t>(k)];
+            status.insert(status.end(), flags.begin(), flags.end());
+        }
+        parts.push_back(static_cast<int>(now.size()));
         times.push_back(k);
     }
     const auto put = [&](const std::string& name, const auto& values, hsize_t columns = 1) {
         putTable(file.get(), "/VTKHDF/" + name, values, columns);
     };
+    if (rows.recorded) {
+        for (std::vector<int>* counts : {&all.points, &all.cells, &all.entries}) {
+            std::vector<int> ofStates;
+            for (const int part : partAt) {
+                ofStates.push_back((*counts)[static_cast<std::size_t>(part)]);
+            }
+            *counts = std::move(ofStates);
+        }
+        for (std::vector<int>* places : {&partAt, &cellAt, &entryAt}) {
+            std::fill(places->begin(), places->end(), 0);
+        }
+    }
     put("NumberOfPoints", all.points);
     put("NumberOfCells", all.cells);
     put("NumberOfConnectivityIds", all.entries);
@@ -106,10 +132,14 @@ void writeVtkHdf(const std::string& path, const VtkHdfRows& rows) {
     put("Connectivity", all.connectivity);
     put("Offsets", all.offsets);
     put("Types", std::vector<unsigned char>(all.ghosts.size(), 12));
-    put("CellData/STATUS", status);
-    put("CellData/vtkGhostType", all.ghosts);
+    if (!rows.status.empty()) {
+        put("CellData/STATUS", status);
+        put("Steps/CellDataOffsets/STATUS", statusAt);
+    }
+    if (!rows.recorded) {
+        put("CellData/vtkGhostType", all.ghosts);
+    }
     put("Steps/Values", times);
-    put("Steps/CellDataOffsets/STATUS", statusAt);
     put("Steps/PointOffsets", pointAt);
     put("Steps/CellOffsets", cellAt);
     put("Steps/ConnectivityIdOffsets", entryAt);

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -29,10 +30,16 @@ struct VtkHdfPart {
 /// A VTKHDF file of partitions.
 struct VtkHdfRows {
     std::vector<VtkHdfPart> parts{};
-    std::vector<std::vector<int>> status{};  ///< STATUS [states][bricks of all partitions]; states are a second apart
-    bool meshAnew = false;                   ///< every state has partitions of its own
-    bool partsCounted = true;                ///< every state says how many partitions it has
-    bool partsPlaced = true;                 ///< and with which it begins
+    std::vector<std::vector<int>> status{};          ///< STATUS [states][bricks of all partitions]; states are a second apart
+    int states = 0;                                  ///< without STATUS
+    bool meshAnew = false;                           ///< every state has partitions of its own
+    std::map<int, std::vector<VtkHdfPart>> later{};  ///< other partitions from a state on
+    bool partsCounted = true;                        ///< every state says how many partitions it has
+    bool partsPlaced = true;                         ///< and with which it begins
+    /// As the recorder of OpenSees 3.7 leaves it where its model changes: counts of a state's one partition for every state, and
+    /// places of partitions, cells and connectivity that stay zero.
+    bool recorded = false;
+    std::vector<int> changes{};  ///< states before which the mesh was written once more for nobody
 };
 void writeVtkHdf(const std::string& path, const VtkHdfRows& rows);
 

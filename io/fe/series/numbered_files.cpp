@@ -108,6 +108,38 @@ std::string takenForStates(const std::vector<std::string>& files) {
     return files.size() > shown ? names + ", ... (" + englishInteger(count) + " files)" : names;
 }
 
+bool naturallyBefore(const std::string& a, const std::string& b) {
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    std::size_t i = 0, j = 0;
+    while (i < a.size() && j < b.size()) {
+        if (!isDigit(a[i]) || !isDigit(b[j])) {
+            if (a[i] != b[j]) {
+                return a[i] < b[j];
+            }
+            ++i;
+            ++j;
+            continue;
+        }
+        i = std::min(a.find_first_not_of('0', i), a.size());
+        j = std::min(b.find_first_not_of('0', j), b.size());
+        std::size_t p = i, q = j;
+        for (; p < a.size() && isDigit(a[p]); ++p) {
+        }
+        for (; q < b.size() && isDigit(b[q]); ++q) {
+        }
+        if (p - i != q - j) {
+            return p - i < q - j;
+        }
+        const int order = a.compare(i, p - i, b, j, q - j);
+        if (order != 0) {
+            return order < 0;
+        }
+        i = p;
+        j = q;
+    }
+    return a.size() - i < b.size() - j;
+}
+
 std::string namedFile(const std::string& owner, const std::string& named) {
     std::string slashed = named;
     std::replace(slashed.begin(), slashed.end(), '\\', '/');

@@ -26,6 +26,8 @@ void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings
 
 /// The names of files for people, the first three and how many there are: "s0.vtu, s1.vtu, s2.vtu, ... (12 files)".
 std::string takenForStates(const std::vector<std::string>& files);
+/// Whether a name stands before another one where numbers in them count as numbers: "step 9" before "step 10".
+bool naturallyBefore(const std::string& a, const std::string& b);
 /// A file that another one names: where it says, else beside that one, since results are moved together. Folders may be parted as
 /// on Windows. What is in neither place is given where it should be.
 std::string namedFile(const std::string& owner, const std::string& named);

@@ -32,13 +32,11 @@ std::optional<double> timeOfGridFile(const std::string& path) {
     return isLegacy(path) ? timeOfLegacyGrid(path) : timeOfXmlGrid(path);
 }
 
-void requireWholeGrids(const std::vector<std::string>& paths) {
+void requireWholeGrid(const std::string& path) {
     GridSelection structure;
     structure.points = false;
     structure.cells = false;
-    for (const std::string& path : paths) {
-        readGridFile(path, structure);
-    }
+    readGridFile(path, structure);
 }
 
 }  // namespace rubble::io

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "io/fe/vtk/grid.h"
 
@@ -14,7 +13,7 @@ Grid readGridFile(const std::string& path, const GridSelection& selection);
 /// The time that a grid says in its field data, if it does; reads no further than it needs. Throws as readGridFile().
 std::optional<double> timeOfGridFile(const std::string& path);
 
-/// Throws as readGridFile() for the first of them that is cut off or damaged in its structure.
-void requireWholeGrids(const std::vector<std::string>& paths);
+/// Throws as readGridFile() for a file that is cut off or damaged in its structure.
+void requireWholeGrid(const std::string& path);
 
 }  // namespace rubble::io

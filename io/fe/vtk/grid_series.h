@@ -28,6 +28,8 @@ public:
     /// Counts that nobody says when the states are, so that they were counted.
     /// @param files  that were taken for states
     void noteMissingTimes(const std::vector<std::string>& files);
+    /// Adds what was found before the grids were read.
+    void note(const Findings& findings) { m_facts.findings.append(findings); }
     /// Counts times that only some of the collections of a file have, so that they are no states.
     void noteDroppedTimes(std::size_t count);
     /// Counts a last state that was left out because it is not whole.

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/fe/pieces/place_index.h"
 #include "io/fe/series/byte_window.h"
+#include "io/fe/series/numbered_files.h"
 #include "io/fe/vtk/grid_file.h"
 #include "io/fe/vtk/index_text.h"
 #include "io/fe/vtk/piece_index.h"
@@ -70,39 +71,6 @@ bool liesElsewhere(const std::string& file, const std::string& known) {
         // Opening it says why.
         return false;
     }
-}
-
-// "step 9" before "step 10".
-bool naturallyBefore(const std::string& a, const std::string& b) {
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    std::size_t i = 0, j = 0;
-    while (i < a.size() && j < b.size()) {
-        if (!isDigit(a[i]) || !isDigit(b[j])) {
-            if (a[i] != b[j]) {
-                return a[i] < b[j];
-            }
-            ++i;
-            ++j;
-            continue;
-        }
-        i = std::min(a.find_first_not_of('0', i), a.size());
-        j = std::min(b.find_first_not_of('0', j), b.size());
-        std::size_t p = i, q = j;
-        for (; p < a.size() && isDigit(a[p]); ++p) {
-        }
-        for (; q < b.size() && isDigit(b[q]); ++q) {
-        }
-        if (p - i != q - j) {
-            return p - i < q - j;
-        }
-        const int order = a.compare(i, p - i, b, j, q - j);
-        if (order != 0) {
-            return order < 0;
-        }
-        i = p;
-        j = q;
-    }
-    return a.size() - i < b.size() - j;
 }
 
 // Times grow with the names of the files: the list is in disorder, no branch was abandoned.

@@ -72,18 +72,23 @@ public:
 private:
     // The last states of a series may still be being written.
     void dropUnfinished() {
-        while (m_entries.size() > 1 && !isWhole(m_entries.back().files)) {
-            m_unfinished.push_back(m_entries.back().files.empty() ? std::string() : m_entries.back().files.front());
-            m_entries.pop_back();
+        for (bool whole = false; m_entries.size() > 1 && !whole;) {
+            const std::vector<std::string>& files = m_entries.back().files;
+            const auto broken = std::find_if_not(files.begin(), files.end(), isWholeGrid);
+            whole = broken == files.end() && !files.empty();
+            if (!whole) {
+                m_unfinished.push_back(files.empty() ? std::string() : *broken);
+                m_entries.pop_back();
+            }
         }
     }
 
-    static bool isWhole(const std::vector<std::string>& files) {
-        if (files.empty() || std::any_of(files.begin(), files.end(), isEmpty)) {
+    static bool isWholeGrid(const std::string& file) {
+        if (isEmpty(file)) {
             return false;
         }
         try {
-            requireWholeGrids(files);
+            requireWholeGrid(file);
             return true;
         } catch (const ParseError&) {
             return false;

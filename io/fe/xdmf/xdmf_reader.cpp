@@ -81,6 +81,7 @@ public:
     const std::vector<double>& times() const override { return m_times; }
     bool timed() const { return m_states.timed; }
     std::size_t dropped() const { return m_states.dropped; }
+    const Findings& findings() const { return m_states.findings; }
 
     bool sameCells(std::size_t k, const std::vector<std::string>& cellArrays) const override {
         if (k == 0 || m_states.list[k].pieces.size() != m_states.list[k - 1].pieces.size()) {
@@ -383,7 +384,9 @@ FeResult::Contents readXdmf(const std::string& path, const ImportSettings& setti
     auto source = std::make_unique<const XdmfGrids>(path);
     const bool timed = source->timed();
     const std::size_t dropped = source->dropped();
+    const Findings findings = source->findings();
     const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
+    series->note(findings);
     if (!timed) {
         series->noteMissingTimes({path});
     }

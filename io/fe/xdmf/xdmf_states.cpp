@@ -8,6 +8,9 @@
 #include <set>
 #include <string_view>
 
+#include "io/fe/series/later_branch.h"
+#include "io/fe/series/numbered_files.h"
+
 namespace rubble::io {
 
 namespace {
@@ -18,7 +21,7 @@ using Grids = std::vector<pugi::xml_node>;
 struct Timeline {
     std::vector<std::pair<double, pugi::xml_node>> grids;
     std::set<std::string> arrays;  ///< names, of all grids
-    pugi::xml_node topology;       ///< of the first grid
+    pugi::xml_node topology;       ///< of the first mesh
 
     std::set<double> times() const {
         std::set<double> all;
@@ -42,6 +45,20 @@ bool holdsTemporal(pugi::xml_node grid) {
     return isTemporal(grid) || std::any_of(grid.children("Grid").begin(), grid.children("Grid").end(), holdsTemporal);
 }
 
+// Names of the grids grow with their times: they are in disorder, and no branch was abandoned.
+bool inDisorder(const Timeline& line) {
+    const auto timeBefore = [](const auto& a, const auto& b) { return a.first < b.first; };
+    const auto nameOf = [](pugi::xml_node grid) { return std::string(grid.attribute("Name").as_string()); };
+    if (std::is_sorted(line.grids.begin(), line.grids.end(), timeBefore)) {
+        return false;
+    }
+    auto byName = line.grids;
+    std::stable_sort(byName.begin(), byName.end(),
+                     [&](const auto& a, const auto& b) { return naturallyBefore(nameOf(a.second), nameOf(b.second)); });
+    return std::adjacent_find(byName.begin(), byName.end(), [](const auto& a, const auto& b) { return a.first >= b.first; }) ==
+           byName.end();
+}
+
 class StateFinder {
 public:
     StateFinder(const pugi::xml_document& document, const XdmfItems& items) : m_items(items) {
@@ -57,6 +74,9 @@ public:
         if (m_lines.empty()) {
             addSingles();
         }
+        for (Timeline& line : m_lines) {
+            keepLaterBranch(line);
+        }
         if (m_lines.size() == 1) {
             for (const auto& [time, grid] : m_lines.front().grids) {
                 m_states.list.push_back({time, piecesOf(grid)});
@@ -65,7 +85,6 @@ public:
             join();
         }
         std::erase_if(m_states.list, [](const XdmfState& state) { return state.pieces.empty(); });
-        std::stable_sort(m_states.list.begin(), m_states.list.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
         return std::move(m_states);
     }
 
@@ -99,7 +118,6 @@ private:
             m_lines.push_back(std::move(line));
             return;
         }
-        std::erase_if(before->grids, [&](const auto& grid) { return grid.first >= *own.begin(); });
         before->grids.insert(before->grids.end(), line.grids.begin(), line.grids.end());
     }
 
@@ -111,11 +129,33 @@ private:
         }
         m_states.timed = m_states.timed && time;
         line.grids.emplace_back(time.value_or(static_cast<double>(place)), grid);
-        for (const pugi::xml_node array : grid.children("Attribute")) {
-            line.arrays.insert(array.attribute("Name").as_string());
+        for (const Grids& piece : piecesOf(grid)) {
+            for (const pugi::xml_node array : piece.front().children("Attribute")) {
+                line.arrays.insert(array.attribute("Name").as_string());
+            }
+            if (!line.topology) {
+                line.topology = xdmfPart(piece.front(), "Topology", m_items);
+            }
         }
-        if (!line.topology) {
-            line.topology = xdmfPart(grid, "Topology", m_items);
+    }
+
+    // All collections of a run have the same branches: they are said once.
+    void keepLaterBranch(Timeline& line) {
+        if (m_collections.empty() || inDisorder(line)) {
+            std::stable_sort(line.grids.begin(), line.grids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        }
+        std::vector<double> times;
+        for (const auto& [time, grid] : line.grids) {
+            times.push_back(time);
+        }
+        Findings findings;
+        std::vector<std::pair<double, pugi::xml_node>> kept;
+        for (const std::size_t k : laterBranch(times, findings)) {
+            kept.push_back(line.grids[k]);
+        }
+        line.grids = std::move(kept);
+        if (&line == &m_lines.front()) {
+            m_states.findings = findings;
         }
     }
 
@@ -141,10 +181,12 @@ private:
         line.grids.emplace_back(time.value_or(0.0), grid);
     }
 
+    // Of a collection of pieces, each may say it.
     std::optional<double> timeOf(pugi::xml_node grid) const {
         const pugi::xml_attribute written = grid.child("Time").attribute("Value");
         if (!written) {
-            return std::nullopt;
+            const bool inPieces = xdmfType(grid, "GridType") == "collection" && grid.child("Grid");
+            return inPieces ? timeOf(grid.child("Grid")) : std::nullopt;
         }
         const double time = written.as_double(std::nan(""));
         if (!std::isfinite(time)) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "io/fe/xdmf/xdmf_item.h"
 
 namespace rubble::io {
@@ -20,11 +21,13 @@ struct XdmfStates {
     std::vector<XdmfState> list;  ///< by time
     bool timed = true;            ///< false: some were counted, since nothing says their time
     std::size_t dropped = 0;      ///< times that some collections have and others lack
+    Findings findings;            ///< branches that a restart abandoned
 };
 
 /// Finds the states. Where there are temporal collections, these alone are states, and a grid beside them is a mesh. Collections of
-/// one time each give arrays or pieces to one state; one with the arrays of another goes on with it, and counts from its first time
-/// on. Without temporal collections all grids of one time are one state. Throws ParseError.
+/// one time each give arrays or pieces to one state; one with the arrays of another goes on with it. Where a collection goes back
+/// in time, what it abandons does not count; one whose grids are named in the order of their times is in disorder only. Without
+/// temporal collections all grids of one time are one state. Throws ParseError.
 XdmfStates findXdmfStates(const pugi::xml_document& document, const XdmfItems& items);
 
 /// A child of a grid, its own, one that it refers to, or one taken in by XInclude with any prefix; an empty node if there is none.

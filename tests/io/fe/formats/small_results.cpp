@@ -83,7 +83,7 @@ std::string record(int key, const std::vector<std::string>& items) {
     return text;
 }
 
-std::string increment(int state) {
+std::string increment(int state, bool status) {
     std::vector<std::string> head{
         item(double(state)), item(double(state)), item(0.0), item(0.0), item(17), item(1), item(state), item(0),
         item(0.0),           item(0.0),           item(1.0)};
@@ -91,7 +91,7 @@ std::string increment(int state) {
     std::string text = record(2000, head);
     for (int e = 1; e <= 2; ++e) {
         text += record(1, {item(e), item(1), item(1), item(0), item(std::string("")), item(3), item(3), item(3), item(0)});
-        text += record(61, {item(state == 2 && e == 2 ? 0.0 : 1.0)});
+        text += status ? record(61, {item(state == 2 && e == 2 ? 0.0 : 1.0)}) : std::string();
     }
     for (int n = 1; n <= nodes; ++n) {
         text += record(101, {item(n), item(0.1 * state), item(0.0), item(0.0)});
@@ -131,7 +131,7 @@ std::string marcMesh(int elements) {
 
 }  // namespace
 
-std::string smallFil() {
+std::string smallFil(bool status) {
     std::string model = record(1921, {item(std::string("6.14-1")), item(std::string("01-Jan-2")), item(std::string("026")),
                                       item(std::string("00:00:00")), item(2), item(nodes), item(1.0)});
     for (int e = 0; e < 2; ++e) {
@@ -147,7 +147,7 @@ std::string smallFil() {
     }
     model += record(1933, {item(std::string("WALL")), item(1), item(2)});
     model.resize((model.size() + 79) / 80 * 80, ' ');
-    return inLines(model + increment(0) + increment(1) + increment(2));
+    return inLines(model + increment(0, status) + increment(1, status) + increment(2, status));
 }
 
 std::string smallFrd() {

@@ -8,7 +8,8 @@ namespace rubble::io {
 
 /// Results of two bricks side by side, of which the second dies between the second and the third of three states at 0, 1 and 2 s,
 /// as text in several formats. The nodes move by 0.1 along x from state to state.
-std::string smallFil();
+/// @param status  with records of the status; without, nothing says that the second dies
+std::string smallFil(bool status = true);
 std::string smallFrd();
 std::string smallMarc(bool removed);
 /// One state of three; the time stands in a comment.

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/base/file_words.h"
 #include "io/site/height_reading.h"
 #include "io/site/raster_sampling.h"
 
@@ -49,6 +50,19 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     picture->y0 = low.y();
     picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel));
     picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel));
+    if (picture->pixel > (1.0 + 1e-6) * fine) {
+        const Eigen::Vector2d there = size / fine;
+        addFinding(findings, path,
+                   {"orthophoto.reduced",
+                    "{0} by {1} pixels of {2} are more than can be drawn: the orthophoto is read as {3} by {4} of {5}",
+                    {static_cast<std::int64_t>(std::llround(there.x())),
+                     static_cast<std::int64_t>(std::llround(there.y())),
+                     {fine, "m"},
+                     picture->width,
+                     picture->height,
+                     {picture->pixel, "m"}}},
+                   "cut it to the site if finer pixels are needed there");
+    }
     const auto factor = static_cast<std::size_t>(std::max(1.0, std::floor(picture->pixel / fine + 1e-9)));
     sampling.colour(*picture, factor, execution, findings);
     file.checkWay(frame.crs, place.planToWorld(0.5 * (low + high)), findings);

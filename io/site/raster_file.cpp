@@ -8,10 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <type_traits>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "io/base/file_words.h"
-#include "io/base/files.h"
 #include "io/site/gdal_session.h"
 #include "io/site/raster_colours.h"
 #include "io/site/system_way.h"
@@ -27,6 +28,7 @@ constexpr std::array<const char*, 17> formats{"GTiff",   "COG",     "AAIGrid", "
                                               "NWT_GRD", "USGSDEM", nullptr};
 constexpr std::array<const char*, 8> pictures{"GTiff", "COG", "JPEG", "PNG", "JP2OpenJPEG", "HFA", "ENVI", nullptr};
 constexpr std::size_t rowsAtOnce = 256;
+constexpr std::size_t pixelsAtOnce = std::size_t{4} << 20;
 
 /// Formats that only say where the heights are.
 constexpr std::array<std::string_view, 5> pointers{"VRT", "GTI", "WMS", "WCS", "STACTA"};
@@ -83,19 +85,10 @@ namespace {
                   "a point cloud.");
 }
 
-GDALDatasetUniquePtr openRaster(const std::string& path, RasterFile::Holds what, const char* option = nullptr) {
-    const std::array<const char*, 2> options{option, nullptr};
+GDALDatasetUniquePtr openRaster(const std::string& path, RasterFile::Holds what) {
     return GDALDatasetUniquePtr(GDALDataset::FromHandle(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                   what == RasterFile::Holds::Heights ? formats.data() : pictures.data(), options.data(), nullptr)));
-}
-
-/// Whether GDAL would take pixels that are put together from a file beside the raster.
-bool hasPyramidsBeside(GDALDataset& file) {
-    GDALRasterBand* const band = file.GetRasterBand(1);
-    GDALRasterBand* const pyramid = band->GetOverviewCount() > 0 ? band->GetOverview(0) : nullptr;
-    const GDALDataset* const of = pyramid != nullptr ? pyramid->GetDataset() : nullptr;
-    return of != nullptr && (hasEnding(of->GetDescription(), ".ovr") || hasEnding(of->GetDescription(), ".rrd"));
+                   what == RasterFile::Holds::Heights ? formats.data() : pictures.data(), nullptr, nullptr)));
 }
 
 /// A band that says which pixels are there, where GDAL itself does not take it as a mask; null: none.
@@ -112,13 +105,6 @@ struct RasterFile::Handles {
     GDALRasterBand* band = nullptr;
     std::vector<GDALRasterBand*> others;  ///< whose values count where they are greater
     GDALRasterBand* opacity = nullptr;    ///< of all bands; null: none
-    /// The same without pyramids in a file of their own, which are no part of its digest: heights come from here. Null: it has
-    /// none.
-    GDALDatasetUniquePtr pixels;
-
-    GDALRasterBand* pixelsOf(GDALRasterBand* of) const {
-        return pixels && of != nullptr ? pixels->GetRasterBand(of->GetBand()) : of;
-    }
 };
 
 RasterFile::RasterFile(const std::string& path, Holds what, const std::string& shown)
@@ -138,9 +124,6 @@ RasterFile::RasterFile(const std::string& path, Holds what, const std::string& s
     }
     m_handles->band = m_handles->dataset->GetRasterBand(1);
     m_handles->opacity = opacityOf(*m_handles->dataset);
-    if (what == Holds::Heights && hasPyramidsBeside(*m_handles->dataset)) {
-        m_handles->pixels = openRaster(path, what, "OVERVIEW_LEVEL=NONE");
-    }
     m_bands -= m_handles->opacity != nullptr ? 1 : 0;
     checkLength();
     checkKind(what);
@@ -174,7 +157,6 @@ void RasterFile::checkKind(Holds what) const {
 
 RasterFile::~RasterFile() {
     const GdalSession session;
-    m_handles->pixels.reset();
     m_handles->dataset.reset();
 }
 
@@ -339,18 +321,46 @@ void RasterFile::fromPixels(const std::string& crs, std::vector<Eigen::Vector2d>
 
 namespace {
 
-/// Reads some rows of a window into a buffer, pixels put together by their mean.
-bool readRows(GDALRasterBand& band, const RasterWindow& window, std::size_t from, std::size_t count, void* target,
-              GDALDataType type) {
-    GDALRasterIOExtraArg extra;
-    INIT_RASTERIO_EXTRA_ARG(extra);
-    // The mean of two numbers of a palette is another colour.
-    const bool mean = window.factor > 1 && band.GetColorInterpretation() != GCI_PaletteIndex;
-    extra.eResampleAlg = mean ? GRIORA_Average : GRIORA_NearestNeighbour;
-    const auto whole = [](std::size_t n) { return static_cast<int>(n); };
-    return band.RasterIO(GF_Read, whole(window.column), whole(window.row + from * window.factor), whole(window.columns),
-                         whole(count * window.factor), target, whole(window.width()), whole(count), type, 0, 0, &extra) == CE_None;
+/// Rows of pixels put together that are read at once.
+std::size_t rowsTogether(const RasterWindow& window) {
+    const std::size_t rows = std::clamp<std::size_t>(pixelsAtOnce / std::max<std::size_t>(window.columns, 1), 1, rowsAtOnce);
+    return std::max<std::size_t>(1, rows / window.factor);
 }
+
+/// Reads rows of a window as the file has them. Never fewer pixels than it has: GDAL would take them from pyramids, which may hold
+/// anything.
+template <class Number>
+bool readRows(GDALRasterBand& band, const RasterWindow& window, std::size_t first, std::size_t count, std::vector<Number>& into) {
+    const GDALDataType type =
+        std::is_same_v<Number, double> ? GDT_Float64 : (std::is_same_v<Number, float> ? GDT_Float32 : GDT_Byte);
+    const auto whole = [](std::size_t n) { return static_cast<int>(n); };
+    return band.RasterIO(GF_Read, whole(window.column), whole(first), whole(window.columns), whole(count), into.data(),
+                         whole(window.columns), whole(count), type, 0, 0, nullptr) == CE_None;
+}
+
+/// Visits the pixels that are put together to one, by their index among those that were read.
+template <class Visit>
+void visitTogether(const RasterWindow& window, std::size_t row, std::size_t column, Visit visit) {
+    for (std::size_t j = 0; j < window.factor; ++j) {
+        for (std::size_t i = 0; i < window.factor; ++i) {
+            visit((row * window.factor + j) * window.columns + column * window.factor + i);
+        }
+    }
+}
+
+/// Mean of the pixels that count; not a number without any.
+class PixelMean {
+public:
+    void add(double value) {
+        m_sum += value;
+        ++m_count;
+    }
+    double value() const { return m_count > 0 ? m_sum / static_cast<double>(m_count) : unknown; }
+
+private:
+    double m_sum = 0.0;
+    std::size_t m_count = 0;
+};
 
 }  // namespace
 
@@ -372,74 +382,140 @@ std::vector<double> RasterFile::values(const RasterWindow& window, const Executi
 
 void RasterFile::readGreater(GDALRasterBand& band, const RasterWindow& window, std::vector<double>& all,
                              const Execution& execution) const {
-    const std::size_t columns = window.width();
-    const std::size_t rows = window.height();
-    const std::size_t atOnce = std::max<std::size_t>(1, rowsAtOnce / window.factor);
-    std::vector<double> values(columns * std::min(rows, atOnce));
+    const std::size_t atOnce = rowsTogether(window);
+    std::vector<double> values(window.columns * std::min(window.height(), atOnce) * window.factor);
     std::vector<std::uint8_t> mask(values.size());
-    for (std::size_t from = 0; from < rows; from += atOnce) {
-        execution.check();
-        const GdalSession session;
-        const std::size_t count = std::min(atOnce, rows - from);
-        // GDAL takes an opacity beside heights with fractions for one more height: then its average of pixels mixes in hidden ones.
-        const bool known = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
-        GDALRasterBand* const pixels = m_handles->pixelsOf(&band);
-        GDALRasterBand* const masking = known ? pixels->GetMaskBand() : m_handles->pixelsOf(m_handles->opacity);
-        const int least = !known && window.factor > 1 ? 255 : 1;
-        if (!readRows(*pixels, window, from, count, values.data(), GDT_Float64) ||
-            (masking != nullptr && !readRows(*masking, window, from, count, mask.data(), GDT_Byte))) {
-            refuseRows(window.row + from * window.factor + 1);
-        }
-        const double scale = band.GetScale();
-        const double offset = band.GetOffset();
-        for (std::size_t k = 0; k < columns * count; ++k) {
-            if ((masking == nullptr || mask[k] >= least) && std::isfinite(values[k])) {
-                double& greatest = all[from * columns + k];
-                greatest = std::fmax(greatest, scale * values[k] + offset);
-            }
-        }
-    }
-}
-
-std::vector<float> RasterFile::plane(GDALRasterBand& band, const RasterWindow& window, const Execution& execution) const {
-    std::vector<float> plane(window.width() * window.height());
-    const std::size_t atOnce = std::max<std::size_t>(1, rowsAtOnce / window.factor);
     for (std::size_t from = 0; from < window.height(); from += atOnce) {
         execution.check();
         const GdalSession session;
         const std::size_t count = std::min(atOnce, window.height() - from);
-        if (!readRows(band, window, from, count, &plane[from * window.width()], GDT_Float32)) {
-            refuseRows(window.row + from * window.factor + 1);
+        const std::size_t first = window.row + from * window.factor;
+        // GDAL takes an opacity beside heights with fractions for one more height.
+        const bool known = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
+        GDALRasterBand* const masking = known ? band.GetMaskBand() : m_handles->opacity;
+        if (!readRows(band, window, first, count * window.factor, values) ||
+            (masking != nullptr && !readRows(*masking, window, first, count * window.factor, mask))) {
+            refuseRows(first + 1);
+        }
+        const double scale = band.GetScale();
+        const double offset = band.GetOffset();
+        for (std::size_t k = 0; k < window.width() * count; ++k) {
+            PixelMean mean;
+            visitTogether(window, k / window.width(), k % window.width(), [&](std::size_t pixel) {
+                if ((masking == nullptr || mask[pixel] > 0) && std::isfinite(values[pixel])) {
+                    mean.add(values[pixel]);
+                }
+            });
+            double& greatest = all[from * window.width() + k];
+            greatest = std::fmax(greatest, scale * mean.value() + offset);
         }
     }
-    return plane;
 }
+
+namespace {
+
+/// Colours of a window before they are scaled, pixels put together by their mean.
+struct ColourPlanes {
+    std::array<std::vector<float>, 3> colours;
+    std::vector<std::uint8_t> opacity;
+    float most = 0.0F;  ///< greatest of a pixel that is there
+};
+
+/// Rows of a picture as they were read.
+struct ColourRows {
+    std::array<std::vector<float>, 3> colours;
+    std::vector<std::uint8_t> opacity;
+};
+
+/// Puts rows of a picture together. @param from  first row of the planes
+void putTogether(ColourPlanes& planes, const ColourRows& rows, const RasterWindow& window, std::size_t from, std::size_t count,
+                 bool palette) {
+    for (std::size_t k = 0; k < window.width() * count; ++k) {
+        const std::size_t to = from * window.width() + k;
+        const std::size_t row = k / window.width();
+        const std::size_t column = k % window.width();
+        if (palette) {
+            // The mean of two numbers of a palette is another colour.
+            const std::size_t half = window.factor / 2;
+            const std::size_t middle = (row * window.factor + half) * window.columns + column * window.factor + half;
+            planes.opacity[to] = rows.opacity[middle];
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                planes.colours[channel][to] = rows.colours[channel][middle];
+            }
+            continue;
+        }
+        PixelMean opacity;
+        std::array<PixelMean, 3> means;
+        visitTogether(window, row, column, [&](std::size_t pixel) {
+            opacity.add(rows.opacity[pixel]);
+            for (std::size_t channel = 0; channel < 3 && rows.opacity[pixel] > 0; ++channel) {
+                planes.most = std::fmax(planes.most, rows.colours[channel][pixel]);
+                means[channel].add(rows.colours[channel][pixel]);
+            }
+        });
+        planes.opacity[to] = static_cast<std::uint8_t>(opacity.value() + 0.5);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            planes.colours[channel][to] = static_cast<float>(means[channel].value());
+        }
+    }
+}
+
+/// Reads rows of each band, and of those that say which pixels are there.
+bool readColourRows(const ColourBands& bands, const RasterWindow& window, std::size_t first, std::size_t count, ColourRows& rows) {
+    std::vector<float>& there = rows.colours[0];
+    std::fill(rows.opacity.begin(), rows.opacity.end(), std::uint8_t{255});
+    for (std::size_t m = 0; m < bands.masks.size(); ++m) {
+        if (!readRows(*bands.masks[m], window, first, count, there)) {
+            return false;
+        }
+        for (std::size_t k = 0; k < count * window.columns; ++k) {
+            // A pixel is there if any of its colours is: the mark for nothing may be a value of another one.
+            const auto opacity = static_cast<std::uint8_t>(std::clamp(there[k] * bands.maskScale, 0.0F, 255.0F));
+            rows.opacity[k] = m == 0 ? opacity : std::max(rows.opacity[k], opacity);
+        }
+    }
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        if (channel > 0 && bands.colours[channel] == bands.colours[channel - 1]) {
+            rows.colours[channel] = rows.colours[channel - 1];
+        } else if (!readRows(*bands.colours[channel], window, first, count, rows.colours[channel])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
 
 std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution& execution, Findings& findings) const {
     const ColourBands bands = colourBands(*m_handles->dataset, m_path, findings);
-    std::vector<std::uint8_t> all(4 * window.width() * window.height(), 255);
-    for (std::size_t m = 0; m < bands.masks.size(); ++m) {
-        const std::vector<float> there = plane(*bands.masks[m], window, execution);
-        for (std::size_t k = 0; k < there.size(); ++k) {
-            // A pixel is there if any of its colours is: the mark for nothing may be a value of another one.
-            const auto opacity = static_cast<std::uint8_t>(std::clamp(there[k] * bands.maskScale, 0.0F, 255.0F));
-            all[4 * k + 3] = m == 0 ? opacity : std::max(all[4 * k + 3], opacity);
-        }
-    }
-    std::array<std::vector<float>, 3> values;
-    float most = 0.0F;
+    const std::size_t pixels = window.width() * window.height();
+    const std::size_t atOnce = rowsTogether(window);
+    ColourPlanes planes;
+    ColourRows rows;
+    planes.opacity.resize(pixels);
+    rows.opacity.resize(window.columns * std::min(window.height(), atOnce) * window.factor);
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const bool again = channel > 0 && bands.colours[channel] == bands.colours[channel - 1];
-        values[channel] = again ? values[channel - 1] : plane(*bands.colours[channel], window, execution);
-        for (std::size_t k = 0; k < values[channel].size(); ++k) {
-            most = all[4 * k + 3] > 0 ? std::fmax(most, values[channel][k]) : most;
-        }
+        planes.colours[channel].resize(pixels);
+        rows.colours[channel].resize(rows.opacity.size());
     }
-    const ColourScale scale = colourScale(*bands.colours.front(), bands.palette != nullptr, most, m_path, findings);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        for (std::size_t k = 0; k < values[channel].size(); ++k) {
-            all[4 * k + channel] = scale(values[channel][k]);
+    for (std::size_t from = 0; from < window.height(); from += atOnce) {
+        execution.check();
+        const GdalSession session;
+        const std::size_t count = std::min(atOnce, window.height() - from);
+        const std::size_t first = window.row + from * window.factor;
+        if (!readColourRows(bands, window, first, count * window.factor, rows)) {
+            refuseRows(first + 1);
         }
+        putTogether(planes, rows, window, from, count, bands.palette != nullptr);
+    }
+    const ColourScale scale = colourScale(*bands.colours.front(), bands.palette != nullptr, planes.most, m_path, findings);
+    std::vector<std::uint8_t> all;
+    all.reserve(4 * pixels);
+    for (std::size_t k = 0; k < pixels; ++k) {
+        for (const std::vector<float>& colour : planes.colours) {
+            all.push_back(scale(colour[k]));
+        }
+        all.push_back(planes.opacity[k]);
     }
     if (bands.palette != nullptr) {
         applyPalette(*bands.palette, all);

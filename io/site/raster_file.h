@@ -37,7 +37,7 @@ struct RasterWindow {
     std::size_t height() const { return rows / factor; }
 };
 
-/// A raster file, read through GDAL. Pyramids in a file beside it change no height. Every call takes the lock of native libraries.
+/// A raster file, read through GDAL. Pyramids in it or beside it change nothing. Every call takes the lock of native libraries.
 class RasterFile {
 public:
     enum class Holds { Heights, Colours };
@@ -96,7 +96,6 @@ public:
 private:
     struct Handles;
     void readGreater(GDALRasterBand& band, const RasterWindow& window, std::vector<double>& all, const Execution& execution) const;
-    std::vector<float> plane(GDALRasterBand& band, const RasterWindow& window, const Execution& execution) const;
     [[noreturn]] void refuseRows(std::size_t first) const;
     void checkLength() const;
     void checkKind(Holds what) const;

@@ -235,6 +235,25 @@ TEST_F(InputFiles, PyramidsAndStatisticsChangeNoHeight) {
     EXPECT_EQ(file.place().x0, 0.5) << "its world file is seen";
 }
 
+TEST_F(InputFiles, PyramidsWithinAFileChangeNoHeight) {
+    writePicture("ground.tif", 8, 1.0);
+    const std::string path = folder / "ground.tif";
+    {
+        GDALDatasetUniquePtr file(GDALDataset::FromHandle(GDALOpen(path.c_str(), GA_Update)));
+        ASSERT_TRUE(file);
+        std::array<int, 1> levels{2};
+        ASSERT_EQ(file->BuildOverviews("NEAREST", 1, levels.data(), 0, nullptr, nullptr, nullptr), CE_None);
+        GDALRasterBand* const pyramid = file->GetRasterBand(1)->GetOverview(0);
+        ASSERT_NE(pyramid, nullptr);
+        ASSERT_EQ(pyramid->Fill(7.0), CE_None);
+    }
+    ASSERT_FALSE(fs::exists(path + ".ovr"));
+    writePlace("ground.tfw", 0.5);
+    const RasterFile file(path);
+    EXPECT_THAT(file.values({0, 0, 8, 8, 2}, Execution()), testing::Each(1.0));
+    EXPECT_THAT(file.values({0, 0, 8, 8, 4}, Execution()), testing::Each(1.0));
+}
+
 TEST_F(InputFiles, BesidePyramidsARasterSaysTheSame) {
     GDALAllRegister();
     const std::string path = folder / "ground.tif";

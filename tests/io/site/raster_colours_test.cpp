@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/site/orthophoto_file.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -26,15 +27,17 @@ protected:
     Findings findings;
     const char* bits = nullptr;
     const char* interpretation = "PHOTOMETRIC=MINISBLACK";
-    std::optional<double> nothing;             ///< mark for no data
+    std::optional<double> nothing;  ///< mark for no data
+    int columns = 4;
+    int rows = 4;
     std::function<void(GDALDataset&)> finish;  ///< changes to the file before it is closed
 
     void write(GDALDataType type, const std::vector<Band>& bands) const {
         GDALAllRegister();
         const char* options[] = {interpretation, bits, nullptr};
         GDALDatasetUniquePtr file(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-            path.c_str(), 4, 4, static_cast<int>(bands.size()), type, const_cast<char**>(options)));
-        std::array<double, 6> place{0.0, 1.0, 0.0, 4.0, 0.0, -1.0};
+            path.c_str(), columns, rows, static_cast<int>(bands.size()), type, const_cast<char**>(options)));
+        std::array<double, 6> place{0.0, 1.0, 0.0, static_cast<double>(rows), 0.0, -1.0};
         file->SetGeoTransform(place.data());
         for (std::size_t b = 0; b < bands.size(); ++b) {
             GDALRasterBand* band = file->GetRasterBand(static_cast<int>(b) + 1);
@@ -45,11 +48,29 @@ protected:
             if (nothing) {
                 band->SetNoDataValue(*nothing);
             }
-            std::vector<double> values(16, bands[b].value);
-            ASSERT_EQ(band->RasterIO(GF_Write, 0, 0, 4, 4, values.data(), 4, 4, GDT_Float64, 0, 0, nullptr), CE_None);
+            fill(*band, [&](int, int) { return bands[b].value; });
         }
         if (finish) {
             finish(*file);
+        }
+    }
+    /// Writes a band, or a pyramid of it. @param value  of a column and row
+    static void fill(GDALRasterBand& band, const std::function<double(int, int)>& value) {
+        const int wide = band.GetXSize();
+        const int high = band.GetYSize();
+        std::vector<double> values;
+        for (int k = 0; k < wide * high; ++k) {
+            values.push_back(value(k % wide, k / wide));
+        }
+        ASSERT_EQ(band.RasterIO(GF_Write, 0, 0, wide, high, values.data(), wide, high, GDT_Float64, 0, 0, nullptr), CE_None);
+    }
+    /// Gives a file pyramids that hold other values.
+    static void addOtherPyramids(GDALDataset& file, double value) {
+        std::array<int, 1> levels{2};
+        ASSERT_EQ(file.BuildOverviews("NEAREST", 1, levels.data(), 0, nullptr, nullptr, nullptr), CE_None);
+        for (int b = 1; b <= file.GetRasterCount(); ++b) {
+            ASSERT_EQ(file.GetRasterBand(b)->GetOverviewCount(), 1);
+            fill(*file.GetRasterBand(b)->GetOverview(0), [value](int, int) { return value; });
         }
     }
     /// Colour and opacity of the pixel in the middle.
@@ -129,12 +150,67 @@ TEST_F(Picture, APaletteIsLookedUpAndNothingIsTransparent) {
     EXPECT_EQ(read()[3], 0);
 }
 
+TEST_F(Picture, PyramidsChangeNoColour) {
+    columns = 4096;
+    rows = 8;
+    // Columns of 40 and 120: two put together are 80, whatever the pyramids say.
+    const auto stripes = [](GDALDataset& file) {
+        for (int b = 1; b <= 3; ++b) {
+            fill(*file.GetRasterBand(b), [](int column, int) { return column % 2 == 0 ? 40.0 : 120.0; });
+        }
+    };
+    const std::vector<Band> bands{{0, GCI_RedBand, {}}, {0, GCI_GreenBand, {}}, {0, GCI_BlueBand, {}}};
+    finish = [&](GDALDataset& file) {
+        stripes(file);
+        addOtherPyramids(file, 250.0);
+    };
+    write(GDT_Byte, bands);
+    EXPECT_EQ(read(), (Colour{80, 80, 80, 255})) << "pyramids within";
+    ASSERT_EQ(findings.count("orthophoto.reduced"), 1);
+    EXPECT_EQ(englishText(findings.list().front().what),
+              "4,096 by 8 pixels of 1 m are more than can be drawn: the orthophoto is read as 2,048 by 4 of 2 m");
+    finish = stripes;
+    write(GDT_Byte, bands);
+    {
+        GDALDatasetUniquePtr beside(GDALDataset::FromHandle(GDALOpen(path.c_str(), GA_ReadOnly)));
+        ASSERT_TRUE(beside);
+        std::array<int, 1> levels{2};
+        ASSERT_EQ(beside->BuildOverviews("NEAREST", 1, levels.data(), 0, nullptr, nullptr, nullptr), CE_None);
+    }
+    {
+        GDALDatasetUniquePtr pyramids(GDALDataset::FromHandle(GDALOpen((path + ".ovr").c_str(), GA_Update)));
+        ASSERT_TRUE(pyramids);
+        for (int b = 1; b <= 3; ++b) {
+            fill(*pyramids->GetRasterBand(b), [](int, int) { return 250.0; });
+        }
+    }
+    EXPECT_EQ(read(), (Colour{80, 80, 80, 255})) << "pyramids beside";
+    columns = rows = 4;
+    finish = nullptr;
+    write(GDT_Byte, bands);
+    read();
+    EXPECT_EQ(findings.count("orthophoto.reduced"), 0) << "all its pixels are drawn";
+}
+
+TEST_F(Picture, WhatIsHiddenDarkensNoPixelBesideIt) {
+    columns = 4096;
+    rows = 8;
+    nothing = 0;
+    finish = [](GDALDataset& file) {
+        for (int b = 1; b <= 3; ++b) {
+            fill(*file.GetRasterBand(b), [](int column, int) { return column % 2 == 0 ? 0.0 : 120.0; });
+        }
+    };
+    write(GDT_Byte, {{0, GCI_RedBand, {}}, {0, GCI_GreenBand, {}}, {0, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{120, 120, 120, 128}));
+}
+
 TEST_F(Picture, WhatIsNoColourIsRefusedOrSaid) {
     write(GDT_Float32, {{0.5, GCI_RedBand, {}}, {1.0, GCI_GreenBand, {}}, {0.0, GCI_BlueBand, {}}});
     EXPECT_EQ(read(), (Colour{128, 255, 0, 255}));
     EXPECT_EQ(findings.count("orthophoto.fractions"), 1);
     write(GDT_Float32, {{1e6, GCI_RedBand, {}}, {1.0, GCI_GreenBand, {}}, {0.0, GCI_BlueBand, {}}});
-    EXPECT_THROW(read(), ParseError);
+    EXPECT_EQ(idOfError([&] { read(); }), "orthophoto.no_colours");
     write(GDT_Float32, {{120.0}});
     EXPECT_THROW(read(), ParseError) << "heights";
 }

@@ -149,8 +149,8 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
             checkShowsDebris(input);
             Site site = request.theCase->site;
             site.groundClasses = request.run->origin().site.groundClasses;
-            const SurveyInput read =
-                readSurvey(input.path, request.inputs.frame, site, boundsAtRest(facts.fe->mesh()), execution, wanted);
+            const SiteWindow window(boundsAtRest(facts.fe->mesh()), debrisBounds(mapped, input.instant));
+            const SurveyInput read = readSurvey(input.path, request.inputs.frame, site, window, execution, wanted);
             SurveySettings settings;
             takeStated(settings, *request.theCase, input, facts.findings);
             settings.turn = SitePlace(read.frame, read.site).transform().angle;

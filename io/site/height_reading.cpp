@@ -33,13 +33,14 @@ void addWiderUnread(Findings& findings, const std::string& path, const std::stri
 class Reading {
 public:
     /// @param opened  what is read of it: the file itself, or the grid of a cloud
-    Reading(const std::string& path, const std::string& opened, const Frame& frame, const Site& site, const Aabb& around,
+    Reading(const std::string& path, const std::string& opened, const Frame& frame, const Site& site, const SiteWindow& window,
             const HeightMeaning& meaning, HeightReach reach, const Execution& execution)
         : m_path(path),
           m_frame(frame),
           m_site(site),
           m_place(frame, site),
-          m_around(around),
+          m_window(window),
+          m_around(window.structure),
           m_withFallen(meaning.withFallen),
           m_aboveGround(meaning.aboveGround),
           m_reach(reach),
@@ -87,7 +88,8 @@ private:
     const Frame& m_frame;
     const Site& m_site;
     SitePlace m_place;
-    const Aabb& m_around;
+    const SiteWindow& m_window;
+    const Aabb& m_around;  ///< the structure
     bool m_withFallen;
     bool m_aboveGround;
     HeightReach m_reach;
@@ -237,10 +239,9 @@ void Reading::readUpright() {
     PixelRange columns{0, x.pixels};
     PixelRange rows{0, y.pixels};
     if (!m_around.isEmpty()) {
-        const Vec3 size = m_around.sizes();
-        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
-        columns = x.around(m_around.min().x() - margin, m_around.max().x() + margin);
-        rows = y.around(m_around.min().y() - margin, m_around.max().y() + margin);
+        const Eigen::AlignedBox2d plan = m_window.plan();
+        columns = x.around(plan.min().x(), plan.max().x());
+        rows = y.around(plan.min().y(), plan.max().y());
     }
     HeightGrid& raster = m_result.raster;
     raster.dx = std::abs(x.step);
@@ -289,10 +290,9 @@ void Reading::turn(HeightGrid& raster) const {
 
 std::pair<Eigen::Vector2d, Eigen::Vector2d> Reading::windowOf(Eigen::Vector2d low, Eigen::Vector2d high) const {
     if (!m_around.isEmpty()) {
-        const Vec3 size = m_around.sizes();
-        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
-        low = low.cwiseMax(Eigen::Vector2d(m_around.min().head<2>().array() - margin));
-        high = high.cwiseMin(Eigen::Vector2d(m_around.max().head<2>().array() + margin));
+        const Eigen::AlignedBox2d plan = m_window.plan();
+        low = low.cwiseMax(plan.min());
+        high = high.cwiseMin(plan.max());
     }
     return {low, high};
 }
@@ -555,15 +555,15 @@ HeightReading Reading::read() {
 
 }  // namespace
 
-HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
+HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const SiteWindow& window,
                           const Execution& execution, const HeightMeaning& meaning, HeightReach reach) {
-    const HeightSource source(path, meaning.surface ? CloudPart::Surface : CloudPart::Ground, frame, site, around, execution);
+    const HeightSource source(path, meaning.surface ? CloudPart::Surface : CloudPart::Ground, frame, site, window, execution);
     bool alive = false;
     bool windowOnly = false;
     {
         const std::scoped_lock lock(nativeLibraries());
         const auto survives = [&](HeightReach tried) {
-            return survivesTrial([&] { Reading(path, source.opened(), frame, site, around, meaning, tried, Execution{}).read(); });
+            return survivesTrial([&] { Reading(path, source.opened(), frame, site, window, meaning, tried, Execution{}).read(); });
         };
         alive = survives(reach);
         if (!alive && reach == HeightReach::Whole) {
@@ -576,7 +576,7 @@ HeightReading readHeights(const std::string& path, const Frame& frame, const Sit
                          {"terrain.empty.remedy", "Copy it again from where it came.", {}});
     }
     HeightReading heights =
-        Reading(path, source.opened(), frame, site, around, meaning, windowOnly ? HeightReach::Window : reach, execution).read();
+        Reading(path, source.opened(), frame, site, window, meaning, windowOnly ? HeightReach::Window : reach, execution).read();
     if (windowOnly) {
         addWiderUnread(heights.findings, path, "the library that reads rasters fails on it");
     }

@@ -14,8 +14,6 @@ namespace rubble::io {
 
 /// Nodes of a terrain at most: 64 MB of heights.
 inline constexpr double terrainNodesMax = 8e6;
-/// Heights of the structure around it that fragments may reach.
-inline constexpr double windowHeights = 10.0;
 
 /// What the heights of a file are, and which of its bands count.
 struct HeightMeaning {
@@ -57,17 +55,14 @@ struct HeightReading {
     Findings findings;
 };
 
-/// Reads the heights of a file, a raster or a point cloud that is laid on a grid (cloudRaster()), around a structure: a window ten
-/// times its height or its own length to each side, whichever is more. A raster whose rows run along x and y, shifted or scaled as
-/// it may be, keeps its heights. Of one in another system than the case's, in degrees or turned, they are kept with a lattice that
-/// places them, or interpolated to cells along x and y if asked for. One with more heights than a terrain may have is made coarser
-/// by averaging. What cannot be a height of land, and what stands out from all around it, is a gap, before anything is
-/// interpolated. Every such liberty is a finding with its size. A map of our own without heights is refused. All is read in a child
-/// process first, for GDAL may crash on a damaged file. What lies around the window changes nothing within it; where it cannot be
-/// read, that is a finding.
-/// @param around  m, local, of the structure at rest; empty: the whole raster is read
-/// Throws as openTerrain().
-HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
+/// Reads the heights of a file, a raster or a point cloud that is laid on a grid (cloudRaster()), in a window. A raster whose rows
+/// run along x and y, shifted or scaled as it may be, keeps its heights. Of one in another system than the case's, in degrees or
+/// turned, they are kept with a lattice that places them, or interpolated to cells along x and y if asked for. One with more
+/// heights than a terrain may have is made coarser by averaging. What cannot be a height of land, and what stands out from all
+/// around it, is a gap, before anything is interpolated. Every such liberty is a finding with its size. A map of our own without
+/// heights is refused. All is read in a child process first, for GDAL may crash on a damaged file. What lies around the window
+/// changes nothing within it; where it cannot be read, that is a finding. Throws as openTerrain().
+HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const SiteWindow& window,
                           const Execution& execution, const HeightMeaning& meaning = {}, HeightReach reach = HeightReach::Window);
 
 }  // namespace rubble::io

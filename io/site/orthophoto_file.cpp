@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "io/base/file_words.h"
-#include "io/site/height_reading.h"
 #include "io/site/raster_sampling.h"
 
 namespace rubble::io {
@@ -17,8 +16,8 @@ constexpr double sideMax = 2048.0;  ///< px
 
 }  // namespace
 
-std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                                                 const Execution& execution, Findings& findings) {
+std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site,
+                                                 const SiteWindow& window, const Execution& execution, Findings& findings) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
         throw WorldError({"orthophoto.missing", "There is no orthophoto {0}", {path}},
@@ -32,11 +31,9 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     const SitePlace place(frame, site);
     const RasterSampling sampling(file, frame.crs, place);
     auto [low, high] = sampling.bounds();
-    if (!around.isEmpty()) {
-        const Vec3 size = around.sizes();
-        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
-        low = low.cwiseMax(Eigen::Vector2d(around.min().head<2>().array() - margin));
-        high = high.cwiseMin(Eigen::Vector2d(around.max().head<2>().array() + margin));
+    if (!window.whole()) {
+        low = low.cwiseMax(window.plan().min());
+        high = high.cwiseMin(window.plan().max());
     }
     const Eigen::Vector2d size = high - low;
     if (!(size.minCoeff() > 0.0) || !size.allFinite()) {

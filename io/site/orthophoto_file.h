@@ -8,15 +8,15 @@
 #include "core/fe/frame.h"
 #include "core/fe/orthophoto.h"
 #include "core/scenario/site.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 
-/// Reads an orthophoto around a structure into the local frame, rows along x; at most 2,048 pixels on a side, coarser ones put
+/// Reads an orthophoto in a window into the local frame, rows along x; at most 2,048 pixels on a side, coarser ones put
 /// together by their mean. What the file does not cover, or masks, is transparent.
-/// @param around    m, local, of the structure at rest; empty: all of it
 /// @param findings  what is assumed of its colours and its place is added
 /// Throws WorldError, ParseError (no picture, elsewhere, degrees in a case without a coordinate system), UsageError, Cancelled.
-std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                                                 const Execution& execution, Findings& findings);
+std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site,
+                                                 const SiteWindow& window, const Execution& execution, Findings& findings);
 
 }  // namespace rubble::io

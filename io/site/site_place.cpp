@@ -1,8 +1,27 @@
 #include "io/site/site_place.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubble::io {
+
+double SiteWindow::margin() const {
+    const Vec3 size = structure.sizes();
+    return std::max({windowHeights * size.z(), size.x(), size.y()});
+}
+
+Eigen::AlignedBox2d SiteWindow::plan() const {
+    Eigen::AlignedBox2d plan;
+    const auto add = [&plan](const Aabb& box, double around) {
+        if (!box.isEmpty()) {
+            plan.extend(Eigen::Vector2d(box.min().head<2>().array() - around));
+            plan.extend(Eigen::Vector2d(box.max().head<2>().array() + around));
+        }
+    };
+    add(structure, margin());
+    add(debris, 0.2 * margin());
+    return plan;
+}
 
 SitePlace::SitePlace(const Frame& frame, const Site& site) {
     if (usedPoints(site.controlPoints) >= 2) {

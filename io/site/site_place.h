@@ -8,6 +8,23 @@
 
 namespace rubble::io {
 
+/// Heights of the structure around it that fragments may reach.
+inline constexpr double windowHeights = 10.0;
+
+/// What is read of a site, m in the local frame: around the structure, and as far as debris went.
+struct SiteWindow {
+    Aabb structure;    ///< at rest; empty: everything is read
+    Aabb debris = {};  ///< that is known to lie farther off; empty: none is
+
+    // What only knows the structure asks for the window about it.
+    SiteWindow(const Aabb& structure_ = {}, const Aabb& debris_ = {}) : structure(structure_), debris(debris_) {}
+    bool whole() const { return structure.isEmpty(); }
+    /// Ten times the height of the structure, or its length, whichever is more.
+    double margin() const;
+    /// The structure with its margin, and the debris with two heights of the structure around it.
+    Eigen::AlignedBox2d plan() const;
+};
+
 /// Between the local frame of a case and easting, northing and height in metres: by control points where two or more are used,
 /// else by the origin of the frame.
 /// What is read into a case and what is written from it go through it alike.

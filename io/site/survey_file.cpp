@@ -61,7 +61,7 @@ Outline readScope(const std::string& path, const Frame& frame, const Site& site,
     return std::move(read.survey.footprint);
 }
 
-SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
+SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const SiteWindow& window,
                        const Execution& execution, const SurveyRequest& request) {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) == 0) {
@@ -84,14 +84,17 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
         throw ParseError({"survey.no_outline", "{0} is no file of polygons that can be read", {path}},
                          {"survey.no_outline.remedy", "Give a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML.", {}});
     } else {
-        const Aabb window = request.registration ? boxBack(*request.registration, around) : around;
+        SiteWindow unmoved = window;
+        if (request.registration) {
+            unmoved = {boxBack(*request.registration, window.structure), boxBack(*request.registration, window.debris)};
+        }
         takeHeights(input,
-                    readHeights(path, frame, site, window, execution,
+                    readHeights(path, frame, site, unmoved, execution,
                                 {.aboveGround = request.aboveGround, .withFallen = request.withFallen, .surface = true}),
                     request);
         if (!request.ground.empty() && !input.survey.heights.aboveGround) {
             // What it takes liberties with is told where the terrain is opened.
-            HeightReading ground = readHeights(request.ground, frame, site, around, execution);
+            HeightReading ground = readHeights(request.ground, frame, site, window, execution);
             SurveyHeights& own = input.survey.ground.emplace();
             static_cast<HeightGrid&>(own) = std::move(ground.raster);
             own.lattice = std::move(ground.lattice);

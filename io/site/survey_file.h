@@ -8,6 +8,7 @@
 #include "core/fe/frame.h"
 #include "core/scenario/registration.h"
 #include "core/scenario/site.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 
@@ -38,10 +39,10 @@ struct SurveyRequest {
 /// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris
 /// (as readOutline() does) into the local frame of a case. Of a debris map of our own the heights are above the ground. What is
 /// assumed, resampled or left out is a counted finding.
-/// @param around  m, local, of the structure at rest; empty: all of a raster is read
+/// @param window  of a raster that is read; outlines are read whole
 /// Throws WorldError, ParseError (neither heights nor polygons, or not what was asked for; degrees in a case without a coordinate
 /// system), UsageError, Cancelled.
-SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
+SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const SiteWindow& window,
                        const Execution& execution, const SurveyRequest& request = {});
 
 /// What the polygons of a file cover, as an area of interest or to be left out, read as an outline of debris is.

@@ -104,7 +104,7 @@ std::vector<double> RasterFile::values(const RasterWindow& window, const Executi
 void RasterFile::checkWay(const std::string&, const Eigen::Vector2d&, Findings&) const {}
 
 // No file is a cloud where heights are wanted.
-HeightSource::HeightSource(const std::string& path, CloudPart, const Frame&, const Site&, const Aabb&, const Execution&)
+HeightSource::HeightSource(const std::string& path, CloudPart, const Frame&, const Site&, const SiteWindow&, const Execution&)
     : m_path(path) {}
 
 GdalMemoryFile::~GdalMemoryFile() = default;

@@ -386,23 +386,37 @@ void SurveyBox::showResults() {
 }
 
 QStringList SurveyBox::wordsOf(const SurveyComparison& made) const {
-    QStringList words{tr("Overlap of the footprints (IoU): %1.").arg(shown(made.iou, 3))};
-    if (made.seen) {
+    const bool any = std::isfinite(made.iou);
+    QStringList words{any ? tr("Overlap of the footprints (IoU): %1.").arg(shown(made.iou, 3))
+                          : tr("Neither side has debris: there is no overlap, and heights are not compared.")};
+    if (any && made.seen && std::isfinite(made.seen->reachableIou) && std::isfinite(made.seen->alikeIou)) {
         words << tr("A perfect simulation reaches %1 on this grid; with both sides surveyed alike it is %2.")
                      .arg(shown(made.seen->reachableIou, 3), shown(made.seen->alikeIou, 3));
     }
     if (!made.isFootprint) {
-        words << tr("Heights differ by %1 m RMS, by %2 m in the mean.").arg(shown(made.heightRms, 2), shown(made.heightMean, 2));
+        if (any) {
+            words
+                << tr("Heights differ by %1 m RMS, by %2 m in the mean.").arg(shown(made.heightRms, 2), shown(made.heightMean, 2));
+        }
         words << tr("Volumes hold the voids.");
         words << tr("Surveyed fill %1, cut %2, net %3 m³.")
                      .arg(shown(made.volumes.fill, 0), shown(made.volumes.cut, 0), shown(made.volumes.net(), 0));
         words << noiseWords(made.noise);
+        if (made.noise.source == SurveyNoise::Source::Stated || made.noise.source == SurveyNoise::Source::Estimated) {
+            words << tr("Below it also lie fill %1, cut %2, net %3 m³, which are not counted.")
+                         .arg(shown(made.volumes.undetectedFill, 1), shown(made.volumes.undetectedCut, 1),
+                              shown(made.volumes.undetectedNet(), 1));
+        }
     }
     if (!made.settings.scope.whole()) {
         words << tr("Not compared: %1 m² of surveyed and %2 m² of simulated debris.")
                      .arg(shown(made.leftOut.surveyedArea, 0), shown(made.leftOut.simulatedArea, 0));
     }
-    words << tr("Centroids lie %1 m apart.").arg(shown(made.centroidDistance, 2));
+    if (std::isfinite(made.centroidDistance)) {
+        words << tr("Centroids lie %1 m apart.").arg(shown(made.centroidDistance, 2));
+    } else if (any) {
+        words << tr("How far centroids lie apart is not known: one side has no debris.");
+    }
     words << (made.settings.fit == SurveyFit::None
                   ? tr("The survey lies where it was surveyed.")
                   : tr("The survey was moved by %1, %2, %3 m; what was fitted went from %4 to %5 RMS.")

@@ -136,7 +136,9 @@ Json volumesJson(const CloudVolumes& volumes, double cube) {
             {"fill_m3", cube * volumes.fill},
             {"cut_m3", cube * volumes.cut},
             {"net_m3", cube * volumes.net()},
-            {"not_detected_m3", cube * volumes.undetected},
+            {"not_detected_m3", cube * volumes.undetected()},
+            {"not_detected_fill_m3", cube * volumes.undetectedFill},
+            {"not_detected_cut_m3", cube * volumes.undetectedCut},
             {"fill_errors_m3", error(volumes.fillError)},
             {"cut_errors_m3", error(volumes.cutError)},
             {"net_errors_m3", error(volumes.netError)}};
@@ -179,7 +181,7 @@ FactList distanceFacts(const io::CloudComparison& made, const CloudDistanceSetti
     if (made.placed) {
         facts.add("placed by",
                   counted(made.placed->pairs, "pair", "pairs") + ", RMS " + englishNumber(made.placed->pairsLeft) + ", error " +
-                      englishNumber(made.placed->error.value_or(unknown)) + unit +
+                      (made.placed->error ? englishNumber(*made.placed->error) + unit : std::string("not known")) +
                       (made.placed->control ? ", of which the points themselves " + englishNumber(*made.placed->control) + unit
                                             : "; how accurate the points are nobody stated: it is not in it"));
     }
@@ -205,9 +207,10 @@ FactList distanceFacts(const io::CloudComparison& made, const CloudDistanceSetti
         facts.add("volumes", "fill " + cubeText(volumes.fill, volumes.fillError, made.cubicMetres) + ", cut " +
                                  cubeText(volumes.cut, volumes.cutError, made.cubicMetres) + ", net " +
                                  cubeText(volumes.net(), volumes.netError, made.cubicMetres));
-        facts.add("volume cells", englishInteger(volumes.measured) + " of " + englishInteger(volumes.cells) +
-                                      " measured; below the level " + "of detection " +
-                                      englishNumber(made.cubicMetres * volumes.undetected) + " m3");
+        const auto cubes = [&](double volume) { return englishNumber(made.cubicMetres * volume); };
+        facts.add("not counted", "fill " + cubes(volumes.undetectedFill) + ", cut " + cubes(volumes.undetectedCut) + ", net " +
+                                     cubes(volumes.undetectedNet()) + " m3 also lie below the level of detection");
+        facts.add("volume cells", englishInteger(volumes.measured) + " of " + englishInteger(volumes.cells) + " measured");
     }
     return facts;
 }

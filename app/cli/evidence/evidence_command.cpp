@@ -50,8 +50,9 @@ public:
         io::SurveyRequest wanted;
         wanted.ground = io::surveyGround(m_run->origin(), "");
         wanted.registration = survey.registration;
-        const io::SurveyInput input = io::readSurvey(io::inputPath(casePath, survey), m_inputs.frame, site,
-                                                     io::boundsAtRest(m_inputs.fe->mesh()), execution, wanted);
+        const io::SiteWindow window(io::boundsAtRest(m_inputs.fe->mesh()), debrisBounds(mapped(), survey.instant));
+        const io::SurveyInput input =
+            io::readSurvey(io::inputPath(casePath, survey), m_inputs.frame, site, window, execution, wanted);
         findings.append(input.findings);
         SurveySettings settings;
         takeStated(settings, theCase, survey, findings);

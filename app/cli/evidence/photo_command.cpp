@@ -150,7 +150,10 @@ Json seenJson(const Seen& seen) {
     return object;
 }
 
-std::string overCameras(const SpreadNumber& number, const std::string& unit) {
+std::string overCameras(const SpreadNumber& number, const std::string& unit, const char* none) {
+    if (!std::isfinite(number.best)) {
+        return none;
+    }
     return englishNumber(roundedToSpread(number.best, number.spread).first) + unit + ", " + spreadText(number.mean, number.spread) +
            unit + " over the cameras that the match allows";
 }
@@ -173,12 +176,14 @@ void printSeen(std::ostream& out, const Seen& seen) {
         const PhotoComparison& made = *seen.comparison;
         FactList scores;
         scores.add("debris at", englishNumber(made.time) + " s, fallen live structure " + (made.withFallen ? "with it" : "apart"));
-        scores.add("overlap", overCameras(made.iou, ""));
+        scores.add("overlap", overCameras(made.iou, "", "none: neither silhouette lies in the picture"));
         if (made.iouOverTime) {
             scores.add("over the time", englishNumber((*made.iouOverTime)[0]) + " to " + englishNumber((*made.iouOverTime)[1]));
         }
-        scores.add("edges apart", overCameras(made.edgePixels, " px"));
-        scores.add("", overCameras(made.edgeMetres, " m"));
+        scores.add("edges apart", overCameras(made.edgePixels, " px", "not known: there are no two edges to compare"));
+        if (std::isfinite(made.edgeMetres.best)) {
+            scores.add("", overCameras(made.edgeMetres, " m", ""));
+        }
         scores.print(out);
         out << englishText(made.words) << '\n';
     }

@@ -156,7 +156,9 @@ void addMeasures(Json& object, const SurveyComparison& made) {
                                          : Json{{"fill_m3", volumes.fill},
                                                 {"cut_m3", volumes.cut},
                                                 {"net_m3", volumes.net()},
-                                                {"not_detected_m3", volumes.undetected},
+                                                {"not_detected_m3", volumes.undetected()},
+                                                {"not_detected_fill_m3", volumes.undetectedFill},
+                                                {"not_detected_cut_m3", volumes.undetectedCut},
                                                 {"net_error_m3", number(volumes.netError.random)},
                                                 {"fill_error_m3", number(volumes.fillError.random)},
                                                 {"cut_error_m3", number(volumes.cutError.random)},
@@ -231,10 +233,14 @@ std::string bothSides(double real, double simulated, double seen, const std::str
 }
 
 std::string iouText(const SurveyComparison& made) {
+    if (!std::isfinite(made.iou)) {
+        return "none: neither side has debris";
+    }
     const std::string text = englishNumber(made.iou);
-    return made.seen ? text + "; a perfect simulation reaches " + englishNumber(made.seen->reachableIou) +
-                           " on this grid; both sides surveyed alike " + englishNumber(made.seen->alikeIou)
-                     : text;
+    return made.seen && std::isfinite(made.seen->reachableIou) && std::isfinite(made.seen->alikeIou)
+               ? text + "; a perfect simulation reaches " + englishNumber(made.seen->reachableIou) +
+                     " on this grid; both sides surveyed alike " + englishNumber(made.seen->alikeIou)
+               : text;
 }
 
 std::string detectionText(const SurveyNoise& noise) {
@@ -260,8 +266,36 @@ std::string volumeText(double volume, const VolumeError& error) {
 
 std::string volumesText(const SurveyVolumes& volumes) {
     return "fill " + volumeText(volumes.fill, volumes.fillError) + ", cut " + volumeText(volumes.cut, volumes.cutError) + ", net " +
-           volumeText(volumes.net(), volumes.netError) + "; below the level of detection " + englishNumber(volumes.undetected) +
-           " m3";
+           volumeText(volumes.net(), volumes.netError);
+}
+
+/// What the surveyed volumes leave out, and by how much they are too small.
+std::string undetectedText(const SurveyComparison& made) {
+    const SurveyVolumes& volumes = made.volumes;
+    if (made.noise.source == SurveyNoise::Source::Unknown) {
+        return "every height counts, for the level of detection is not known";
+    }
+    return "fill " + englishNumber(volumes.undetectedFill) + ", cut " + englishNumber(volumes.undetectedCut) + ", net " +
+           englishNumber(volumes.undetectedNet()) + " m3 also lie below the level of detection";
+}
+
+/// "0.31 m RMS, -0.1 m mean"
+std::string heightsText(const SurveyComparison& made) {
+    return std::isfinite(made.heightRms) ? englishNumber(made.heightRms) + " m RMS, " + englishNumber(made.heightMean) + " m mean"
+                                         : std::string("none: neither side has debris");
+}
+
+std::string centroidsText(const SurveyComparison& made) {
+    if (std::isfinite(made.centroidDistance)) {
+        return englishNumber(made.centroidDistance) + " m";
+    }
+    const bool surveyed = std::isfinite(made.survey.centroid.x());
+    const bool simulated = std::isfinite(made.simulated.centroid.x());
+    return std::string("not known: ") +
+           (surveyed    ? "the simulated"
+            : simulated ? "the surveyed"
+                        : "neither") +
+           " side has" + (surveyed || simulated ? " no" : "") + " debris";
 }
 
 std::string scopeText(const SurveyComparison& made) {
@@ -287,11 +321,12 @@ void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInpu
     if (!made.isFootprint) {
         facts.add("volume with voids",
                   bothSides(made.survey.volume, made.simulated.volume, made.seen ? made.seen->volume : std::nan(""), "m3"));
-        facts.add("height difference", englishNumber(made.heightRms) + " m RMS, " + englishNumber(made.heightMean) + " m mean");
+        facts.add("height difference", heightsText(made));
         facts.add("surveyed volumes", volumesText(made.volumes));
+        facts.add("not counted", undetectedText(made));
         facts.add("level of detection", detectionText(made.noise));
     }
-    facts.add("centroids apart", englishNumber(made.centroidDistance) + " m");
+    facts.add("centroids apart", centroidsText(made));
     facts.add("registration", made.settings.fit == SurveyFit::None
                                   ? std::string("none: the survey lies where it was placed")
                                   : "to the " + std::string(fitText(made.settings.fit)) + ", moved by " +
@@ -341,8 +376,10 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     io::SurveyRequest wanted;
     wanted.registration = file.stated.registration;
     wanted.ground = io::surveyGround(subject.run->origin(), arguments.value("--terrain").value_or(""));
-    const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
-                                                 io::boundsAtRest(subject.inputs.fe->mesh()), session.execution(), wanted);
+    const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
+                           subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
+    const io::SiteWindow window(io::boundsAtRest(subject.inputs.fe->mesh()), debrisBounds(mapped, time));
+    const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site, window, session.execution(), wanted);
     Findings findings = subject.findings;
     findings.append(input.findings);
     if (arguments.has("--area") || arguments.has("--leave-out")) {
@@ -350,8 +387,6 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     }
     takeStated(settings, file.theCase, file.stated, findings);
     settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
-    const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
-                           subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const SurveyComparison made = compareRunWithSurvey(mapped, time, input.survey, settings, session.execution());
     for (const std::string& path : files) {
         if (io::hasEnding(path, ".png")) {

@@ -74,7 +74,8 @@ void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case
                         wanted.registration = survey.registration;
                         checkShowsDebris(survey);
                         site.groundClasses = ground.site.groundClasses;
-                        made->input = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution, wanted);
+                        const io::SiteWindow window(io::boundsAtRest(run.fe->mesh()), debrisBounds(run.mapped(), survey.instant));
+                        made->input = io::readSurvey(path, frame, site, window, execution, wanted);
                         made->input.findings.append(said);
                         settings.turn = io::SitePlace(frame, site).transform().angle;
                         made->comparison =

@@ -30,7 +30,7 @@ CloudVolumes cloudVolumes(std::span<const CoreDistance> cells, double cell, cons
         }
         ++made.measured;
         if (!at.significant()) {
-            made.undetected += std::abs(at.distance) * area;
+            (at.distance > 0.0 ? made.undetectedFill : made.undetectedCut) += std::abs(at.distance) * area;
             continue;
         }
         const bool above = at.distance > 0.0;

@@ -23,12 +23,15 @@ struct CloudVolumes {
     std::int64_t cutCells = 0;   ///< where it lies below
     double fill = 0.0;
     double cut = 0.0;
-    double undetected = 0.0;  ///< of distances below the level of detection, above or below: not counted
+    double undetectedFill = 0.0;  ///< of distances below the level of detection: not counted
+    double undetectedCut = 0.0;   ///< likewise where the second lies below
     CloudVolumeError fillError;
     CloudVolumeError cutError;
     CloudVolumeError netError;
 
     double net() const { return fill - cut; }
+    double undetected() const { return undetectedFill + undetectedCut; }
+    double undetectedNet() const { return undetectedFill - undetectedCut; }
 };
 
 /// Adds up distances that were measured straight up, one at the middle of each cell.

@@ -59,6 +59,27 @@ MapSpan mapSpan(const MappedRun& run) {
     return {times.front(), frames > 0 ? std::max(run.trajectory->frameTime(frames - 1), times.front()) : times.front()};
 }
 
+Aabb debrisBounds(const MappedRun& run, std::optional<double> time) {
+    Aabb bounds;
+    if (!run.fragments || run.trajectory->frameCount() == 0) {
+        return bounds;
+    }
+    const MapSpan span = mapSpan(run);
+    const Components components =
+        groupComponents(run.fe->mesh(), run.scenario.regrouping, run.scenario.components, run.scenario.assumptions);
+    const Debris debris =
+        debrisAt(*run.fragments, components, *run.trajectory, std::clamp(time.value_or(span.last), span.first, span.last));
+    for (const DebrisFragment& fragment : debris.fragments) {
+        if (fragment.present && fragment.centre.allFinite()) {
+            // However it is turned, it reaches no farther than its corners.
+            const double reach = fragment.box.halfExtents.norm();
+            bounds.extend(Vec3(fragment.centre.array() - reach));
+            bounds.extend(Vec3(fragment.centre.array() + reach));
+        }
+    }
+    return bounds;
+}
+
 RunMap mapOfRun(const MappedRun& run, std::optional<double> time, const MapSettings& settings, bool withLive,
                 const Execution& execution) {
     const MapSpan span = mapSpan(run);

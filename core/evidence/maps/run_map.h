@@ -44,6 +44,10 @@ struct MapSpan {
 };
 MapSpan mapSpan(const MappedRun& run);
 
+/// Box around the debris of a run, m: to read evidence as far as debris went. Empty where no fragment is there.
+/// @param time  s, brought into the span of the run; unset means its end
+Aabb debrisBounds(const MappedRun& run, std::optional<double> time);
+
 /// Maps a run at any time within its span; unset means its end. A hit that comes later than the time brings no energy yet.
 /// @param withLive  whether fallen live structure gets its layers
 /// Throws UsageError (a time outside the run; a run without fragments or frames; as makeDebrisMap()), Cancelled, and what reading

@@ -64,14 +64,17 @@ struct VolumeError {
 
 /// Volumes between the surveyed surface and the ground, of heights from the level of detection on.
 struct SurveyVolumes {
-    double fill = 0.0;        ///< m3, above the ground
-    double cut = 0.0;         ///< m3, below it
-    double undetected = 0.0;  ///< m3, of heights below the level of detection, above or below the ground: not counted
+    double fill = 0.0;            ///< m3, above the ground
+    double cut = 0.0;             ///< m3, below it
+    double undetectedFill = 0.0;  ///< m3, of heights below the level of detection: not counted
+    double undetectedCut = 0.0;   ///< m3, likewise below the ground
     VolumeError fillError;
     VolumeError cutError;
     VolumeError netError;
 
     double net() const { return fill - cut; }
+    double undetected() const { return undetectedFill + undetectedCut; }
+    double undetectedNet() const { return undetectedFill - undetectedCut; }
 };
 
 /// Surveyed debris in patches that come nowhere near the simulated debris.

@@ -121,7 +121,7 @@ SurveyVolumes volumesOf(const SurveyComparison& made) {
         }
         const double height = made.surveyedCells.values[k];
         if (std::abs(height) < detection) {
-            volumes.undetected += std::abs(height) * area;
+            (height > 0.0 ? volumes.undetectedFill : volumes.undetectedCut) += std::abs(height) * area;
             continue;
         }
         (height > 0.0 ? volumes.fill : volumes.cut) += std::abs(height) * area;

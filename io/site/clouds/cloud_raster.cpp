@@ -15,7 +15,6 @@
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/clouds/point_cloud.h"
 #include "io/site/gdal_session.h"
-#include "io/site/height_reading.h"
 #include "io/site/site_place.h"
 #include "io/site/system_way.h"
 
@@ -81,9 +80,9 @@ private:
 
 class CloudLaying {
 public:
-    CloudLaying(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
+    CloudLaying(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
                 const Execution& execution)
-        : m_path(path), m_part(part), m_frame(frame), m_site(site), m_around(around), m_execution(execution) {}
+        : m_path(path), m_part(part), m_frame(frame), m_site(site), m_window(window), m_execution(execution) {}
 
     CloudRaster lay() {
         look();
@@ -205,15 +204,14 @@ private:
         return {metresInADegree * std::max(0.01, std::cos(latitude)), metresInADegree};
     }
 
-    /// What is read around the structure, in units of the cloud; the whole plane where that cannot be told.
+    /// What is read at least, in units of the cloud; the whole plane where that cannot be told.
     Eigen::AlignedBox2d window() const {
         Eigen::AlignedBox2d plane(Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity()),
                                   Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()));
-        if (m_around.isEmpty()) {
+        if (m_window.whole()) {
             return plane;
         }
-        const Vec3 size = m_around.sizes();
-        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
+        const Eigen::AlignedBox2d local = m_window.plan();
         const SitePlace place(m_frame, m_site);
         Eigen::AlignedBox2d box;
         constexpr int steps = 16;
@@ -221,9 +219,7 @@ private:
         for (int i = 0; i <= steps; ++i) {
             for (int j = 0; j <= steps; ++j) {
                 const Eigen::Vector2d share(static_cast<double>(i) / steps, static_cast<double>(j) / steps);
-                const Eigen::Vector2d span = size.head<2>().array() + 2.0 * margin;
-                places.push_back(
-                    place.planToWorld(m_around.min().head<2>() - Eigen::Vector2d::Constant(margin) + share.cwiseProduct(span)));
+                places.push_back(place.planToWorld(local.min() + share.cwiseProduct(local.sizes())));
             }
         }
         if (!toCloud(places)) {
@@ -354,7 +350,7 @@ private:
     CloudPart m_part;
     const Frame& m_frame;
     const Site& m_site;
-    const Aabb& m_around;
+    const SiteWindow& m_window;
     const Execution& m_execution;
     CloudHead m_head;
     bool m_classes = false;
@@ -369,9 +365,9 @@ private:
 
 }  // namespace
 
-CloudRaster cloudRaster(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
+CloudRaster cloudRaster(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
                         const Execution& execution) {
-    return CloudLaying(path, part, frame, site, around, execution).lay();
+    return CloudLaying(path, part, frame, site, window, execution).lay();
 }
 
 }  // namespace rubble::io

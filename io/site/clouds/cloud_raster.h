@@ -8,6 +8,7 @@
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"
 #include "io/site/gdal_memory.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 
@@ -26,12 +27,11 @@ struct CloudRaster {
     Findings findings;                     ///< of the cloud, and how it was laid
 };
 
-/// Lays a cloud on cells so wide that six points fall into each in the mean, around the structure or as far as there is room. The
-/// height of a cell is that of a plane through its points and those of its neighbours, at its middle. Spacing and what was
-/// left out are findings.
-/// @param around  m, local, of the structure at rest, with what lies around it; empty: the whole cloud
-/// Throws ParseError (no points that count, vegetation alone, places from the centre of the Earth), WorldError, Cancelled.
-CloudRaster cloudRaster(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
+/// Lays a cloud on cells so wide that six points fall into each in the mean, in the window and around it as far as there is room.
+/// The height of a cell is that of a plane through its points and those of its neighbours, at its middle. Spacing and what was left
+/// out are findings. Throws ParseError (no points that count, vegetation alone, places from the centre of the Earth), WorldError,
+/// Cancelled.
+CloudRaster cloudRaster(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
                         const Execution& execution);
 
 }  // namespace rubble::io

@@ -46,11 +46,11 @@ bool holdsCloud(const std::string& path) {
     return beginsAsCloud(path) || (textWithoutRaster(path) && opensAsCloud(path));
 }
 
-HeightSource::HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
+HeightSource::HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
                            const Execution& execution)
     : m_path(path) {
     if (holdsCloud(path)) {
-        m_cloud = cloudRaster(path, part, frame, site, around, execution);
+        m_cloud = cloudRaster(path, part, frame, site, window, execution);
     }
 }
 

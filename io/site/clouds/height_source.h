@@ -12,7 +12,7 @@ namespace rubble::io {
 class HeightSource {
 public:
     /// Throws as cloudRaster().
-    HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const Aabb& around,
+    HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
                  const Execution& execution);
 
     /// What a reader of rasters opens.

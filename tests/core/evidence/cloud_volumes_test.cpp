@@ -62,7 +62,7 @@ TEST(CloudVolumes, AreThoseOfShapesSolvedOnPaper) {
     const CloudVolumes poor = above(cone, 0.5 / 1.96);
     const double within = 2.0 * std::numbers::pi * (9.0 - 27.0 / 6.0);
     EXPECT_NEAR(poor.fill, within, 0.06 * within);
-    EXPECT_NEAR(poor.fill + poor.undetected, heap.fill, 0.02 * whole);
+    EXPECT_NEAR(poor.fill + poor.undetected(), heap.fill, 0.02 * whole);
     EXPECT_NEAR(poor.fillError.systematic, 0.5 * gridCell * gridCell * static_cast<double>(poor.fillCells), 1e-9);
 }
 

@@ -70,7 +70,7 @@ TEST(SurveyVolumes, OfADomeAndAConeAreThoseOfPaper) {
     const double a = radius * (1.0 - detection / height);
     const double counted = 2.0 * pi * height * (a * a / 2.0 - a * a * a / (3.0 * radius));
     EXPECT_NEAR(cut.fill, counted, 0.003 * counted);
-    EXPECT_NEAR(cut.undetected, pi * radius * radius * height / 3.0 - counted, 0.003 * counted);
+    EXPECT_NEAR(cut.undetected(), pi * radius * radius * height / 3.0 - counted, 0.003 * counted);
 }
 
 TEST(SurveyVolumes, OfASurfaceAgainstItselfAreNone) {
@@ -89,7 +89,7 @@ TEST(SurveyVolumes, OfASurfaceAgainstItselfAreNone) {
         compareWithSurvey(PieceRaster(), survey, ground, Eigen::Vector2d::Zero(), fine(0.01), Execution());
     EXPECT_EQ(made.volumes.fill, 0.0);
     EXPECT_EQ(made.volumes.cut, 0.0);
-    EXPECT_NEAR(made.volumes.undetected, 0.0, 1e-9);
+    EXPECT_NEAR(made.volumes.undetected(), 0.0, 1e-9);
     EXPECT_EQ(made.volumes.netError.random, 0.0) << "no cell counts";
 }
 

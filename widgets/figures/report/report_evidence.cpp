@@ -215,9 +215,16 @@ void ReportSections::addSurveyRows(ReportTable& table, const QString& name, cons
         one(tr("surveyed fill"), QStringLiteral("m³"), made.volumes.fill);
         one(tr("surveyed cut"), QStringLiteral("m³"), made.volumes.cut);
         one(tr("surveyed net volume"), QStringLiteral("m³"), made.volumes.net());
-        one(made.noise.source == SurveyNoise::Source::Stated ? tr("level of detection, stated")
-                                                             : tr("level of detection, estimated"),
-            QStringLiteral("m"), made.noise.source == SurveyNoise::Source::Unknown ? unknown : made.noise.detection());
+        const bool known = made.noise.source != SurveyNoise::Source::Unknown;
+        const bool stated = made.noise.source == SurveyNoise::Source::Stated;
+        one(!known ? tr("level of detection, not known: every height counts")
+                   : (stated ? tr("level of detection, stated") : tr("level of detection, estimated")),
+            QStringLiteral("m"), known ? made.noise.detection() : unknown);
+        if (stated || made.noise.source == SurveyNoise::Source::Estimated) {
+            one(tr("fill also below the level of detection, not counted"), QStringLiteral("m³"), made.volumes.undetectedFill);
+            one(tr("cut also below the level of detection, not counted"), QStringLiteral("m³"), made.volumes.undetectedCut);
+            one(tr("net volume below the level of detection, not counted"), QStringLiteral("m³"), made.volumes.undetectedNet());
+        }
     }
     if (!made.settings.scope.whole()) {
         one(tr("surveyed debris that is not compared"), QStringLiteral("m²"), made.leftOut.surveyedArea);

@@ -20,8 +20,17 @@ constexpr double raisedCell = 0.5;
 /// Reads the parts of a site that nothing rests on, one by one.
 class SiteReading {
 public:
-    SiteReading(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution)
-        : m_case(theCase), m_casePath(casePath), m_bounds(boundsAtRest(fe)), m_execution(execution) {}
+    /// @param terrain  on which debris runs; null: none
+    SiteReading(const Case& theCase, const std::string& casePath, const Mesh& fe, const TerrainGrid* terrain,
+                const Execution& execution)
+        : m_case(theCase), m_casePath(casePath), m_bounds(boundsAtRest(fe)), m_execution(execution) {
+        if (terrain != nullptr) {
+            const double cell = terrain->cell();
+            m_terrain.extend(Vec3(terrain->x0(), terrain->y0(), 0.0));
+            m_terrain.extend(Vec3(terrain->x0() + cell * static_cast<double>(terrain->nx() - 1),
+                                  terrain->y0() + cell * static_cast<double>(terrain->ny() - 1), 0.0));
+        }
+    }
 
     void addOrthophoto(TerrainInput& site) const {
         std::int64_t count = 0;
@@ -48,7 +57,8 @@ public:
                 continue;
             }
             const auto read = [&](const std::string& path) {
-                SiteMeshReading reading = readSiteMesh(path, m_case.frame, m_case.site, m_execution, {input.offset, m_bounds});
+                SiteMeshReading reading =
+                    readSiteMesh(path, m_case.frame, m_case.site, m_execution, {input.offset, SiteWindow(m_bounds, m_terrain)});
                 site.findings.append(reading.findings);
                 meshes->push_back(std::move(reading.mesh));
                 return reading.offset;
@@ -105,6 +115,7 @@ private:
     const Case& m_case;
     const std::string& m_casePath;
     Aabb m_bounds;
+    Aabb m_terrain;
     const Execution& m_execution;
 };
 
@@ -115,7 +126,7 @@ TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, co
     Findings findings = checkPlace(theCase.frame, theCase.site);
     findings.append(site.findings);
     site.findings = std::move(findings);
-    const SiteReading reading(theCase, casePath, fe, execution);
+    const SiteReading reading(theCase, casePath, fe, site.grid.get(), execution);
     reading.addOrthophoto(site);
     reading.addSurroundings(site);
     reading.raise(site);
@@ -123,12 +134,12 @@ TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, co
 }
 
 TerrainInput openSurroundingsOfCase(Case theCase, const std::string& casePath, const Mesh& fe, const Frame& frame, const Site& site,
-                                    const Execution& execution) {
+                                    const TerrainGrid* terrain, const Execution& execution) {
     theCase.frame = frame;
     theCase.site = site;
     theCase.site.collide = false;
     TerrainInput around;
-    const SiteReading reading(theCase, casePath, fe, execution);
+    const SiteReading reading(theCase, casePath, fe, terrain, execution);
     reading.addOrthophoto(around);
     reading.addSurroundings(around);
     return around;
@@ -138,7 +149,7 @@ std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std
                                                  const Frame& frame, const Site& site, const Execution& execution) {
     std::vector<SiteMesh> read;
     for (const RecordedInput& mesh : meshes) {
-        read.push_back(readSiteMesh(mesh.path, frame, site, execution, {mesh.offset, {}}).mesh);
+        read.push_back(readSiteMesh(mesh.path, frame, site, execution, {mesh.offset, SiteWindow()}).mesh);
     }
     return terrainUnder(terrain, read, raisedCell, terrainNodesMax, execution);
 }

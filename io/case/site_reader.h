@@ -15,9 +15,10 @@ namespace rubble::io {
 TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution);
 
 /// Only what is drawn around the structure: orthophoto and meshes, without terrain. What cannot be read is a finding.
-/// @param site  of the local frame, as a run had it
+/// @param site     of the local frame, as a run had it
+/// @param terrain  of the run, on which surroundings may stand however far off; null: none
 TerrainInput openSurroundingsOfCase(Case theCase, const std::string& casePath, const Mesh& fe, const Frame& frame, const Site& site,
-                                    const Execution& execution);
+                                    const TerrainGrid* terrain, const Execution& execution);
 
 /// A terrain raised by meshes as a run had it, with the offsets it put down. Throws as readSiteMesh().
 std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const RecordedInput> meshes,

@@ -187,6 +187,10 @@ void Reading::checkUnit() {
 }
 
 void Reading::checkOverlap(const Eigen::Vector2d& least, const Eigen::Vector2d& most) {
+    if (!least.allFinite() || !most.allFinite()) {
+        refuse("terrain.nowhere", "The edges of {0} have no place in \"{1}\", the system of the case", {m_frame.crs},
+               "Check the coordinate system of the raster and that of the case.");
+    }
     if (m_around.isEmpty()) {
         return;
     }

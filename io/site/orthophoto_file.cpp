@@ -30,7 +30,9 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     }
     const SitePlace place(frame, site);
     const RasterSampling sampling(file, frame.crs, place);
-    auto [low, high] = sampling.bounds();
+    const auto [least, most] = sampling.bounds();
+    Eigen::Vector2d low = least;
+    Eigen::Vector2d high = most;
     if (!window.whole()) {
         low = low.cwiseMax(window.plan().min());
         high = high.cwiseMin(window.plan().max());
@@ -47,6 +49,15 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     picture->y0 = low.y();
     picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel));
     picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel));
+    const double beyond = std::max((low - least).maxCoeff(), (most - high).maxCoeff());
+    if (beyond > picture->pixel) {
+        addFinding(findings, path,
+                   {"orthophoto.cut",
+                    "the orthophoto is read from x = {0} to {1}, y = {2} to {3}, ten heights about the structure; it goes on {4} "
+                    "beyond, which is cut off",
+                    {low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}, {beyond, "m"}}},
+                   "none is needed unless debris runs there");
+    }
     if (picture->pixel > (1.0 + 1e-6) * fine) {
         const Eigen::Vector2d there = size / fine;
         addFinding(findings, path,

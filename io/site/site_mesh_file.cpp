@@ -121,8 +121,8 @@ private:
 
 SiteMeshReading readCloudSurface(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
                                  const SiteMeshRequest& request) {
-    HeightReading read =
-        readHeights(path, frame, site, request.around, execution, {.alongAxes = true, .surface = true}, HeightReach::Window);
+    HeightReading read = readHeights(path, frame, site, request.around.structure, execution, {.alongAxes = true, .surface = true},
+                                     HeightReach::Window);
     SiteMeshReading made;
     made.findings = std::move(read.findings);
     made.mesh.name = fs::path(path).filename().string();
@@ -146,8 +146,13 @@ SiteMeshReading readCloudSurface(const std::string& path, const Frame& frame, co
 /// Brings a mesh to the local frame, with the offset that puts it at the site.
 class MeshPlacing {
 public:
-    MeshPlacing(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, RawMesh raw)
-        : m_path(path), m_place(frame, site), m_shift(site.heightShift), m_around(around), m_raw(std::move(raw)) {
+    MeshPlacing(const std::string& path, const Frame& frame, const Site& site, const SiteWindow& window, RawMesh raw)
+        : m_path(path),
+          m_place(frame, site),
+          m_shift(site.heightShift),
+          m_window(window),
+          m_around(window.structure),
+          m_raw(std::move(raw)) {
         m_result.findings = std::move(m_raw.findings);
     }
 
@@ -170,10 +175,14 @@ public:
 private:
     Vec3 local(const Vec3& point, const Vec3& offset) const { return m_place.toLocal(point + offset) + Vec3(0.0, 0.0, m_shift); }
 
-    /// How far from the structure the surroundings of a site may lie, as its terrain.
-    double margin() const {
-        const Vec3 size = m_around.sizes();
-        return std::max({windowHeights * size.z(), size.x(), size.y(), 1.0});
+    /// m, that surroundings may lie above or below the structure.
+    double margin() const { return std::max(m_window.margin(), 1.0); }
+
+    /// Where surroundings may lie in plan.
+    Eigen::AlignedBox2d plan() const {
+        const Eigen::AlignedBox2d plan = m_window.plan();
+        const double more = margin() - m_window.margin();
+        return {plan.min().array() - more, plan.max().array() + more};
     }
 
     Aabb boxOf(const std::array<std::uint32_t, 3>& triangle, const Vec3& offset) const {
@@ -184,15 +193,13 @@ private:
         return box;
     }
 
-    /// Box around all triangles that lie near the structure in plan; empty: none does.
+    /// Box around all triangles that lie in the window in plan; empty: none does.
     Aabb nearby(const Vec3& offset) const {
         Aabb all;
-        const double far = margin();
+        const Eigen::AlignedBox2d within = plan();
         for (const std::array<std::uint32_t, 3>& triangle : m_raw.triangles) {
             const Aabb box = boxOf(triangle, offset);
-            const bool close = (box.max() - m_around.min()).head<2>().minCoeff() >= -far &&
-                               (m_around.max() - box.min()).head<2>().minCoeff() >= -far;
-            if (close) {
+            if (within.intersects(Eigen::AlignedBox2d(box.min().head<2>(), box.max().head<2>()))) {
                 all.extend(box);
             }
         }
@@ -253,10 +260,11 @@ private:
         }
         const Vec3 low = m_around.min();
         const Vec3 high = m_around.max();
+        const Eigen::AlignedBox2d within = plan();
         refuseContent(
             {"surroundings.elsewhere",
              "{0} lies at x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to "
-             "{8}",
+             "{8}, and surroundings count within x = {9} to {10}, y = {11} to {12}",
              {m_path,
               all.min().x(),
               {all.max().x(), "m"},
@@ -265,7 +273,11 @@ private:
               low.x(),
               {high.x(), "m"},
               low.y(),
-              {high.y(), "m"}}},
+              {high.y(), "m"},
+              within.min().x(),
+              {within.max().x(), "m"},
+              within.min().y(),
+              {within.max().y(), "m"}}},
             "Give the offset that was taken off its coordinates (Site… in the Case menu, or --mesh-offset), put the offset "
             "file beside it, or check system and control points of the case.");
     }
@@ -275,7 +287,8 @@ private:
     const std::string& m_path;
     SitePlace m_place;
     double m_shift;
-    const Aabb& m_around;
+    const SiteWindow& m_window;
+    const Aabb& m_around;  ///< the structure
     RawMesh m_raw;
     SiteMeshReading m_result;
 };

@@ -8,6 +8,7 @@
 #include "core/fe/frame.h"
 #include "core/fe/site_mesh.h"
 #include "core/scenario/site.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 
@@ -15,7 +16,8 @@ namespace rubble::io {
 struct SiteMeshRequest {
     /// m, added to its coordinates: easting, northing and height; unset: what a file beside it says, where the mesh needs it.
     std::optional<Vec3> offset;
-    Aabb around;  ///< m, local, of the structure at rest; empty: the mesh may lie anywhere
+    /// Where it has to lie, at least in part; a point cloud is read about the structure alone. Whole: anywhere.
+    SiteWindow around;
 };
 
 /// A mesh of the surroundings as it was read.
@@ -29,7 +31,7 @@ struct SiteMeshReading {
 /// and height in metres, after its offset is added, brought to the local frame as a terrain is; glTF has y up by its definition.
 /// Materials are left out. What is left out of its shape, an offset from a file and coarse coordinates are findings.
 /// A point cloud is taken as the surface of its grid (readHeights()), where its coordinates say, without an offset; also a finding.
-/// Throws WorldError, ParseError (no mesh, too many triangles, nothing of it near the structure), UsageError, Cancelled; of a cloud
+/// Throws WorldError, ParseError (no mesh, too many triangles, nothing of it in the window), UsageError, Cancelled; of a cloud
 /// as readHeights().
 SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
                              const SiteMeshRequest& request = {});

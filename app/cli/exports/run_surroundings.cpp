@@ -34,8 +34,8 @@ RunSurroundings surroundingsOfRun(const io::RunOrigin& origin, const Inputs& inp
 
 RunSurroundings surroundingsOfRun(const Case& theCase, const std::string& casePath, const io::RunOrigin& origin,
                                   const Inputs& inputs, Session& session) {
-    RunSurroundings around{
-        casePath, io::openSurroundingsOfCase(theCase, casePath, inputs.fe->mesh(), inputs.frame, origin.site, session.execution())};
+    RunSurroundings around{casePath, io::openSurroundingsOfCase(theCase, casePath, inputs.fe->mesh(), inputs.frame, origin.site,
+                                                                inputs.terrain.get(), session.execution())};
     printNotes(session, around.shown.findings);
     return around;
 }

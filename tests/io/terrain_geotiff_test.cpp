@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/case/terrain_reader.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -26,6 +27,8 @@ struct Tiff {
     double scale = 1.0;
     double offset = 0.0;
     GDALColorInterp meaning = GCI_GrayIndex;
+    bool placed = true;
+    std::string ourBand;                           ///< name of the bands of a map of our own; empty: it is none
     std::function<double(double, double)> height;  ///< of easting and northing in units of the file
 
     void write(const std::string& path) const {
@@ -33,7 +36,12 @@ struct Tiff {
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
         GDALDatasetUniquePtr file(driver->Create(path.c_str(), columns, rows, bands, GDT_Float64, nullptr));
         std::array<double, 6> g = place;
-        file->SetGeoTransform(g.data());
+        if (placed) {
+            file->SetGeoTransform(g.data());
+        }
+        if (!ourBand.empty()) {
+            file->SetMetadataItem("RUBBLE_CLASS", "debris map");
+        }
         if (!crs.empty()) {
             OGRSpatialReference system;
             system.SetFromUserInput(crs.c_str());
@@ -46,6 +54,7 @@ struct Tiff {
             band->SetScale(scale);
             band->SetOffset(offset);
             band->SetColorInterpretation(meaning);
+            band->SetDescription(ourBand.c_str());
             for (int r = 0; r < rows; ++r) {
                 std::vector<double> row;
                 for (int c = 0; c < columns; ++c) {
@@ -73,6 +82,9 @@ protected:
     TerrainInput read() {
         tiff.write(path);
         return openTerrain(path, frame, around, Execution());
+    }
+    std::string refusal() {
+        return idOfError([this] { read(); });
     }
     void expectPlane(const TerrainInput& terrain, double tolerance = 1e-9) {
         for (const double x : {-9.7, -1.0, 0.25, 9.5}) {
@@ -109,7 +121,7 @@ TEST_F(TerrainGeoTiff, CellsThatAreNotSquareAreResampled) {
 
 TEST_F(TerrainGeoTiff, CellsBeyondAllProportionAreRefused) {
     tiff.place = {-20.0, 1e200, 0.0, 0.5, 0.0, -1e-200};
-    EXPECT_THROW(read(), ParseError);
+    EXPECT_EQ(refusal(), "terrain.strip");
 }
 
 TEST_F(TerrainGeoTiff, FeetAreConverted) {
@@ -159,22 +171,51 @@ TEST_F(TerrainGeoTiff, GapsAreTheValuesThatTheFileNames) {
 }
 
 TEST_F(TerrainGeoTiff, PicturesAndDegreesWithoutASystemAreRefused) {
-    const auto idOf = [this] {
-        try {
-            read();
-        } catch (const ParseError& error) {
-            return error.message().id;
-        }
-        return std::string("no error");
-    };
     tiff.meaning = GCI_RedBand;
-    EXPECT_EQ(idOf(), "terrain.picture");
+    EXPECT_EQ(refusal(), "terrain.picture");
     tiff.meaning = GCI_GrayIndex;
     tiff.crs = "EPSG:4326";
-    EXPECT_EQ(idOf(), "terrain.degrees");
+    EXPECT_EQ(refusal(), "terrain.degrees");
     tiff.crs = "";
     tiff.place = {-20.0, 1.0, 1.0, 15.0, -1.0, -1.0};
-    EXPECT_EQ(idOf(), "terrain.flat_place");
+    EXPECT_EQ(refusal(), "terrain.flat_place");
+}
+
+TEST_F(TerrainGeoTiff, WhatHasNoPlaceAtTheSiteIsRefused) {
+    tiff.placed = false;
+    EXPECT_EQ(refusal(), "terrain.no_place");
+    tiff.placed = true;
+    tiff.crs = "EPSG:4326";
+    frame.crs = "no system";
+    EXPECT_EQ(refusal(), "terrain.degrees_unknown");
+    frame.crs = "EPSG:32633";
+    frame.origin << 451000, 5311000, 0;
+    // Latitudes beyond the poles.
+    tiff.place = {14.0, 0.1, 0.0, 700.0, 0.0, -0.1};
+    EXPECT_EQ(refusal(), "terrain.nowhere");
+    // Cells of a kilometre, turned, about a site of sixty metres.
+    frame = Frame();
+    tiff.crs.clear();
+    tiff.place = {-20000.0, 1000.0, 100.0, 15000.0, 100.0, -1000.0};
+    EXPECT_EQ(refusal(), "terrain.coarse");
+}
+
+TEST_F(TerrainGeoTiff, MapsOfOurOwnAreNoGround) {
+    tiff.ourBand = "height";
+    EXPECT_EQ(refusal(), "terrain.debris_map");
+    tiff.ourBand = "mass";
+    EXPECT_EQ(refusal(), "terrain.our_map");
+}
+
+TEST_F(TerrainGeoTiff, ADatumThatTheCaseDoesNotNameIsKeptAndSaid) {
+    tiff.crs = "EPSG:32633+5773";
+    tiff.place = {451000.0 - 20.0, 1.0, 0.0, 5311000.0 + 15.0, 0.0, -1.0};
+    tiff.height = [](double x, double y) { return planeOfTiff(x - 451000.0, y - 5311000.0); };
+    frame.crs = "EPSG:32633";
+    frame.origin << 451000, 5311000, 0;
+    const TerrainInput terrain = read();
+    EXPECT_EQ(terrain.findings.count("terrain.datum_kept"), 1);
+    expectPlane(terrain);
 }
 
 TEST_F(TerrainGeoTiff, AFileCutShortSaysFromWhere) {

@@ -317,6 +317,29 @@ TEST_F(TerrainSite, ARunKeepsTheOffsetsOfItsMeshes) {
     EXPECT_TRUE(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()).surroundings);
 }
 
+TEST_F(TerrainSite, SurroundingsStandWhereverTheTerrainIs) {
+    raster.columns = raster.rows = 200;
+    raster.place = {-100.0, 1.0, 0.0, 100.0, 0.0, -1.0};
+    raster.write(path);
+    // 60 m off, which is more than ten heights of the structure.
+    std::ofstream(folder / "house.obj") << "v 60 0 30\nv 64 0 30\nv 64 3 30\nv 60 3 30\nf 1 2 3 4\n";
+    Mesh fe;
+    fe.nodes = {around.min(), around.max()};
+    ASSERT_LT(SiteWindow(around).plan().max().x(), 60.0);
+    Case theCase;
+    theCase.site.collide = true;
+    theCase.inputs = {{"terrain-1", InputRole::Terrain, "terrain.tif", ""},
+                      {"surroundings-1", InputRole::Surroundings, "house.obj", ""}};
+    const std::string casePath = folder / "a.rubble";
+    const TerrainInput raised = openSiteOfCase(theCase, casePath, fe, Execution());
+    EXPECT_NEAR(raised.grid->height(62.0, 1.5), 30.0, 1e-6);
+    const auto shown = [&](const TerrainGrid* terrain) {
+        return openSurroundingsOfCase(theCase, casePath, fe, frame, site, terrain, Execution());
+    };
+    EXPECT_TRUE(shown(raised.grid.get()).surroundings);
+    EXPECT_EQ(shown(nullptr).findings.count("surroundings.elsewhere"), 1);
+}
+
 TEST_F(TerrainSite, WhatIsOnlyShownDoesNotKeepACaseFromOpening) {
     raster.write(path);
     Mesh fe;

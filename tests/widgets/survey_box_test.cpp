@@ -242,6 +242,33 @@ TEST_F(SurveyForm, PolygonsAreDrawnOnTheMapByMouseAndKeys) {
     EXPECT_NE(view.grab().toImage(), before);
 }
 
+TEST_F(SurveyForm, WhatIsNotKnownIsSaidInWordsAndWhatIsNotCountedWithItsVolume) {
+    // Ten centimetres over half of it, which may be noise, and no debris at all.
+    Survey survey;
+    survey.heights.x0 = survey.heights.y0 = -9.75;
+    survey.heights.dx = survey.heights.dy = 0.5;
+    survey.heights.nx = survey.heights.ny = 40;
+    for (std::size_t k = 0; k < 1600; ++k) {
+        survey.heights.heights.push_back(k < 800 ? 0.1 : -0.05);
+    }
+    SurveySettings settings;
+    settings.noise = settings.groundNoise = 0.1;
+    content.comparison = std::make_shared<SurveyComparison>(
+        compareWithSurvey(PieceRaster(), survey, SiteSurface(), Eigen::Vector2d::Zero(), settings, Execution()));
+    box.setContent(content);
+    EXPECT_TRUE(says(QStringLiteral("Neither side has debris")));
+    EXPECT_TRUE(says(QStringLiteral("Below it also lie fill 20.0, cut 10.0, net 10.0 m³, which are not counted.")));
+    EXPECT_FALSE(says(QStringLiteral("nan")));
+    EXPECT_FALSE(says(QStringLiteral("Heights differ")));
+    survey = Survey();
+    survey.isFootprint = true;
+    survey.footprint.polygons = {{{{-2.0, -2.0}, {4.0, -2.0}, {4.0, 2.0}, {-2.0, 2.0}}}};
+    content.comparison = std::make_shared<SurveyComparison>(
+        compareWithSurvey(PieceRaster(), survey, SiteSurface(), Eigen::Vector2d::Zero(), settings, Execution()));
+    box.setContent(content);
+    EXPECT_TRUE(says(QStringLiteral("How far centroids lie apart is not known: one side has no debris.")));
+}
+
 TEST_F(SurveyForm, AComparisonStandsInTablesAndWords) {
     content.comparison = made();
     box.setContent(content);

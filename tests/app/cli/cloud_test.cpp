@@ -172,6 +172,8 @@ TEST_F(CloudCommand, GivesVolumesBetweenTwoClouds) {
     const nlohmann::json poor = cli(words).json()["volumes"];
     EXPECT_EQ(poor["fill_m3"], 0.0) << "0.5 m is less than 1.96 times 0.3 m";
     EXPECT_NEAR(poor["not_detected_m3"], 120.0, 2.0);
+    EXPECT_NEAR(poor["not_detected_fill_m3"].get<double>() + poor["not_detected_cut_m3"].get<double>(), poor["not_detected_m3"],
+                1e-9);
     EXPECT_TRUE(cli({"cloud", m_folder / "before.csv", "--against", m_folder / "after.csv", "--normal-scale", "0.5",
                      "--projection-scale", "0.5", "--depth", "2", "--json"})
                     .json()["volumes"]

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/ascii_grid.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
@@ -155,6 +156,33 @@ TEST_F(SurveyRun, ComparesOnlyAnAreaOfInterest) {
     EXPECT_EQ(compared({"--noise", "-1"}).exitCode, 2);
     const nlohmann::json noisy = compared({"--noise", "0.3", "--ground-noise", "0.4"}).json();
     EXPECT_EQ(noisy["noise"]["source"], "none") << "a map of a run has none";
+}
+
+TEST_F(SurveyRun, WhatIsNotKnownOrNotCountedIsToldInWords) {
+    run({}, "2");
+    const std::string level = io::AsciiGrid().write(m_folder / "level.asc", [](double x, double) { return x > 0.0 ? 0.1 : -0.05; });
+    const std::vector<std::string> words{"survey", m_out, "--survey", level, "--noise", "0.1", "--ground-noise", "0.1"};
+    const Outcome noise = cli(words);
+    ASSERT_EQ(noise.exitCode, 0) << noise.err;
+    // 40 by 20 m of 0.1 m above the ground, and as many of 0.05 m below it; the middle of an edge cell is the last that counts.
+    EXPECT_THAT(noise.out, HasSubstr("fill 80, cut 40, net 40 m3 also lie below the level of detection"));
+    EXPECT_THAT(noise.out, HasSubstr("not known: the surveyed side has no debris"));
+    std::vector<std::string> high = words;
+    high.insert(high.end(), {"--least-height", "100"});
+    const Outcome none = cli(high);
+    ASSERT_EQ(none.exitCode, 0) << none.err;
+    EXPECT_THAT(none.out, HasSubstr("none: neither side has debris"));
+    EXPECT_THAT(none.out, HasSubstr("not known: neither side has debris"));
+    for (const std::string& out : {noise.out, none.out}) {
+        EXPECT_THAT(out, testing::Not(HasSubstr("not a number")));
+        EXPECT_THAT(out, testing::Not(HasSubstr("nan")));
+    }
+    high.emplace_back("--json");
+    const nlohmann::json made = cli(high).json();
+    EXPECT_TRUE(made["iou"].is_null());
+    EXPECT_NEAR(made["volumes"]["not_detected_fill_m3"].get<double>(), 80.0, 1e-6);
+    EXPECT_NEAR(made["volumes"]["not_detected_cut_m3"].get<double>(), 40.0, 1e-6);
+    EXPECT_NEAR(made["volumes"]["not_detected_m3"].get<double>(), 120.0, 1e-6);
 }
 
 TEST_F(SurveyRun, RefusesASurveyThatIsNone) {

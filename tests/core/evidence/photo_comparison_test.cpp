@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/base/error.h"
 #include "tests/core/evidence/camera_scene.h"
+#include "tests/support/error_id.h"
 
 namespace rubble {
 namespace {
@@ -219,6 +219,11 @@ TEST_F(DrawnPlate, ScoresAsByHand) {
     EXPECT_LT(made.edgePixels.best, 16.0);
     ASSERT_EQ(made.outlines.size(), 1u);
     EXPECT_EQ(made.outlines[0].size(), 4u);
+    EXPECT_EQ(made.words.id, "photo.agreement");
+    // Nothing that was drawn counts any more: there is one edge at most.
+    draw(MaskClass::Hidden, 400.0, 0.0, 800.0, 600.0);
+    m_photograph.masks.front().corners = rectangle(500.0, 180.0, 576.0, 420.0);
+    EXPECT_EQ(compare().words.id, "photo.no_edges");
 }
 
 TEST_F(DrawnPlate, WhatIsHiddenOrMovedDoesNotCountAndWhatIsNoDebrisDoes) {
@@ -249,10 +254,10 @@ TEST_F(DrawnPlate, TheUncertaintyOfThePoseComesIntoTheScore) {
 }
 
 TEST_F(DrawnPlate, WithoutAnOutlineThereIsNothingToCompare) {
-    EXPECT_THROW(compare(), UsageError);
+    EXPECT_EQ(idOfError([&] { compare(); }), "photo.no_outline");
     draw(MaskClass::Debris, 240.0, 180.0, 560.0, 420.0);
     draw(MaskClass::Hidden, 0.0, 0.0, 800.0, 600.0);
-    EXPECT_THROW(compare(), UsageError);
+    EXPECT_EQ(idOfError([&] { compare(); }), "photo.nothing_counts");
 }
 
 // The whole way: points clicked with an error of 2 px, one of them wrong, a lens with distortion, the outline as the camera saw it.

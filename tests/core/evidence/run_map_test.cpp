@@ -9,8 +9,10 @@
 #include "core/analysis/accuracy/settled_world.h"
 #include "core/analysis/debris/debris.h"
 #include "core/base/error.h"
+#include "core/evidence/photographs/site_picture.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/scenes/fe_scenes.h"
+#include "tests/support/error_id.h"
 
 namespace rubble {
 namespace {
@@ -58,6 +60,32 @@ TEST_F(MapOfARun, AgreesWithTheLedger) {
         EXPECT_NEAR(made.map.ledger.impactEnergy, energy, 1e-9 * energy);
         EXPECT_NEAR(sumOf(made.map, MapLayer::ImpactEnergy), energy, 1e-9 * energy);
     }
+}
+
+TEST_F(MapOfARun, APhotographOfNoInstantOfTheRunIsRefused) {
+    const auto refusal = [&](std::optional<double> time) {
+        return idOfError([&] { siteOfRun(mapped, time, 1.0, Vec3::Zero(), Execution()); });
+    };
+    EXPECT_EQ(refusal(std::nullopt), "");
+    EXPECT_EQ(refusal(1e9), "site.time_outside");
+    mapped.fragments = nullptr;
+    EXPECT_EQ(refusal(std::nullopt), "site.nothing_simulated");
+}
+
+TEST_F(MapOfARun, ABoxHoldsAllDebrisAndIsNoWiderThanItsPieces) {
+    const Aabb bounds = debrisBounds(mapped, std::nullopt);
+    const RunMap made = mapAt(std::nullopt, false);
+    Aabb centres;
+    for (const DebrisFragment& fragment : made.debris.fragments) {
+        ASSERT_TRUE(fragment.present);
+        centres.extend(fragment.centre);
+    }
+    const double reach = std::sqrt(3.0) * 0.5;  // of a cube of 1 m
+    EXPECT_LE((bounds.min() - Vec3(centres.min().array() - reach)).norm(), 1e-6);
+    EXPECT_LE((bounds.max() - Vec3(centres.max().array() + reach)).norm(), 1e-6);
+    EXPECT_EQ(debrisBounds(mapped, 1e9).max(), bounds.max()) << "later than its end is its end";
+    mapped.fragments = nullptr;
+    EXPECT_TRUE(debrisBounds(mapped, std::nullopt).isEmpty());
 }
 
 TEST_F(MapOfARun, LiveStructureThatFellHasLayersAndALedgerLineOfItsOwn) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "core/base/error.h"
 #include "core/evidence/surveys/survey_registration.h"
+#include "tests/support/error_id.h"
 
 namespace rubble {
 namespace {
@@ -206,13 +206,62 @@ TEST(SurveyRegistration, LevelGroundGivesOnlyHeights) {
 TEST(SurveyComparison, RefusesWhatHasNoSense) {
     SurveySettings settings;
     settings.cell = 0.0;
-    EXPECT_THROW(compared(PieceRaster(), outlineOfRectangle(0, 0, 1, 1), settings), UsageError);
+    const Survey square = outlineOfRectangle(0, 0, 1, 1);
+    const auto refusal = [&](const Survey& survey) { return idOfError([&] { compared(PieceRaster(), survey, settings); }); };
+    EXPECT_EQ(refusal(square), "survey.cell");
     settings = SurveySettings();
     settings.fit = SurveyFit::Ground;
-    EXPECT_THROW(compared(PieceRaster(), outlineOfRectangle(0, 0, 1, 1), settings), UsageError);
+    EXPECT_EQ(refusal(square), "survey.footprint_ground");
+    Survey above = heightsOf([](double, double) { return 0.0; });
+    above.heights.aboveGround = true;
+    EXPECT_EQ(refusal(above), "survey.above_ground");
+    settings.fit = SurveyFit::Debris;
+    EXPECT_EQ(refusal(heightsOf([](double, double) { return 0.0; })), "survey.no_debris");
     settings.fit = SurveyFit::None;
     settings.cell = 1e-6;
-    EXPECT_THROW(compared(PieceRaster(), outlineOfRectangle(0, 0, 1, 1), settings), UsageError);
+    EXPECT_EQ(refusal(square), "survey.too_large");
+    settings.cell = 0.5;
+    for (const auto spoil : {+[](SurveySettings& of) { of.leastHeight = -1.0; }, +[](SurveySettings& of) { of.sectors = 361; },
+                             +[](SurveySettings& of) { of.noise = std::nan(""); }}) {
+        const SurveySettings sound = settings;
+        spoil(settings);
+        EXPECT_EQ(refusal(square), "survey.settings");
+        settings = sound;
+    }
+    EXPECT_EQ(refusal(heightsOf([](double, double) { return std::nan(""); })), "survey.elsewhere");
+}
+
+TEST(SurveyRegistration, WithoutGroundBesideTheDebrisThereIsNothingToFitTo) {
+    const Survey survey = heightsOf([](double x, double y) { return std::hypot(x, y) < 3.0 ? 1.0 : std::nan(""); });
+    SurveySettings settings;
+    settings.fit = SurveyFit::Ground;
+    const PieceRaster debris = rasterised({block(-4.0, -4.0, 4.0, 4.0, 2.0)}, 0.5);
+    EXPECT_EQ(idOfError([&] { compared(debris, survey, settings); }), "survey.no_ground");
+}
+
+TEST(SurveyRegistration, AShiftAsFarAsWasLookedIsSaid) {
+    const PieceRaster debris = rasterised({block(-4.0, -2.0, 4.0, 2.0, 2.0)}, 0.5);
+    SurveySettings settings;
+    settings.fit = SurveyFit::Debris;
+    settings.shiftMost = 2.0;
+    const SurveyComparison made = compared(debris, outlineOfRectangle(0.0, -2.0, 8.0, 2.0), settings);
+    EXPECT_EQ(made.findings.count("survey.at_limit"), 1);
+}
+
+TEST(SurveyComparison, SaysWhichSideHoldsFallenStructure) {
+    const PieceRaster debris = rasterised({block(-4.0, -2.0, 4.0, 2.0, 2.0)}, 0.5);
+    SurveySettings settings;
+    const auto words = [&](bool with, std::optional<bool> shown) {
+        settings.withFallen = with;
+        settings.showsFallen = shown;
+        return compared(debris, outlineOfRectangle(0, 0, 1, 1), settings).words.id;
+    };
+    EXPECT_EQ(words(true, std::nullopt), "survey.words.with");
+    EXPECT_EQ(words(false, std::nullopt), "survey.words.without");
+    EXPECT_EQ(words(true, true), "survey.words.both");
+    EXPECT_EQ(words(true, false), "survey.words.simulated_only");
+    EXPECT_EQ(words(false, true), "survey.words.surveyed_only");
+    EXPECT_EQ(words(false, false), "survey.words.neither");
 }
 
 }  // namespace

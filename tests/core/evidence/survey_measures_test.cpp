@@ -4,8 +4,8 @@
 #include <functional>
 #include <random>
 
-#include "core/base/error.h"
 #include "core/evidence/surveys/survey_comparison.h"
+#include "tests/support/error_id.h"
 
 namespace rubble {
 namespace {
@@ -139,14 +139,14 @@ TEST_F(SurveyMeasures, OnlyWhatLiesInTheAreaAndIsNotLeftOutIsCompared) {
 TEST_F(SurveyMeasures, AnAreaThatMissesIsRefusedOrSaid) {
     const Survey survey = scanOf(heap);
     m_settings.scope.area = boxOutline(500.0, 500.0, 510.0, 510.0);
-    EXPECT_THROW(compared(survey), UsageError);
+    EXPECT_EQ(idOfError([&] { compared(survey); }), "survey.area_elsewhere");
     m_settings.scope.area = boxOutline(12.0, 12.0, 20.0, 20.0);
     const SurveyComparison made = compared(survey);
     EXPECT_EQ(made.findings.count("survey.area_misses"), 1);
     EXPECT_NEAR(made.leftOut.simulatedArea, 120.0, 1e-9);
     m_settings.scope.area = {};
     m_settings.scope.leftOut = boxOutline(-40.0, -40.0, 40.0, 40.0);
-    EXPECT_THROW(compared(survey), UsageError);
+    EXPECT_EQ(idOfError([&] { compared(survey); }), "survey.area_elsewhere");
 }
 
 TEST_F(SurveyMeasures, CutFillAndNetStandApart) {

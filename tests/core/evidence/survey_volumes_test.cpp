@@ -73,6 +73,21 @@ TEST(SurveyVolumes, OfADomeAndAConeAreThoseOfPaper) {
     EXPECT_NEAR(cut.undetected(), pi * radius * radius * height / 3.0 - counted, 0.003 * counted);
 }
 
+TEST(SurveyVolumes, WhatIsBelowTheLevelOfDetectionIsToldByFillAndCut) {
+    // The level of detection is 1.96 times 0.1 m: 0.15 m over a quarter and -0.1 m over another do not count.
+    const SurveyVolumes made =
+        volumes([](double x, double y) { return x < 0.0 && y < 0.0 ? 0.15
+                                                : x < 0.0          ? -0.1
+                                                : y < 0.0          ? 1.0
+                                                                   : -0.5; }, 0.1);
+    EXPECT_NEAR(made.fill, 100.0, 1e-6);
+    EXPECT_NEAR(made.cut, 50.0, 1e-6);
+    EXPECT_NEAR(made.undetectedFill, 15.0, 1e-6);
+    EXPECT_NEAR(made.undetectedCut, 10.0, 1e-6);
+    EXPECT_NEAR(made.undetected(), 25.0, 1e-6);
+    EXPECT_NEAR(made.undetectedNet(), 5.0, 1e-6);
+}
+
 TEST(SurveyVolumes, OfASurfaceAgainstItselfAreNone) {
     Survey survey;
     SurveyHeights& h = survey.heights;

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -482,18 +483,26 @@ TEST_F(Photo, WithoutExifOrCroppedIsPointedOut) {
 TEST_F(Photo, DamagedOrNoPhotographIsRefusedOrSaid) {
     const std::string path = write(1);
     const Bytes whole = bytesOf(path);
-    EXPECT_THROW(readPhotograph(m_folder / "none.jpg"), WorldError);
-    EXPECT_THROW(readPhotograph(m_folder.path()), WorldError);
+    EXPECT_EQ(idOfError([&] { readPhotograph(m_folder / "none.jpg"); }), "photo.unreadable");
+    EXPECT_EQ(idOfError([&] { readPhotograph(m_folder.path()); }), "photo.unreadable");
     const std::string text = m_folder / "text.jpg";
     std::ofstream(text) << "this is no photograph";
-    EXPECT_THROW(readPhotograph(text), ParseError);
-    EXPECT_THROW(readPicture(text, 100, Execution()), ParseError);
+    EXPECT_EQ(idOfError([&] { readPhotograph(text); }), "photo.no_photograph");
+    EXPECT_EQ(idOfError([&] { readPicture(text, 100, Execution()); }), "photo.no_photograph");
+    const std::string stamp = m_folder / "stamp.png";
+    writePicture(stamp, "PNG", 12, 12, [](int x, int y) { return corners(x, y, 12, 12); });
+    EXPECT_EQ(idOfError([&] { readPhotograph(stamp); }), "photo.size");
+    const std::string half = m_folder / "half.png";
+    writePicture(half, "PNG", 640, 480, [](int x, int y) { return std::array{(x * y) % 251, (x + 7 * y) % 241, x % 239}; });
+    const Bytes all = bytesOf(half);
+    writeBytes(half, Bytes(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2)));
+    EXPECT_EQ(idOfError([&] { readPicture(half, 640, Execution()); }), "photo.no_pixels");
 
     // Cut off in the middle, and with bytes overturned anywhere: never worse than an error.
     const std::string cut = m_folder / "cut.jpg";
     writeBytes(cut, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * 3 / 4)));
     try {
-        EXPECT_FALSE(readPicture(cut, 120, Execution()).findings.empty());
+        EXPECT_EQ(readPicture(cut, 120, Execution()).findings.count("photo.damaged"), 1);
     } catch (const ParseError& error) {
         EXPECT_FALSE(error.remedy().empty());
     }

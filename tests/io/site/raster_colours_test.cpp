@@ -3,10 +3,10 @@
 #include <ogr_spatialref.h>
 
 #include <array>
+#include <fstream>
 #include <functional>
 #include <optional>
 
-#include "core/base/error.h"
 #include "io/site/orthophoto_file.h"
 #include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
@@ -212,7 +212,44 @@ TEST_F(Picture, WhatIsNoColourIsRefusedOrSaid) {
     write(GDT_Float32, {{1e6, GCI_RedBand, {}}, {1.0, GCI_GreenBand, {}}, {0.0, GCI_BlueBand, {}}});
     EXPECT_EQ(idOfError([&] { read(); }), "orthophoto.no_colours");
     write(GDT_Float32, {{120.0}});
-    EXPECT_THROW(read(), ParseError) << "heights";
+    EXPECT_EQ(idOfError([&] { read(); }), "terrain.no_picture") << "heights";
+    path = folder / "text.tif";
+    std::ofstream(path) << "this is no picture";
+    EXPECT_EQ(idOfError([&] { read(); }), "terrain.unknown_picture");
+}
+
+TEST_F(Picture, WhereItLiesIsCheckedAndWhatIsCutOffIsSaid) {
+    columns = rows = 100;
+    write(GDT_Byte, {{77}, {88}});
+    Frame frame;
+    const auto about = [&](const SiteWindow& window) {
+        findings = Findings();
+        return readOrthophoto(path, frame, Site(), window, Execution(), findings);
+    };
+    const auto whole = about(SiteWindow());
+    EXPECT_EQ(whole->width, 100);
+    EXPECT_EQ(findings.count("orthophoto.second_band"), 1);
+    EXPECT_EQ(findings.count("orthophoto.cut"), 0);
+    // A wall of 1 m, 4 m long: ten metres to each side.
+    const Aabb wall(Vec3(48.0, 49.5, 0.0), Vec3(52.0, 50.5, 1.0));
+    const auto near = about(wall);
+    EXPECT_NEAR(near->x0, 38.0, 1e-9);
+    EXPECT_EQ(near->width, 24);
+    EXPECT_EQ(findings.count("orthophoto.cut"), 1);
+    // The picture begins in the middle of its first pixel.
+    EXPECT_EQ(englishText(findings.list()[1].what),
+              "the orthophoto is read from x = 38 to 62 m, y = 39.5 to 60.5 m, ten heights about the structure; it goes on 39 m "
+              "beyond, which is cut off");
+    const auto far = about({wall, Aabb(Vec3(48.0, 49.0, 0.0), Vec3(80.0, 51.0, 1.0))});
+    EXPECT_NEAR(far->x0 + far->width * far->pixel, 82.0, 1e-9) << "as far as debris is known to lie";
+    EXPECT_EQ(idOfError([&] { about(Aabb(Vec3(1e4, 0.0, 0.0), Vec3(1.001e4, 1.0, 1.0))); }), "orthophoto.elsewhere");
+    finish = [](GDALDataset& file) {
+        OGRSpatialReference system;
+        system.SetFromUserInput("EPSG:4326");
+        file.SetSpatialRef(&system);
+    };
+    write(GDT_Byte, {{77}});
+    EXPECT_EQ(idOfError([&] { about(SiteWindow()); }), "orthophoto.degrees");
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include "core/base/error.h"
 #include "io/fe/meshes/polygon_cut.h"
+#include "io/fe/meshes/raw_mesh.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -311,6 +313,42 @@ TEST_F(SiteMeshFile, DamagedGltfIsRefusedByItsPlace) {
     }
 }
 
+TEST_F(SiteMeshFile, WhatIsNoMeshIsRefusedWithItsReason) {
+    EXPECT_EQ(refusal("a.dxf", "0\nEOF\n"), "surroundings.ending");
+    EXPECT_EQ(refusal("a.glb", "glTF"), "surroundings.glb_cut");
+    std::string glb = "glTF";
+    for (const std::uint32_t word : {2u, 1000u, 900u, 0x4E4F534Au}) {
+        glb.append(reinterpret_cast<const char*>(&word), sizeof word);
+    }
+    EXPECT_EQ(refusal("a.glb", glb + "{}"), "surroundings.glb_cut") << "a chunk longer than the file";
+    const std::string large = lay("large.obj", objPoints);
+    std::filesystem::resize_file(large, (std::uintmax_t{2} << 30) + 1);
+    EXPECT_EQ(idOfError([&] { readSiteMesh(large, frame, site, Execution(), request); }), "surroundings.too_large");
+    const auto buffered = [&](const std::string& from, const std::string& to) {
+        std::string text = sceneText("", "");
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    };
+    EXPECT_EQ(refusal("a.gltf", buffered("\"buffers\":[{\"byteLength\":", "\"buffers\":[{\"byteLength\":9")),
+              "surroundings.buffer_cut");
+    EXPECT_EQ(refusal("a.gltf", buffered("\"uri\":\"data:", "\"uri\":\"none.bin?data:")), "surroundings.missing_buffer");
+    EXPECT_EQ(read("a.gltf", buffered("\"mesh\":0", "\"mesh\":0,\"skin\":0")).findings.count("surroundings.gltf_skin"), 1);
+    EXPECT_EQ(
+        read("a.gltf", buffered("\"attributes\":", "\"targets\":[],\"attributes\":")).findings.count("surroundings.gltf_morph"), 1);
+}
+
+TEST_F(SiteMeshFile, MorePointsThanAMeshMayHaveAreRefused) {
+    const std::string path = folder / "many.obj";
+    MeshGathering gathering(path);
+    const auto fill = [&] {
+        for (std::size_t k = 0; k <= meshPointsMax; ++k) {
+            gathering.addPoint(Vec3::Zero(), 0);
+        }
+    };
+    EXPECT_EQ(idOfError(fill), "surroundings.too_many_points");
+}
+
 class MeshOfASite : public SiteMeshFile {
 protected:
     void SetUp() override {
@@ -339,12 +377,21 @@ TEST_F(MeshOfASite, LargeCoordinatesLoseNothing) {
 
 TEST_F(MeshOfASite, AMeshElsewhereIsRefusedUntilItHasItsOffset) {
     EXPECT_EQ(refusal("local.obj", local), "surroundings.elsewhere");
+    EXPECT_NE(said.find("surroundings count within x = -100 to 120 m, y = -100 to 106 m"), std::string::npos) << said;
     request.offset = Vec3(356500, 5699500, 100);
     const SiteMeshReading reading = read("local.obj", local);
     expectPlaced(reading);
     EXPECT_EQ(reading.offset, *request.offset);
     request.offset = Vec3(356500, 5699500, 1e5);
     EXPECT_EQ(read("local.obj", local).findings.count("surroundings.far_off"), 1);
+}
+
+TEST_F(MeshOfASite, AMeshFarDownTheTerrainIsTaken) {
+    const std::string far = "v 356900 5699500 90\nv 356910 5699500 90\nv 356910 5699510 95\nf 1 2 3\n";
+    EXPECT_EQ(refusal("far.obj", far), "surroundings.elsewhere");
+    request.around = {request.around.structure, Aabb(Vec3(-500, -500, 0), Vec3(500, 500, 0))};
+    EXPECT_EQ(read("far.obj", far).mesh.triangles.size(), 1u);
+    EXPECT_EQ(refusal("local.obj", local), "surroundings.elsewhere");
 }
 
 TEST_F(MeshOfASite, OffsetFilesOfManyProgramsAreFound) {

@@ -10,10 +10,10 @@
 #include <fstream>
 #include <limits>
 
-#include "core/base/error.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "io/exports/survey_files.h"
 #include "tests/support/ascii_grid.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -50,6 +50,15 @@ protected:
         EXPECT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
         return path;
     }
+    std::string refusal(const std::string& name, const SurveyRequest& request = {}) const {
+        return idOfError([&] { readSurvey(folder / name, frame, Site(), Aabb(), Execution(), request); });
+    }
+    /// A GeoJSON of one polygon.
+    std::string writePolygon(const std::string& name, const std::string& corners, const std::string& properties = {}) const {
+        std::ofstream(folder / name) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{)" << properties
+                                     << R"(},"geometry":{"type":"Polygon","coordinates":[[)" << corners << "]]}}]}";
+        return folder / name;
+    }
     double areaOf(const Survey& survey) {
         SurveySettings settings;
         settings.cell = 0.25;
@@ -82,8 +91,69 @@ TEST_F(SurveyFile, DegreesAreProjected) {
     const auto [low, high] = input.survey.bounds();
     EXPECT_NEAR(high.x() - low.x(), 7.5, 0.3);
     EXPECT_NEAR(high.y() - low.y(), 11.1, 0.3);
+    EXPECT_EQ(input.findings.count("survey.projected"), 1);
     frame.crs.clear();
-    EXPECT_THROW(readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution()), ParseError);
+    EXPECT_EQ(refusal("a.geojson"), "survey.degrees");
+}
+
+TEST_F(SurveyFile, AnOutlineWithoutItsSystemIsSaid) {
+    frame.crs = "EPSG:32633";
+    frame.origin << 451000, 5311000, 0;
+    const std::string path = writeSquare("ESRI Shapefile", "a.shp", "EPSG:32633", 451003.0, 5311007.0);
+    EXPECT_EQ(readSurvey(path, frame, Site(), Aabb(), Execution()).findings.count("survey.unplaced"), 0);
+    std::filesystem::remove(folder / "a.prj");
+    EXPECT_EQ(readSurvey(path, frame, Site(), Aabb(), Execution()).findings.count("survey.unplaced"), 1);
+}
+
+TEST_F(SurveyFile, WhatHasNoPlaceInTheCaseIsRefused) {
+    frame.crs = "EPSG:32633";
+    writePolygon("a.geojson", "[1000,1000],[1010,1000],[1010,1004],[1000,1000]");
+    EXPECT_EQ(refusal("a.geojson"), "survey.corner") << "no degrees of the Earth";
+    frame.crs = "+proj=merc +R=1737400 +units=m +no_defs";
+    const std::string corners = "[14.345,47.95],[14.346,47.95],[14.346,47.951],[14.345,47.95]";
+    writePolygon("b.geojson", corners);
+    const std::string moon = refusal("b.geojson");
+    EXPECT_TRUE(moon == "survey.no_way" || moon == "survey.corner" || moon.empty()) << moon;
+}
+
+TEST_F(SurveyFile, LiveStructureOfOurOwnOutlinesIsLeftOutAndCounted) {
+    frame.crs = "EPSG:32633";
+    const std::string live = R"("of":"live structure")";
+    const std::string corners = "[14.345,47.95],[14.346,47.95],[14.346,47.951],[14.345,47.95]";
+    const std::string path = writePolygon("a.geojson", corners, live);
+    SurveyRequest request;
+    EXPECT_EQ(refusal("a.geojson", request), "survey.no_polygon") << "nothing else is in it";
+    std::ofstream(path) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{)" << live
+                        << R"(},"geometry":{"type":"Polygon","coordinates":[[)" << corners
+                        << R"(]]}},{"type":"Feature","properties":{"of":"fragments"},"geometry":{"type":"Polygon","coordinates":[[)"
+                        << corners << "]]}}]}";
+    EXPECT_EQ(readSurvey(path, frame, Site(), Aabb(), Execution(), request).findings.count("survey.live"), 1);
+    request.withFallen = true;
+    EXPECT_EQ(readSurvey(path, frame, Site(), Aabb(), Execution(), request).findings.count("survey.live"), 0);
+}
+
+TEST_F(SurveyFile, AnOutlineOfMillionsOfCornersIsRefused) {
+    GDALAllRegister();
+    {
+        GDALDatasetUniquePtr file(GetGDALDriverManager()
+                                      ->GetDriverByName("FlatGeobuf")
+                                      ->Create((folder / "many.fgb").c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+        ASSERT_TRUE(file);
+        OGRLayer* layer = file->CreateLayer("outline", nullptr, wkbPolygon, nullptr);
+        OGRLinearRing ring;
+        constexpr int corners = 2'000'001;
+        ring.setNumPoints(corners);
+        for (int p = 0; p < corners; ++p) {
+            const double angle = 2.0 * M_PI * p / (corners - 1);
+            ring.setPoint(p, 100.0 * std::cos(angle), 100.0 * std::sin(angle));
+        }
+        OGRPolygon polygon;
+        polygon.addRing(&ring);
+        OGRFeature feature(layer->GetLayerDefn());
+        feature.SetGeometry(&polygon);
+        ASSERT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+    }
+    EXPECT_EQ(refusal("many.fgb"), "survey.too_many");
 }
 
 TEST_F(SurveyFile, OutlinesThatOverlapCoverWhatTheyCoverTogether) {
@@ -101,22 +171,22 @@ TEST_F(SurveyFile, OutlinesThatOverlapCoverWhatTheyCoverTogether) {
     EXPECT_EQ(input.findings.count("survey.no_degrees"), 1) << "GeoJSON says degrees";
     SurveyRequest heights;
     heights.holds = SurveyRequest::Holds::Heights;
-    EXPECT_THROW(readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution(), heights), ParseError);
+    EXPECT_EQ(refusal("a.geojson", heights), "terrain.unknown_format");
     SurveyRequest outline;
     outline.holds = SurveyRequest::Holds::Outline;
     std::ofstream(folder / "a.asc") << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1\n1 1\n";
-    EXPECT_THROW(readSurvey(folder / "a.asc", frame, Site(), Aabb(), Execution(), outline), ParseError);
+    EXPECT_EQ(refusal("a.asc", outline), "survey.no_outline");
 }
 
 TEST_F(SurveyFile, NeitherHeightsNorPolygonsAreRefused) {
-    EXPECT_THROW(readSurvey(folder / "none.tif", frame, Site(), Aabb(), Execution()), WorldError);
+    EXPECT_EQ(refusal("none.tif"), "survey.missing");
     std::ofstream(folder / "a.txt") << "nothing of the kind\n";
-    EXPECT_THROW(readSurvey(folder / "a.txt", frame, Site(), Aabb(), Execution()), ParseError);
+    EXPECT_EQ(refusal("a.txt"), "terrain.unknown_format");
     std::ofstream(folder / "b.geojson")
         << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
         << R"({"type":"Point","coordinates":[1,2]}}]})";
     frame.crs = "EPSG:32633";
-    EXPECT_THROW(readSurvey(folder / "b.geojson", frame, Site(), Aabb(), Execution()), ParseError);
+    EXPECT_EQ(refusal("b.geojson"), "survey.no_polygon");
 }
 
 TEST_F(SurveyFile, HeightsKeepTheirGaps) {
@@ -129,6 +199,55 @@ TEST_F(SurveyFile, HeightsKeepTheirGaps) {
     EXPECT_TRUE(std::isnan(input.survey.heights.at(-8.0, 3.0)));
     EXPECT_EQ(input.survey.heights.at(0.0, 3.0), 2.0);
     EXPECT_EQ(input.survey.heights.at(0.0, -3.0), 0.0);
+}
+
+/// A wall of 3 m, and debris of 1 m that lies 30 heights east of it; the survey reaches 60 heights.
+class SurveyOfALongRun : public SurveyFile {
+protected:
+    Aabb m_structure{Vec3(-2.0, -1.0, 0.0), Vec3(2.0, 1.0, 3.0)};
+    Aabb m_debris{Vec3(0.0, -2.0, 0.0), Vec3(92.0, 2.0, 1.0)};
+
+    static double surface(double x, double y) { return x > 88.0 && x < 92.0 && std::abs(y) < 2.0 ? 1.0 : 0.0; }
+    SurveyComparison compared(const SiteWindow& window, const Site& site = Site(), const SurveyRequest& request = {}) const {
+        const SurveyInput input = readSurvey(folder / "a.asc", frame, site, window, Execution(), request);
+        MapPiece piece;
+        piece.centre = piece.box.centre = Vec3(90.0, 0.0, 0.5);
+        piece.box.halfExtents = Vec3(2.0, 2.0, 0.5);
+        SurveySettings settings;
+        settings.leastHeight = 0.5;
+        return compareWithSurvey(rasterOf(std::vector{piece}, settings.cell, SiteSurface{}, Execution()), input.survey,
+                                 SiteSurface(), Eigen::Vector2d::Zero(), settings, Execution());
+    }
+};
+
+TEST_F(SurveyOfALongRun, DebrisBeyondTenHeightsIsCompared) {
+    AsciiGrid{400, 100, -200.0, -50.0}.write(folder / "a.asc", surface);
+    const SurveyComparison cut = compared(m_structure);
+    EXPECT_EQ(cut.survey.area, 0.0) << "what only knows the structure reads ten heights";
+    EXPECT_NEAR(cut.unsurveyedArea, 16.0, 1e-9);
+    const SurveyComparison whole = compared({m_structure, m_debris});
+    EXPECT_NEAR(whole.survey.area, 16.0, 1e-9);
+    EXPECT_NEAR(whole.iou, 1.0, 1e-12);
+    EXPECT_EQ(whole.unsurveyedArea, 0.0);
+    // Two heights around the debris, no more: a survey of a region is not read for one stone.
+    EXPECT_TRUE(
+        std::isnan(readSurvey(folder / "a.asc", frame, Site(), {m_structure, m_debris}, Execution()).survey.heights.at(120, 0)));
+}
+
+TEST_F(SurveyOfALongRun, SoIsThatOfATurnedFrameAndOfAMovedSurvey) {
+    // The frame is turned by 90 degrees against the file: east of the wall is north of it.
+    Site site;
+    site.controlPoints = {{"a", Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0), true},
+                          {"b", Vec3(10.0, 0.0, 0.0), Vec3(0.0, 10.0, 0.0), true}};
+    AsciiGrid{100, 400, -50.0, -200.0}.write(folder / "a.asc", [](double x, double y) { return surface(y, -x); });
+    EXPECT_NEAR(compared({m_structure, m_debris}, site).survey.area, 16.0, 1.0);
+    EXPECT_EQ(compared(m_structure, site).survey.area, 0.0);
+    // The file lies 500 m too far east, which the registration of the case says.
+    AsciiGrid{400, 100, 300.0, -50.0}.write(folder / "a.asc", [](double x, double y) { return surface(x - 500.0, y); });
+    SurveyRequest request;
+    request.registration.emplace();
+    request.registration->shift = Vec3(-500.0, 0.0, 0.0);
+    EXPECT_NEAR(compared({m_structure, m_debris}, Site(), request).survey.area, 16.0, 1e-9);
 }
 
 TEST_F(SurveyFile, TheDifferenceMapComesBackThroughGdal) {

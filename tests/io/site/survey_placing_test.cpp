@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/base/error.h"
+#include "tests/support/error_id.h"
 
 namespace rubble::io {
 
@@ -109,7 +109,7 @@ TEST(SurveyPlacing, OutlinesAreMovedInPlan) {
 TEST(SurveyPlacing, HeightsAboveTheGroundAreRefused) {
     SurveyInput input = misplacedSurvey(movedBy(Vec3::Zero()), 5.0);
     input.survey.heights.aboveGround = true;
-    EXPECT_THROW(placeSurvey(input, movedBy(Vec3::Zero())), UsageError);
+    EXPECT_EQ(idOfError([&] { placeSurvey(input, movedBy(Vec3::Zero())); }), "survey.placed_map");
 }
 
 }  // namespace

@@ -198,6 +198,10 @@ TEST_F(CloudPair, SaysWhatCannotBeHeldAgainstEachOther) {
     request.second = lay("here too.las", level(0));
     request.cores = request.second;
     EXPECT_EQ(refusal(request), "compared");
+    request.pairs =
+        layCloud(m_folder / "pairs.csv", std::string("name,survey_x_m,survey_y_m,survey_z_m,x_m,y_m,z_m\na,1,2,3,4,5,6\n"));
+    EXPECT_EQ(refusal(request), "pairs.of_case");
+    request.pairs.clear();
     request.read.crs = "EPSG:4326";
     EXPECT_EQ(refusal(request), "distance.degrees");
     const CloudComparisonRequest feet = [&] {

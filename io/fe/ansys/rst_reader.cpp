@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -67,6 +68,7 @@ public:
         for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
             m_nodes.emplace(m_mesh.nodeIds[n], n);
         }
+        dropUnfinished();
     }
 
     const std::vector<std::int64_t>& nodeNumbers() const { return m_mesh.nodeIds; }
@@ -130,7 +132,27 @@ private:
             m_sets.push_back(static_cast<std::uint32_t>(index[s]) |
                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(index[s + limit])) << 32);
             m_facts.times.push_back(times[s]);
-            const std::vector<std::int64_t> set = m_records.integers(m_sets.back(), mostHeader);
+        }
+    }
+
+    // The last sets may be cut off, or not yet written; the tables that name them stand before them.
+    void dropUnfinished() {
+        const auto isWhole = [this](std::size_t k) {
+            try {
+                fields(k);
+                return true;
+            } catch (const ParseError&) {
+                return false;
+            }
+        };
+        while (m_sets.size() > 1 && !isWhole(m_sets.size() - 1)) {
+            m_sets.pop_back();
+            m_facts.times.pop_back();
+            m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                                 {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_path);
+        }
+        for (const std::uint64_t begin : m_sets) {
+            const std::vector<std::int64_t> set = m_records.integers(begin, mostHeader);
             if (set.size() > 122 && set[122] != 0) {
                 m_facts.findings.add(
                     {"rst.dead", "Sets have a list of dead elements whose meaning nobody has verified; it was not used", {}},
@@ -272,14 +294,15 @@ private:
 
 constexpr std::size_t nodesWord = 2, modelNodesWord = 48;
 
-// Nodes of the whole model, where the file holds those of one process alone; 0 for a whole result. Never throws.
-std::int64_t modelNodes(const std::string& path) {
+// Nodes of the whole model, where the file holds those of one process alone; 0 for a whole result, nothing for one that ends before
+// it says so. Never throws.
+std::optional<std::int64_t> modelNodes(const std::string& path) {
     try {
         RstRecords records(path);
         const std::vector<std::int64_t> header = records.integers(headerWord, mostHeader);
         return header.size() > modelNodesWord && header[modelNodesWord] > header[nodesWord] ? header[modelNodesWord] : 0;
     } catch (const Error&) {
-        return 0;
+        return std::nullopt;
     }
 }
 
@@ -293,13 +316,14 @@ bool isRst(const std::string& path) {
 
 // NAME0.rst, NAME1.rst, ... of a distributed analysis; none where the file is no such piece.
 std::vector<std::string> processFiles(const std::string& path) {
-    const std::int64_t nodes = modelNodes(path);
+    const std::int64_t nodes = modelNodes(path).value_or(0);
     std::vector<std::string> files;
     if (nodes == 0) {
         return files;
     }
     for (const std::string& sibling : numberedSiblings(path)) {
-        if (sibling == path || (isRst(sibling) && modelNodes(sibling) == nodes)) {
+        // One that is cut off belongs to them: reading it says so.
+        if (sibling == path || (isRst(sibling) && modelNodes(sibling).value_or(nodes) == nodes)) {
             files.push_back(sibling);
         }
     }
@@ -316,7 +340,7 @@ void requireAllPieces(const std::string& path, const std::vector<std::string>& f
             missing = stem.substr(0, stem.find_last_not_of("0123456789") + 1) + digits + ".rst";
         }
     }
-    const std::int64_t all = modelNodes(path);
+    const std::int64_t all = modelNodes(path).value_or(0);
     if (!missing.empty() || static_cast<std::int64_t>(nodes.size()) < all) {
         throw ParseError({"rst.piece_missing",
                           "{0} is a piece of a distributed analysis: {1} files hold {2} of {3} nodes; not there: {4}",
@@ -348,7 +372,7 @@ std::vector<std::string> rstMembers(const std::string& path) {
 }
 
 bool isRstPiece(const std::string& path) {
-    return modelNodes(path) > 0;
+    return modelNodes(path).value_or(0) > 0;
 }
 
 bool recognisesRst(const FileHead& head) {

@@ -58,7 +58,8 @@ StackedSeries::StackedSeries(std::vector<SeriesPiece> pieces) : m_pieces(std::mo
         }
     }
     m_facts.times.assign(first.times().begin(), first.times().begin() + static_cast<std::ptrdiff_t>(states));
-    if (states < most) {
+    // A piece that is cut off has said so.
+    if (states < most && shortest->series->findings().count("fe.unfinished") == 0) {
         m_own.add({"fe.unfinished", "The last state is not whole and was left out", {}},
                   {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, shortest->file,
                   static_cast<std::int64_t>(most - states));

@@ -231,6 +231,9 @@ private:
             return;
         }
         const std::size_t width = kind == "SCALARS" ? 1 : kind == "VECTORS" ? 3 : kind == "TENSORS" ? 9 : 0;
+        if (width == 0 && m_words.place() == m_words.size()) {
+            m_words.failCut("the name of a section");
+        }
         if (width == 0) {
             throw ParseError({"anim.bad_section",
                               "{0}: \"{1}\" before byte {2} is no section of such a file",
@@ -270,6 +273,9 @@ private:
                 m_words.failCut("the points");
             }
             return;
+        }
+        if (m_cells == 0) {
+            m_words.failCut("the cells");
         }
         require(m_kinds.size(), m_cells, "types of cells");
         for (const char* name : {"ELEMENT_ID", "EROSION_STATUS", "PART_ID"}) {

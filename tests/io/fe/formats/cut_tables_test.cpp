@@ -116,6 +116,25 @@ TEST_F(CutTables, ALastStateWithoutItsTablesIsLeftOut) {
     EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);
 }
 
+// The tables of a format may end before what its last state has, or lie in a file a state of which the last is cut off.
+TEST_F(CutTables, ALastStateWhoseValuesEndTooEarlyIsLeftOut) {
+    writeVtkHdf(m_folder / "small.vtkhdf", {.parts = {{.bricks = {0, 1}}}, .status = {{1, 1}, {1, 0}, {1}}});
+    const auto grids = openFe(m_folder / "small.vtkhdf", {}, {}, Execution{});
+    EXPECT_EQ(grids->times(), (std::vector<double>{0.0, 1.0}));
+    EXPECT_EQ(grids->activity().activeCount(1), 1u);
+    EXPECT_EQ(grids->contents().findings.count("fe.unfinished"), 1);
+    writeTables(m_folder / "small.h5");
+    writeTables(m_folder / "last.h5");
+    std::string text = xdmf("small.h5");
+    text.replace(text.rfind("small.h5"), 8, "last.h5");
+    std::ofstream(m_folder / "small.xdmf") << text;
+    EXPECT_EQ(openFe(m_folder / "small.xdmf", {}, {}, Execution{})->times(), (std::vector<double>{0.0, 1.0}));
+    std::filesystem::resize_file(m_folder / "last.h5", std::filesystem::file_size(m_folder / "last.h5") / 2);
+    const auto fe = openFe(m_folder / "small.xdmf", {}, {}, Execution{});
+    EXPECT_EQ(fe->times(), std::vector<double>{0.0});
+    EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);
+}
+
 // Old writers leave out the slash before a table, and a text that was moved still says where its tables were.
 TEST_F(CutTables, TablesAreFoundByOtherSpellingsOfTheirPlace) {
     writeTables(m_folder / "small.h5");

@@ -27,7 +27,9 @@ struct Growing {
     std::string last{};  ///< file of the third state alone that no index names; empty: there is none
     std::string cut{};   ///< file whose end may be missing
     CutOff cutOff = CutOff::LastFile;
+    std::size_t filled = 0;   ///< bytes of the last file that say something, where it is filled up; 0: all
     std::int64_t dying = 2;   ///< number of the element that dies
+    bool tells = true;        ///< false: where `told`, deaths are concluded or stand in a list
     bool mayBeSilent = true;  ///< there are results of this format that do not tell which elements are dead
 };
 

@@ -257,22 +257,22 @@ std::string smallRst(int states, const RstHeader& header) {
         values.insert(values.end(), brick.begin(), brick.end());
         text.integers(values);
     }
-    std::vector<std::int32_t> sets(6);
+    // The tables that name the sets stand before them.
+    const std::size_t setsAt = text.integers(std::vector<std::int32_t>(6));
+    const std::size_t timesAt = text.reals({0.0, 1.0, 2.0});
     for (int state = 0; state < states; ++state) {
         std::vector<std::int32_t> set(header.setWords);
         set[2] = static_cast<std::int32_t>(ownNodes.size());
         set[10] = static_cast<std::int32_t>(header.setWords) + 3;
         set[19] = 3;
         set[20] = 1, set[21] = 2, set[22] = 3;
-        sets[static_cast<std::size_t>(state)] = static_cast<std::int32_t>(text.integers(set));
+        text.set(setsAt, static_cast<std::size_t>(state), {text.integers(set)});
         std::vector<double> moved;
         for (std::size_t n = 0; n < ownNodes.size(); ++n) {
             moved.insert(moved.end(), {0.1 * state, 0.0, 0.0});
         }
         text.reals(moved);
     }
-    const std::size_t setsAt = text.integers(sets);
-    const std::size_t timesAt = text.reals({0.0, 1.0, 2.0});
     text.set(resultsAt, 2, {ownNodes.size(), 3});
     if (!header.bricks.empty()) {
         constexpr std::size_t modelNodes = 48;

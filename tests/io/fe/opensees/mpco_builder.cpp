@@ -49,6 +49,7 @@ void putStage(hid_t file, const MpcoStageRows& stage, std::size_t dimensions, co
         for (std::size_t n = 0; n < stage.nodes.size(); ++n) {
             moved[n * dimensions] = 0.1 * step;
         }
+        moved.resize(moved.size() - (step == stage.cutState ? dimensions : 0));
         const std::string name = group + "/RESULTS/ON_NODES/" + result + "/DATA/STEP_" + std::to_string(step);
         const Hdf5Handle table = putTable(file, name, moved, dimensions);
         putAttribute(table.get(), "STEP", step);

@@ -22,6 +22,7 @@ struct MpcoStageRows {
     std::vector<MpcoClassRows> classes;
     std::vector<std::pair<int, double>> states;  ///< step and time; nodes have moved by 0.1 times the step along x
     std::vector<std::pair<int, double>> fibres;  ///< element and the area of its only fibre
+    int cutState = -1;                           ///< step whose table lacks the last node
 };
 
 /// Writes a file as the recorder does, by calls of HDF5.

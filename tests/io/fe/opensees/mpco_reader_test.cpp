@@ -160,6 +160,17 @@ TEST_F(MpcoReader, AStateThatAPieceLacksIsLeftOut) {
     EXPECT_EQ(fe->contents().findings.count("mpco.piece_states"), 1);
 }
 
+// What the analysis was writing when it ended: a table of fewer nodes.
+TEST_F(MpcoReader, ALastStateThatIsNotWholeIsLeftOut) {
+    std::vector<MpcoStageRows> stages = twoBricksMpco();
+    stages[1].states.emplace_back(3, 3.0);
+    stages[1].cutState = 3;
+    const auto fe = open(stages);
+    EXPECT_EQ(fe->times(), (std::vector<double>{0.0, 1.0, 2.0}));
+    EXPECT_THAT(active(*fe), ElementsAre(2, 2, 1));
+    EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);
+}
+
 // Gravity first, then loadConst -time 0: what lies before does not count, and what was lost with it is said.
 TEST_F(MpcoReader, WhereTheClockIsSetBackTheLaterStatesCount) {
     std::vector<MpcoStageRows> stages = twoBricksMpco();

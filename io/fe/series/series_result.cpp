@@ -162,7 +162,7 @@ private:
         if (flagged && m_series.flag().alwaysZeroIsRigid) {
             reviveRigid();
         }
-        if (!flagged && !list.empty()) {
+        if (!flagged && !list.empty() && !someLeave()) {
             activityFrom = applyDeathList(list, *mesh, times, activity, deathTime, m_findings);
             describeFirst();
             return;
@@ -197,6 +197,18 @@ private:
                 activity.set(k, idAt<ElementIndex>(epoch.element(i)), m_steps[k][i]);
             }
         }
+    }
+
+    // Elements that a later state leaves out are dead; those that come later say nothing of deaths.
+    bool someLeave() const {
+        for (std::size_t k = 1; k < m_steps.size(); ++k) {
+            for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
+                if (activity.active(k - 1, idAt<ElementIndex>(e)) && !activity.active(k, idAt<ElementIndex>(e))) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     // What the flag calls dead from the first state to the last, while others live, is rigid.

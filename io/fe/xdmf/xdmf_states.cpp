@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "io/fe/series/byte_window.h"
 #include "io/fe/series/later_branch.h"
 #include "io/fe/series/numbered_files.h"
 
@@ -188,9 +189,10 @@ private:
             const bool inPieces = xdmfType(grid, "GridType") == "collection" && grid.child("Grid");
             return inPieces ? timeOf(grid.child("Grid")) : std::nullopt;
         }
-        const double time = written.as_double(std::nan(""));
-        if (!std::isfinite(time)) {
-            m_items.fail("the time \"" + std::string(written.as_string()).substr(0, 40) + "\" of a grid is no number");
+        const std::string text = written.as_string();
+        double time = 0.0;
+        if (!toReal(column(text, 0, text.size()), time) || !std::isfinite(time)) {
+            m_items.fail("the time \"" + text.substr(0, 40) + "\" of a grid is no number");
         }
         return time;
     }
@@ -263,9 +265,12 @@ private:
         const std::size_t before = state.pieces.size();
         for (Grids& piece : piecesOf(grid)) {
             const pugi::xml_node topology = xdmfPart(piece.front(), "Topology", m_items);
+            const pugi::xml_node geometry = xdmfPart(piece.front(), "Geometry", m_items);
             const auto last = state.pieces.begin() + static_cast<std::ptrdiff_t>(before);
+            // Pieces count their points each for itself: their cells may have the same ones.
             const auto same = std::find_if(state.pieces.begin(), last, [&](const Grids& other) {
-                return !topology || sameTopology(xdmfPart(other.front(), "Topology", m_items), topology);
+                return !topology || (sameTopology(xdmfPart(other.front(), "Topology", m_items), topology) &&
+                                     sameGeometry(xdmfPart(other.front(), "Geometry", m_items), geometry));
             });
             if (same != last) {
                 same->insert(same->end(), piece.begin(), piece.end());
@@ -283,6 +288,15 @@ private:
         const pugi::xml_node left = a ? m_items.itemOf(a) : a, right = b ? m_items.itemOf(b) : b;
         return left && right && xdmfType(a, "TopologyType") == xdmfType(b, "TopologyType") &&
                m_items.dimensions(left) == m_items.dimensions(right) && m_items.integers(left) == m_items.integers(right);
+    }
+
+    bool sameGeometry(pugi::xml_node a, pugi::xml_node b) const {
+        if (!a || !b || sameXdmfItem(a, b, m_items)) {
+            return true;
+        }
+        const pugi::xml_node left = m_items.itemOf(a), right = m_items.itemOf(b);
+        return left && right && m_items.dimensions(left) == m_items.dimensions(right) &&
+               m_items.reals(left) == m_items.reals(right);
     }
 
     const XdmfItems& m_items;

@@ -93,8 +93,8 @@ TEST_F(XdmfItemsTest, EveryTopologyIsKnownByItsName) {
                                                                                 {"Hexahedron_24", {24, Hexahedron}},
                                                                                 {"HEXAHEDRON_27", {27, Hexahedron}}};
     for (const auto& [name, cell] : all) {
-        const auto& [nodes, shape] = cell;
-        const std::string item = textItem("1 " + std::to_string(nodes), countedUpTo(nodes));
+        const auto& [corners, shape] = cell;
+        const std::string item = textItem("1 " + std::to_string(corners), countedUpTo(corners));
         EXPECT_THAT(shapesOf(*open(cells(name, item) + manyPoints())), ElementsAre(shape)) << name;
     }
     // Older texts say Type.

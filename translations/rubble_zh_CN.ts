@@ -2548,10 +2548,6 @@
         <translation>不属于任何单元的节点没有有限位置</translation>
     </message>
     <message>
-        <source>Nodes on the edges of elements of higher order were left out: their edges are taken straight</source>
-        <translation>高阶单元边上的节点已略去：其边按直线处理</translation>
-    </message>
-    <message>
         <source>Nothing can be drawn here: only the physics was measured.</source>
         <translation>此处不能绘图：仅测量了物理计算。</translation>
     </message>

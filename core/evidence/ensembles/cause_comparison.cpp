@@ -348,14 +348,8 @@ bool SurfaceEvidence::holds(const MemberSurface& surface, std::ptrdiff_t at) con
 }
 
 SurfaceEvidence seenAs(const MemberSurface& surface, const SurfaceEvidence& like) {
-    SurfaceEvidence evidence;
-    evidence.kind = like.kind;
+    SurfaceEvidence evidence = like;
     evidence.seen = surface;
-    evidence.everywhere = like.everywhere;
-    evidence.looked = like.looked;
-    evidence.leftOut = like.leftOut;
-    evidence.least = like.least;
-    evidence.reached = like.reached;
     return evidence;
 }
 

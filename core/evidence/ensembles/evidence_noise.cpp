@@ -127,9 +127,8 @@ SurfaceEvidence surveyedAs(const MemberSurface& surface, const SurfaceEvidence& 
     }
     const double length = std::isfinite(like.found.correlation) ? like.found.correlation : 0.0;
     const double side = std::max(1.0, std::round(std::sqrt(2.0 * std::numbers::pi) * length / cell));  // cells
-    SurfaceEvidence own = seenAs({}, like);
-    own.seen.cells = like.seen.cells;
-    own.seen.heights.reserve(own.seen.cells.size());
+    SurfaceEvidence own = like;
+    own.seen.heights.clear();
     for (const MapCell& at : own.seen.cells) {
         const std::ptrdiff_t lies = surface.find(at);
         const double height = lies >= 0 ? double{surface.heights[static_cast<std::size_t>(lies)]} : 0.0;

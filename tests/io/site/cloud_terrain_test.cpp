@@ -278,8 +278,13 @@ TEST_F(CloudTerrain, ACloudIsEvidenceOfCausesAsARasterIs) {
     const auto heap = [](double x, double y) { return std::abs(x) < 5.0 && std::abs(y) < 3.0 ? 2.0 : 0.0; };
     const SurveyInput input = readSurvey(lay(scattered(100'000, 15.0, heap, 1)), m_frame, {}, m_structure, Execution());
     const SurfaceEvidence evidence = surfaceEvidence(input, {}, 0.5, SiteSurface(), Execution());
-    // The heap covers 10 x 6 m; its edge cuts cells along 32 m.
-    EXPECT_NEAR(0.25 * static_cast<double>(evidence.seen.cells.size()), 60.0, 16.0);
+    // The heap covers 10 x 6 m; its edge cuts cells along 32 m. The ground around it was seen as well.
+    double covered = 0.0;
+    for (std::size_t c = 0; c < evidence.seen.cells.size(); ++c) {
+        covered += evidence.holds(evidence.seen, static_cast<std::ptrdiff_t>(c)) ? 0.25 : 0.0;
+    }
+    EXPECT_NEAR(covered, 60.0, 16.0);
+    EXPECT_NEAR(0.25 * static_cast<double>(evidence.seen.cells.size()), 900.0, 31.0);
 }
 
 TEST_F(CloudTerrain, TheClassesThatAreTheGroundAreChosen) {

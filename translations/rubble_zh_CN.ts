@@ -8080,10 +8080,6 @@
         <translation>{0} 为 glTF {1}；可读取 2.0 版</translation>
     </message>
     <message>
-        <source>{0} lies at x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}</source>
-        <translation>{0} 位于局部坐标框架的 x = {1} 至 {2}、y = {3} 至 {4}；结构位于 x = {5} 至 {6}、y = {7} 至 {8}</translation>
-    </message>
-    <message>
         <source>{0} looks like the offset of the mesh, but cannot be read as one</source>
         <translation>{0} 像是网格的偏移，但无法读取</translation>
     </message>
@@ -16487,6 +16483,22 @@
         <source>%1, set alike for %2: %3</source>
         <translation>%1，以下 %2 个取值相同：%3</translation>
     </message>
+    <message>
+        <source>level of detection, not known: every height counts</source>
+        <translation>检测限未知：所有高度都计入</translation>
+    </message>
+    <message>
+        <source>fill also below the level of detection, not counted</source>
+        <translation>另有低于检测限的填方，未计入</translation>
+    </message>
+    <message>
+        <source>cut also below the level of detection, not counted</source>
+        <translation>另有低于检测限的挖方，未计入</translation>
+    </message>
+    <message>
+        <source>net volume below the level of detection, not counted</source>
+        <translation>低于检测限的净体积，未计入</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -24025,6 +24037,18 @@ Program: %3</source>
     <message>
         <source>Draw a line on the difference map: run and survey are cut along it, drawn and measured together</source>
         <translation>在差异图上画一条线：沿线剖切计算和测量，一起绘出并量取</translation>
+    </message>
+    <message>
+        <source>Neither side has debris: there is no overlap, and heights are not compared.</source>
+        <translation>两侧都没有堆积物：没有重合度，也不比较高度。</translation>
+    </message>
+    <message>
+        <source>Below it also lie fill %1, cut %2, net %3 m³, which are not counted.</source>
+        <translation>低于检测限的还有填方 %1、挖方 %2、净值 %3 m³，未计入。</translation>
+    </message>
+    <message>
+        <source>How far centroids lie apart is not known: one side has no debris.</source>
+        <translation>质心的距离未知：有一侧没有堆积物。</translation>
     </message>
 </context>
 <context>

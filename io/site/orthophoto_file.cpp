@@ -31,25 +31,31 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     const SitePlace place(frame, site);
     const RasterSampling sampling(file, frame.crs, place);
     const auto [least, most] = sampling.bounds();
-    Eigen::Vector2d low = least;
-    Eigen::Vector2d high = most;
-    if (!window.whole()) {
-        low = low.cwiseMax(window.plan().min());
-        high = high.cwiseMin(window.plan().max());
-    }
-    const Eigen::Vector2d size = high - low;
-    if (!(size.minCoeff() > 0.0) || !size.allFinite()) {
+    const auto within = [&](double beyond) {
+        Eigen::Vector2d low = least.array() - beyond;
+        Eigen::Vector2d high = most.array() + beyond;
+        if (!window.whole()) {
+            low = low.cwiseMax(window.plan().min());
+            high = high.cwiseMin(window.plan().max());
+        }
+        return std::pair(low, high);
+    };
+    const auto [first, last] = within(0.0);
+    if (!((last - first).minCoeff() >= 0.0) || !(last - first).allFinite()) {
         throw ParseError({"orthophoto.elsewhere", "{0} does not show the site", {path}},
                          {"orthophoto.elsewhere.remedy", "Check the coordinate system and the control points of the case.", {}});
     }
+    const double fine = sampling.pixelSize(0.5 * (first + last));
+    // A pixel reaches half a side around its middle.
+    const auto [low, high] = within(0.5 * fine);
+    const Eigen::Vector2d size = high - low;
     auto picture = std::make_shared<Orthophoto>();
-    const double fine = sampling.pixelSize(0.5 * (low + high));
     picture->pixel = std::max(fine, size.maxCoeff() / sideMax);
     picture->x0 = low.x();
     picture->y0 = low.y();
-    picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel));
-    picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel));
-    const double beyond = std::max((low - least).maxCoeff(), (most - high).maxCoeff());
+    picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel + 1e-6));
+    picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel + 1e-6));
+    const double beyond = 0.5 * fine + std::max((low - least).maxCoeff(), (most - high).maxCoeff());
     if (beyond > picture->pixel) {
         addFinding(findings, path,
                    {"orthophoto.cut",

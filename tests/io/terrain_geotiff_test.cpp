@@ -121,6 +121,8 @@ TEST_F(TerrainGeoTiff, CellsThatAreNotSquareAreResampled) {
 
 TEST_F(TerrainGeoTiff, CellsBeyondAllProportionAreRefused) {
     tiff.place = {-20.0, 1e200, 0.0, 0.5, 0.0, -1e-200};
+    EXPECT_EQ(refusal(), "terrain.elsewhere");
+    tiff.place = {-5e199, 1e200, 0.0, 15.0, 0.0, -1.0};
     EXPECT_EQ(refusal(), "terrain.strip");
 }
 

@@ -15,6 +15,7 @@
 #include "io/case/terrain_reader.h"
 #include "io/site/orthophoto_file.h"
 #include "io/site/site_mesh_file.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -259,6 +260,12 @@ TEST_F(TerrainSite, DamagedMeshesAreRefused) {
         EXPECT_THROW(readSiteMesh(mesh, frame, site, Execution()), ParseError) << name;
     }
     EXPECT_THROW(readSiteMesh(folder / "none.obj", frame, site, Execution()), WorldError);
+}
+
+TEST_F(TerrainSite, AWallIsNoGround) {
+    const std::string wall = folder / "wall.obj";
+    std::ofstream(wall) << "v -4 0 0\nv 4 0 0\nv 4 0 5\nf 1 2 3\n";
+    EXPECT_EQ(idOfError([&] { openTerrain(wall, frame, around, Execution()); }), "terrain.mesh_upright");
 }
 
 TEST_F(TerrainSite, SurroundingsRaiseTheTerrainWhenAsked) {

@@ -40,7 +40,7 @@ protected:
         m_case.inputs.push_back({"survey-1", InputRole::Survey, "real.gpkg", io::sha256OfFile(m_folder / "real.gpkg")});
     }
     void addOrthophoto() {
-        writeGreyTiff(m_folder / "ground.tif", 64, 64);
+        writeGreyTiff(m_folder / "ground.tif", 60, 60);
         std::ofstream(m_folder / "ground.tfw") << "1\n0\n0\n-1\n-30\n30\n";
         const std::string path = m_folder / "ground.tif";
         // Its world file belongs to what is shown.

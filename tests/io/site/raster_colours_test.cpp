@@ -236,9 +236,8 @@ TEST_F(Picture, WhereItLiesIsCheckedAndWhatIsCutOffIsSaid) {
     EXPECT_NEAR(near->x0, 38.0, 1e-9);
     EXPECT_EQ(near->width, 24);
     EXPECT_EQ(findings.count("orthophoto.cut"), 1);
-    // The picture begins in the middle of its first pixel.
-    EXPECT_EQ(englishText(findings.list()[1].what),
-              "the orthophoto is read from x = 38 to 62 m, y = 39.5 to 60.5 m, ten heights about the structure; it goes on 39 m "
+    EXPECT_EQ(englishText(findings.list().front().what),
+              "the orthophoto is read from x = 38 to 62 m, y = 39.5 to 60.5 m, ten heights about the structure; it goes on 39.5 m "
               "beyond, which is cut off");
     const auto far = about({wall, Aabb(Vec3(48.0, 49.0, 0.0), Vec3(80.0, 51.0, 1.0))});
     EXPECT_NEAR(far->x0 + far->width * far->pixel, 82.0, 1e-9) << "as far as debris is known to lie";

@@ -314,7 +314,7 @@ TEST_F(SiteMeshFile, DamagedGltfIsRefusedByItsPlace) {
 }
 
 TEST_F(SiteMeshFile, WhatIsNoMeshIsRefusedWithItsReason) {
-    EXPECT_EQ(refusal("a.dxf", "0\nEOF\n"), "surroundings.ending");
+    EXPECT_EQ(refusal("a.dxf", std::string("\1\2\3")), "surroundings.ending");
     EXPECT_EQ(refusal("a.glb", "glTF"), "surroundings.glb_cut");
     std::string glb = "glTF";
     for (const std::uint32_t word : {2u, 1000u, 900u, 0x4E4F534Au}) {

@@ -11791,6 +11791,58 @@
         <source>{0} of {1} that were seen lie farther than {2} from the debris of every member of every hypothesis</source>
         <translation>所见的 {1} 中有 {0} 距每个假设的每个成员的堆积物都超过 {2}</translation>
     </message>
+    <message>
+        <source>Check the coordinate system of the raster and that of the case.</source>
+        <translation>请检查栅格和案例的坐标系。</translation>
+    </message>
+    <message>
+        <source>Check the index; its writer may have been started twice.</source>
+        <translation>请检查索引；其写入程序可能启动了两次。</translation>
+    </message>
+    <message>
+        <source>Files that are listed more than once for a state were read once</source>
+        <translation>为同一状态重复列出的文件只读取了一次</translation>
+    </message>
+    <message>
+        <source>Nodes beside the corners were left out where nothing says whether edges or faces are curved</source>
+        <translation>角点以外的节点已略去，而边或面是否弯曲无从得知</translation>
+    </message>
+    <message>
+        <source>Solids stand on the same nodes as others that live with them: their mass counts twice</source>
+        <translation>实体单元与同时存在的其他实体单元共用全部节点：其质量重复计入</translation>
+    </message>
+    <message>
+        <source>Take one of them out of the model; if both are meant, give them densities that add up.</source>
+        <translation>请从模型中去掉其中一个；若两者均有意保留，请使其密度之和等于应有的密度。</translation>
+    </message>
+    <message>
+        <source>The edges of {0} have no place in &quot;{1}&quot;, the system of the case</source>
+        <translation>{0} 的边缘在案例的坐标系“{1}”中没有位置</translation>
+    </message>
+    <message>
+        <source>cut it to the site if finer pixels are needed there</source>
+        <translation>若该处需要更细的像素，请将其裁剪到场地范围</translation>
+    </message>
+    <message>
+        <source>its offsets lie outside its connectivity</source>
+        <translation>其偏移量超出连接表的范围</translation>
+    </message>
+    <message>
+        <source>the name of a section</source>
+        <translation>段的名称</translation>
+    </message>
+    <message>
+        <source>the orthophoto is read from x = {0} to {1}, y = {2} to {3}, ten heights about the structure; it goes on {4} beyond, which is cut off</source>
+        <translation>正射影像的读取范围为 x = {0} 至 {1}，y = {2} 至 {3}，即结构周围十倍高度；影像在此之外还延伸 {4}，该部分被截去</translation>
+    </message>
+    <message>
+        <source>{0} by {1} pixels of {2} are more than can be drawn: the orthophoto is read as {3} by {4} of {5}</source>
+        <translation>{0} × {1} 个 {2} 的像素超出可绘制的数目：正射影像以 {3} × {4} 个 {5} 的像素读取</translation>
+    </message>
+    <message>
+        <source>{0} lies at x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}, and surroundings count within x = {9} to {10}, y = {11} to {12}</source>
+        <translation>{0} 位于局部坐标框架的 x = {1} 至 {2}，y = {3} 至 {4}；结构位于 x = {5} 至 {6}，y = {7} 至 {8}，周围环境的有效范围为 x = {9} 至 {10}，y = {11} 至 {12}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -30,10 +30,10 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     }
     const SitePlace place(frame, site);
     const RasterSampling sampling(file, frame.crs, place);
-    const auto [least, most] = sampling.bounds();
+    const std::pair<Eigen::Vector2d, Eigen::Vector2d> whole = sampling.bounds();
     const auto within = [&](double beyond) {
-        Eigen::Vector2d low = least.array() - beyond;
-        Eigen::Vector2d high = most.array() + beyond;
+        Eigen::Vector2d low = whole.first.array() - beyond;
+        Eigen::Vector2d high = whole.second.array() + beyond;
         if (!window.whole()) {
             low = low.cwiseMax(window.plan().min());
             high = high.cwiseMin(window.plan().max());
@@ -55,7 +55,7 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     picture->y0 = low.y();
     picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel + 1e-6));
     picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel + 1e-6));
-    const double beyond = 0.5 * fine + std::max((low - least).maxCoeff(), (most - high).maxCoeff());
+    const double beyond = 0.5 * fine + std::max((low - whole.first).maxCoeff(), (whole.second - high).maxCoeff());
     if (beyond > picture->pixel) {
         addFinding(findings, path,
                    {"orthophoto.cut",

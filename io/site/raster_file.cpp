@@ -453,7 +453,7 @@ void putTogether(ColourPlanes& planes, const ColourRows& rows, const RasterWindo
                 means[channel].add(rows.colours[channel][pixel]);
             }
         });
-        planes.opacity[to] = static_cast<std::uint8_t>(opacity.value() + 0.5);
+        planes.opacity[to] = static_cast<std::uint8_t>(std::lround(opacity.value()));
         for (std::size_t channel = 0; channel < 3; ++channel) {
             planes.colours[channel][to] = static_cast<float>(means[channel].value());
         }

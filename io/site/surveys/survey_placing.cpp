@@ -163,7 +163,21 @@ void addPlacedFinding(Findings& findings, const std::string& path, const Registr
     const double degrees = registration.turn.norm() * 180.0 / std::numbers::pi;
     const bool fitted = registration.fitted > 0;
     const Argument left(fitted ? registration.fitLeft : registration.pairsLeft, "m");
-    if (registration.error) {
+    if (!fitted && registration.pairs == 0) {
+        const std::vector<Argument> move{{moved.norm(), "m"}, degrees, {registration.error.value_or(0.0), "m"}};
+        addFinding(
+            findings, path,
+            registration.error
+                ? Message{"survey.placed_stated",
+                          "the registration of the case moves it by {0} and turns it by {1} degrees, and does not say by what "
+                          "it was found; a place is known to {2}",
+                          move}
+                : Message{"survey.placed_stated",
+                          "the registration of the case moves it by {0} and turns it by {1} degrees, and says neither by what "
+                          "it was found nor how well a place is known",
+                          move},
+            "register it by pairs or by a fit, so that what is left of it is known");
+    } else if (registration.error) {
         addFinding(
             findings, path,
             {"survey.placed",

@@ -106,6 +106,18 @@ TEST(SurveyPlacing, OutlinesAreMovedInPlan) {
     EXPECT_EQ(input.findings.count("survey.placed_unknown"), 1);
 }
 
+TEST(SurveyPlacing, WhatNobodyMeasuredIsNotSaidToBeLeft) {
+    SurveyInput input = misplacedSurvey(movedBy(Vec3::Zero()), 0.5);
+    Registration stated = movedBy(Vec3::Zero());
+    stated.pairs = 0;
+    placeSurvey(input, stated);
+    ASSERT_EQ(input.findings.list().size(), 1u);
+    EXPECT_EQ(
+        englishText(input.findings.list().front().what),
+        "the registration of the case moves it by 8.213 m and turns it by 0 degrees, and does not say by what it was found; a "
+        "place is known to 0.02 m");
+}
+
 TEST(SurveyPlacing, HeightsAboveTheGroundAreRefused) {
     SurveyInput input = misplacedSurvey(movedBy(Vec3::Zero()), 5.0);
     input.survey.heights.aboveGround = true;

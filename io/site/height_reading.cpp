@@ -461,6 +461,11 @@ void Reading::toMetres(std::vector<double>& heights, bool tell) {
         }
         height += offset;
     }
+    const bool otherUnit = tell && example > 0.0;  // below zero it is a mark for no data
+    if (otherUnit && std::none_of(heights.begin(), heights.end(), [](double height) { return std::isfinite(height); })) {
+        refuseContent({"terrain.no_land_all", "None of the heights of {0} can be one of land: {1}, say", {m_path, {example, "m"}}},
+                      "Name their unit (gdal_edit.py -a_offset and -a_scale, or the band's unit): cm or mm look so.");
+    }
     if (tell && unmarked > 0) {
         find("terrain.no_land", "{0} heights such as {1} cannot be heights of land and were taken as gaps",
              {unmarked, {example, "m"}}, "name the value for no data with gdal_translate -a_nodata", unmarked);

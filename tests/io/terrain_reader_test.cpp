@@ -11,6 +11,7 @@
 #include "io/base/files.h"
 #include "io/site/height_raster.h"
 #include "tests/support/ascii_grid.h"
+#include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -126,6 +127,17 @@ TEST_F(TerrainReader, GapsAreFilledFromTheirRimsAndCounted) {
     EXPECT_EQ(terrain.grid->lowest(), 5.0);
     EXPECT_EQ(terrain.grid->highest(), 5.0);
     EXPECT_EQ(terrain.findings.count("terrain.filled"), 16 + 20);
+}
+
+TEST_F(TerrainReader, HeightsInAnotherUnitAreNoGaps) {
+    // 123 m in cm.
+    SaidGrid grid = planeGrid();
+    grid.text = [](double, double) { return "12300"; };
+    grid.write(path);
+    EXPECT_EQ(idOfError([&] { read(); }), "terrain.no_land_all");
+    grid.text = [](double, double) { return "-32768"; };
+    grid.write(path);
+    EXPECT_NE(idOfError([&] { read(); }), "terrain.no_land_all") << "a mark for no data";
 }
 
 TEST_F(TerrainReader, AMarkForNoDataThatTheFileDoesNotNameIsSeen) {

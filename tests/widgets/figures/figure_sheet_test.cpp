@@ -200,7 +200,7 @@ TEST(Arrange, DebrisInItsSurroundingsIsWhatIsFramed) {
     std::vector<Vec3> around;
     for (const double x : {-70.0, 70.0}) {
         for (const double y : {-11.2, 11.2}) {
-            around.emplace_back(x, y, 0.0);
+            around.emplace_back(x, y, 16.2);  // at the height of what stands there
         }
     }
     for (const render::Preset look : {render::Preset::Corner, render::Preset::Top, render::Preset::Side}) {
@@ -227,7 +227,7 @@ TEST(Arrange, DebrisInItsSurroundingsIsWhatIsFramed) {
                 seen.extend(Eigen::Vector2d(place->u, place->v));
             }
             EXPECT_GT(seen.sizes().maxCoeff(), 0.55) << "it is what is shown";
-            EXPECT_LT(seen.sizes().maxCoeff(), 0.9) << "with something around it";
+            EXPECT_LT(seen.sizes().maxCoeff(), 0.92) << "with something around it";
         }
     }
 }

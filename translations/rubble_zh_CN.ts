@@ -11843,6 +11843,26 @@
         <source>{0} lies at x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}, and surroundings count within x = {9} to {10}, y = {11} to {12}</source>
         <translation>{0} 位于局部坐标框架的 x = {1} 至 {2}，y = {3} 至 {4}；结构位于 x = {5} 至 {6}，y = {7} 至 {8}，周围环境的有效范围为 x = {9} 至 {10}，y = {11} 至 {12}</translation>
     </message>
+    <message>
+        <source>Name their unit (gdal_edit.py -a_offset and -a_scale, or the band&apos;s unit): cm or mm look so.</source>
+        <translation>请注明其单位（gdal_edit.py -a_offset 和 -a_scale，或波段的单位）：cm 或 mm 看起来如此。</translation>
+    </message>
+    <message>
+        <source>None of the heights of {0} can be one of land: {1}, say</source>
+        <translation>{0} 的高度中没有一个可能是陆地的高度，例如 {1}</translation>
+    </message>
+    <message>
+        <source>register it by pairs or by a fit, so that what is left of it is known</source>
+        <translation>请用点对或拟合配准，以便知道剩余多少</translation>
+    </message>
+    <message>
+        <source>the registration of the case moves it by {0} and turns it by {1} degrees, and does not say by what it was found; a place is known to {2}</source>
+        <translation>案例的配准将其移动 {0}、转动 {1} 度，没有说明由何得出；一处的位置已知到 {2}</translation>
+    </message>
+    <message>
+        <source>the registration of the case moves it by {0} and turns it by {1} degrees, and says neither by what it was found nor how well a place is known</source>
+        <translation>案例的配准将其移动 {0}、转动 {1} 度，既没有说明由何得出，也没有说明一处的位置已知到多少</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -144,9 +144,13 @@ std::size_t D3plotFamily::fileOf(std::int64_t word) const {
     return std::min(file == 0 ? 0 : file - 1, m_files.size() - 1);
 }
 
+std::string D3plotFamily::fileName(std::size_t file) const {
+    return fs::path(m_files[file]).filename().string();
+}
+
 std::string D3plotFamily::placeOf(std::int64_t word) const {
     const std::size_t file = fileOf(word);
-    return fs::path(m_files[file]).filename().string() + ", byte " + englishInteger((word - m_first[file]) * m_format.bytes);
+    return fileName(file) + ", byte " + englishInteger((word - m_first[file]) * m_format.bytes);
 }
 
 std::shared_ptr<const D3plotFamily::Handle> D3plotFamily::handleOf(std::size_t file) const {

@@ -42,6 +42,8 @@ public:
     std::int64_t wordsOf(std::size_t file) const { return m_first[file + 1] - m_first[file]; }
     /// The file a word lies in; the last one for the end.
     std::size_t fileOf(std::int64_t word) const;
+    /// For messages: "d3plot03".
+    std::string fileName(std::size_t file) const;
     /// For messages: "d3plot03, byte 1,024".
     std::string placeOf(std::int64_t word) const;
 

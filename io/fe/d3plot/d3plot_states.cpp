@@ -62,6 +62,7 @@ public:
         : m_family(family), m_layout(layout), m_execution(execution), m_word(geometry.end) {
         for (std::size_t file = 0; file < family.files(); ++file) {
             m_longest = std::max(m_longest, family.wordsOf(file));
+            m_lastFilled = family.wordsOf(file) > 0 ? file : m_lastFilled;
         }
     }
 
@@ -72,6 +73,7 @@ public:
             step();
         }
         m_execution.report(stage, 1.0);
+        noteEmptyFiles();
         keepLaterBranch();
         return std::move(m_states);
     }
@@ -161,7 +163,7 @@ private:
     // What is left of a file after its last state: zeros fill it up, anything else is a state that was not written whole.
     void leftOver(std::size_t file, std::int64_t next, double time) {
         if (time != 0.0 || m_family.firstWord(file) == m_word) {
-            const bool spans = m_layout.words > m_longest, last = file + 1 == m_family.files() || spans;
+            const bool spans = m_layout.words > m_longest, last = file == m_lastFilled || spans;
             const std::string place = m_family.placeOf(m_word) + ": " + englishInteger(next - m_word) + " of " +
                                       englishInteger(m_layout.words) + " words";
             if (!spans && closed(next)) {
@@ -171,13 +173,33 @@ private:
                                       {"d3plot.incomplete.remedy", "Open the result again once the analysis has gone on.", {}},
                                       place);
             } else {
-                m_states.findings.add(
-                    {"d3plot.cut_state", "A state within the series is cut off or of another length; it was left out", {}},
-                    {"d3plot.cut_state.remedy", "Copy the files again; check that all are of one analysis.", {}}, place);
+                noteCutState(place);
             }
             m_done = spans;
         }
         m_word = next;
+    }
+
+    void noteCutState(const std::string& place) {
+        m_states.findings.add(
+            {"d3plot.cut_state", "A state within the series is cut off or of another length; it was left out", {}},
+            {"d3plot.cut_state.remedy", "Copy the files again; check that all are of one analysis.", {}}, place);
+    }
+
+    // Files that were made and not filled, or lost in copying: nothing of their states stands anywhere.
+    void noteEmptyFiles() {
+        for (std::size_t file = 0; file < m_family.files(); ++file) {
+            if (m_family.wordsOf(file) > 0) {
+                continue;
+            }
+            if (file < m_lastFilled) {
+                noteCutState(m_family.fileName(file) + ": 0 of " + englishInteger(m_layout.words) + " words");
+            } else {
+                m_states.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                                      {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}},
+                                      m_family.fileName(file));
+            }
+        }
     }
 
     // Zeros that fill up a file may be longer than a state of a small model.
@@ -217,6 +239,7 @@ private:
     const Execution& m_execution;
     std::int64_t m_word;
     std::int64_t m_longest = 0;
+    std::size_t m_lastFilled = 0;  // the last file that is not empty
     std::size_t m_judged = std::numeric_limits<std::size_t>::max();
     bool m_foreign = false;
     bool m_done = false;

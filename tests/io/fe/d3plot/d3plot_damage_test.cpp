@@ -18,7 +18,9 @@ namespace rubble::io {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 // Reads everything there is; any error of ours will do.
 std::optional<std::size_t> statesOf(const std::string& path) {
@@ -159,6 +161,35 @@ TEST(D3plotDamage, EmptyMembersAndPaddingOnly) {
     }
     writeContent(folder / "d3plot", std::string(8192, '\0'));
     EXPECT_EQ(statesOf(folder / "d3plot"), std::nullopt);
+}
+
+// In the middle a state is lost; at the end it may still come.
+TEST(D3plotDamage, EmptyMembersAreNamed) {
+    const TemporaryFolder folder;
+    D3plotBuilder builder;
+    builder.statesPerFile = 1;
+    builder.write(folder / "d3plot");
+    const auto placesOf = [&](const std::string& id) {
+        const auto fe = openFe(folder / "d3plot", {}, {}, Execution{});
+        std::vector<std::string> places;
+        for (const Finding& finding : fe->contents().findings.list()) {
+            if (finding.what.id == id) {
+                places.push_back(finding.example);
+            }
+        }
+        return places;
+    };
+    EXPECT_THAT(placesOf("fe.unfinished"), IsEmpty());
+    EXPECT_THAT(placesOf("d3plot.cut_state"), IsEmpty());
+    writeContent(folder / "d3plot02", "");
+    EXPECT_EQ(openFe(folder / "d3plot", {}, {}, Execution{})->times(), (std::vector<double>{0.0, 2.0}));
+    EXPECT_THAT(placesOf("fe.unfinished"), IsEmpty());
+    EXPECT_THAT(placesOf("d3plot.cut_state"), ElementsAre(HasSubstr("d3plot02: 0 of ")));
+    writeContent(folder / "d3plot02", builder.files()[2]);
+    writeContent(folder / "d3plot03", "");
+    EXPECT_EQ(openFe(folder / "d3plot", {}, {}, Execution{})->times(), (std::vector<double>{0.0, 1.0}));
+    EXPECT_THAT(placesOf("fe.unfinished"), ElementsAre("d3plot03"));
+    EXPECT_THAT(placesOf("d3plot.cut_state"), IsEmpty());
 }
 
 TEST(D3plotDamage, NumbersThatAreNoneWhereTheyMatter) {

@@ -39,8 +39,10 @@ class CdbSeries : public MeshSeries {
 public:
     explicit CdbSeries(std::vector<std::string> files) : m_files(std::move(files)) {
         noteNumberGaps(m_files, m_facts.findings);
+        dropEmptyEnd();
         bool timed = true;
         for (std::size_t k = 0; k < m_files.size(); ++k) {
+            requireNotEmpty(m_files[k]);
             const std::optional<CdbModel> model = readUnlessUnfinished(k);
             if (!model) {
                 break;
@@ -83,6 +85,19 @@ public:
     }
 
 private:
+    // Files that an analysis has made and not yet filled.
+    void dropEmptyEnd() {
+        while (m_files.size() > 1 && isEmptyFile(m_files.back())) {
+            noteUnfinished(m_files.back());
+            m_files.pop_back();
+        }
+    }
+
+    void noteUnfinished(const std::string& file) {
+        m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                             {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
+    }
+
     // The last state of a series may still be being written.
     std::optional<CdbModel> readUnlessUnfinished(std::size_t k) {
         try {
@@ -95,8 +110,7 @@ private:
                 throw;
             }
         }
-        m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
-                             {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_files[k]);
+        noteUnfinished(m_files[k]);
         return std::nullopt;
     }
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "core/base/error.h"
+
 namespace rubble::io {
 
 namespace {
@@ -95,6 +97,19 @@ void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings
         findings.add({"fe.gap", "Numbers are missing in the series; deaths are known less exactly there", {}},
                      {"fe.gap.remedy", "Copy the missing files beside the others.", {}},
                      "before " + Path(gap.before).filename().string(), gap.count);
+    }
+}
+
+bool isEmptyFile(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::file_size(path, error) == 0 && !error;
+}
+
+void requireNotEmpty(const std::string& path) {
+    if (isEmptyFile(path)) {
+        throw ParseError(
+            {"fe.empty_state", "{0} is empty: its state is not there", {path}},
+            {"fe.empty_state.remedy", "Copy it again, or take it away: the series is then read without this state.", {}});
     }
 }
 

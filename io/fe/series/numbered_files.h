@@ -24,6 +24,11 @@ std::vector<NumberGap> numberGaps(const std::vector<std::string>& siblings);
 /// Adds a finding for each.
 void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings);
 
+/// Whether a file is there and holds nothing.
+bool isEmptyFile(const std::string& path);
+/// Throws ParseError for an empty file of a series that is not its last, which may still be being written: its state is lost.
+void requireNotEmpty(const std::string& path);
+
 /// The names of files for people, the first three and how many there are: "s0.vtu, s1.vtu, s2.vtu, ... (12 files)".
 std::string takenForStates(const std::vector<std::string>& files);
 /// Whether a name stands before another one where numbers in them count as numbers: "step 9" before "step 10".

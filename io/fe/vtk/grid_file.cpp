@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/fe/series/numbered_files.h"
 #include "io/fe/vtk/legacy_grid.h"
 #include "io/fe/vtk/xml_grid.h"
 
@@ -16,6 +17,7 @@ bool isLegacy(const std::string& path) {
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(file.gcount()));
     if (head.empty()) {
+        requireNotEmpty(path);
         throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
                          {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }

@@ -117,6 +117,7 @@ std::vector<GridEntry> indexGrids(const std::string& path, bool alone) {
             }
         }
     } else {
+        requireNotEmpty(path);
         throw ParseError({"vtk.kind", "{0} is a VTK file, but no unstructured grid", {path}},
                          {"vtk.kind.remedy", "Write the result as an unstructured grid (.vtu) or a series of them (.pvd).", {}});
     }

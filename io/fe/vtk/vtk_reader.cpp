@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/fe/series/numbered_files.h"
 #include "io/fe/series/series_result.h"
 #include "io/fe/vtk/grid_file.h"
 #include "io/fe/vtk/grid_index.h"
@@ -15,11 +16,6 @@
 namespace rubble::io {
 
 namespace {
-
-bool isEmpty(const std::string& file) {
-    std::error_code error;
-    return std::filesystem::file_size(file, error) == 0 && !error;
-}
 
 /// Grids in files of their own.
 class FileGrids : public GridSource {
@@ -84,7 +80,7 @@ private:
     }
 
     static bool isWholeGrid(const std::string& file) {
-        if (isEmpty(file)) {
+        if (isEmptyFile(file)) {
             return false;
         }
         try {
@@ -137,7 +133,7 @@ bool recognisesVtkLegacy(const FileHead& head) {
 
 std::vector<std::string> vtkMembers(const std::string& path) {
     std::string index = canonicalIndex(path);
-    if (const std::vector<std::string> numbered = numberedGrids(index); !numbered.empty() && (index != path || isEmpty(path))) {
+    if (const std::vector<std::string> numbered = numberedGrids(index); !numbered.empty() && (index != path || isEmptyFile(path))) {
         // Whichever piece was given, or a file that is still empty: the first of the series stands for all.
         index = numbered.front();
     }

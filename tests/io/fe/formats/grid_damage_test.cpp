@@ -138,6 +138,22 @@ TEST_F(GridTest, LegacyFilesOfANumberSeriesAreStatesByTheirTimes) {
     EXPECT_EQ(fe->activity().activeCount(1), 1u);
 }
 
+// It is there and may be read, and it is no other kind of file.
+TEST_F(GridTest, AnEmptyFirstFileIsNamed) {
+    writeContent(m_folder / "wall_0.vtk", "");
+    writeContent(m_folder / "wall_1.vtk", legacy(0.5, false, false, "STATUS"));
+    writeContent(m_folder / "s000.vtu", "");
+    writeContent(m_folder / "s001.vtu", wholeFile(fixture("vtu-cells-removed/s001.vtu")));
+    for (const auto& [opened, first] : {std::pair{"wall_1.vtk", "wall_0.vtk"}, {"s001.vtu", "s000.vtu"}}) {
+        try {
+            open(opened);
+            ADD_FAILURE() << opened;
+        } catch (const ParseError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(std::string(first) + " is empty"));
+        }
+    }
+}
+
 TEST_F(GridTest, ALegacyFileThatEndsTooEarlyIsRefusedInSilence) {
     const std::string text = legacy(0.5, false, false, "STATUS");
     testing::internal::CaptureStderr();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/error.h"
 #include "io/fe/pieces/place_index.h"
@@ -20,7 +21,7 @@ namespace {
 
 /// A state while its index is read.
 struct OpenState {
-    double time = 0.0;
+    std::optional<double> time;
     std::vector<std::pair<std::string, std::string>> parts;  // part and file
     std::vector<std::string> again;                          // files listed once more
 
@@ -44,29 +45,51 @@ std::vector<Vec3> pointsOf(const std::string& file) {
     return points;
 }
 
+Aabb roomOf(const std::vector<Vec3>& points) {
+    Aabb room;
+    for (const Vec3& point : points) {
+        room.extend(point);
+    }
+    return room;
+}
+
+// Whether two rooms share less than a fraction of the smaller one along an axis.
+bool apart(const Aabb& a, const Aabb& b, double fraction) {
+    const Vec3 size = a.sizes().cwiseMin(b.sizes());
+    const Vec3 overlap = a.max().cwiseMin(b.max()) - a.min().cwiseMax(b.min());
+    return (overlap.array() < fraction * size.array()).any();
+}
+
 // Some writers give all pieces of a time the part 0. Pieces of one state share an interface at most; the state written again lies
 // where it lay before.
 bool liesElsewhere(const std::string& file, const std::string& known) {
     try {
         const std::vector<Vec3> before = pointsOf(known), points = pointsOf(file);
         PlaceIndex places(placeTolerance(before));
-        Aabb was, is;
         for (std::size_t i = 0; i < before.size(); ++i) {
             places.put(before[i], static_cast<std::uint32_t>(i));
-            was.extend(before[i]);
         }
         std::size_t same = 0;
         for (const Vec3& point : points) {
             same += places.find(point) != PlaceIndex::nowhere ? 1 : 0;
-            is.extend(point);
         }
         if (points.empty() || before.empty() || 2 * same > points.size()) {
             return false;
         }
         // A state that has moved since covers much of the same room.
-        const Vec3 size = was.sizes().cwiseMin(is.sizes());
-        const Vec3 overlap = was.max().cwiseMin(is.max()) - was.min().cwiseMax(is.min());
-        return points.size() != before.size() || (overlap.array() < 0.5 * size.array()).any();
+        return points.size() != before.size() || apart(roomOf(before), roomOf(points), 0.5);
+    } catch (const std::exception&) {
+        // Opening it says why.
+        return false;
+    }
+}
+
+// Pieces of one state without its time lie beside each other; a later state lies where the earlier did, whatever it has lost.
+bool liesBeside(const std::string& file, const std::string& known) {
+    constexpr double interface = 0.01;
+    try {
+        const std::vector<Vec3> before = pointsOf(known), points = pointsOf(file);
+        return !points.empty() && !before.empty() && apart(roomOf(before), roomOf(points), interface);
     } catch (const std::exception&) {
         // Opening it says why.
         return false;
@@ -87,40 +110,29 @@ bool disordered(const std::vector<OpenState>& states) {
                               [](const OpenState& a, const OpenState& b) { return a.time >= b.time; }) == byName.end();
 }
 
-}  // namespace
-
-std::vector<ListedFile> listedByPvd(const std::string& path) {
-    std::vector<ListedFile> list;
-    const pugi::xml_document document = indexXml(path);
-    for (const pugi::xml_node node : document.child("VTKFile").child("Collection").children("DataSet")) {
-        const std::string text = node.attribute("timestep").as_string("0");
-        ListedFile entry;
-        if (!toReal(column(text, 0, text.size()), entry.time) || !std::isfinite(entry.time)) {
-            failIndex(path, "the timestep \"" + text.substr(0, 40) + "\" is no number");
+// Lines without times come in the order of their states: a part that comes again is that of the next state.
+std::vector<OpenState> statesInOrder(const std::vector<ListedFile>& list) {
+    std::vector<OpenState> states;
+    for (const ListedFile& entry : list) {
+        OpenState* const newest = states.empty() ? nullptr : &states.back();
+        if (newest && newest->names(entry.file)) {
+            newest->again.push_back(entry.file);
+            continue;
         }
-        entry.part = std::string(node.attribute("group").as_string()) + "/" + node.attribute("part").as_string("0");
-        entry.file = namedByIndex(path, node.attribute("file").as_string());
-        list.push_back(std::move(entry));
+        const std::string* const known = newest ? newest->fileOf(entry.part) : nullptr;
+        if (newest && (!known || liesBeside(entry.file, *known))) {
+            newest->parts.emplace_back(entry.part, entry.file);
+        } else {
+            states.push_back({std::nullopt, {{entry.part, entry.file}}, {}});
+        }
     }
-    return list;
+    return states;
 }
 
-std::vector<ListedFile> listedBySeries(const std::string& path) {
-    std::vector<ListedFile> list;
-    try {
-        const nlohmann::json json = nlohmann::json::parse(indexText(path));
-        for (const nlohmann::json& file : json.at("files")) {
-            list.push_back({file.at("time").get<double>(), {}, namedByIndex(path, file.at("name").get<std::string>())});
-        }
-    } catch (const nlohmann::json::exception& error) {
-        failIndex(path, error.what());
-    }
-    return list;
-}
-
-std::vector<ListedState> statesListed(const std::vector<ListedFile>& list) {
+// The states in the order of their lines, a time that comes again behind the others.
+std::vector<OpenState> statesByTime(const std::vector<ListedFile>& list) {
     std::vector<OpenState> open;
-    std::map<double, std::size_t> newest;  // state of each time
+    std::map<std::optional<double>, std::size_t> newest;  // state of each time
     for (const ListedFile& entry : list) {
         const auto found = newest.find(entry.time);
         OpenState* const state = found == newest.end() ? nullptr : &open[found->second];
@@ -139,6 +151,64 @@ std::vector<ListedState> statesListed(const std::vector<ListedFile>& list) {
     if (disordered(open)) {
         std::stable_sort(open.begin(), open.end(), [](const OpenState& a, const OpenState& b) { return a.time < b.time; });
     }
+    return open;
+}
+
+// A line without a time among others that have one is at 0, as other programs take it; two of them cannot both be.
+void fillTimes(const std::string& path, std::vector<ListedFile>& list) {
+    const auto timed = [](const ListedFile& entry) { return entry.time.has_value(); };
+    if (std::none_of(list.begin(), list.end(), timed)) {
+        return;
+    }
+    std::map<std::string, std::string> files;  // without a time, by part
+    for (ListedFile& entry : list) {
+        if (!entry.time && files.try_emplace(entry.part, entry.file).first->second != entry.file) {
+            failIndex(path, "some of its entries have a timestep, others of one part have none");
+        }
+        entry.time = entry.time.value_or(0.0);
+    }
+}
+
+}  // namespace
+
+std::vector<ListedFile> listedByPvd(const std::string& path) {
+    std::vector<ListedFile> list;
+    const pugi::xml_document document = indexXml(path);
+    for (const pugi::xml_node node : document.child("VTKFile").child("Collection").children("DataSet")) {
+        const pugi::xml_attribute timestep = node.attribute("timestep");
+        const std::string text = timestep.as_string();
+        ListedFile entry;
+        double time = 0.0;
+        if (timestep && (!toReal(column(text, 0, text.size()), time) || !std::isfinite(time))) {
+            failIndex(path, "the timestep \"" + text.substr(0, 40) + "\" is no number");
+        }
+        if (timestep) {
+            entry.time = time;
+        }
+        entry.part = std::string(node.attribute("group").as_string()) + "/" + node.attribute("part").as_string("0");
+        entry.file = namedByIndex(path, node.attribute("file").as_string());
+        list.push_back(std::move(entry));
+    }
+    fillTimes(path, list);
+    return list;
+}
+
+std::vector<ListedFile> listedBySeries(const std::string& path) {
+    std::vector<ListedFile> list;
+    try {
+        const nlohmann::json json = nlohmann::json::parse(indexText(path));
+        for (const nlohmann::json& file : json.at("files")) {
+            list.push_back({file.at("time").get<double>(), {}, namedByIndex(path, file.at("name").get<std::string>())});
+        }
+    } catch (const nlohmann::json::exception& error) {
+        failIndex(path, error.what());
+    }
+    return list;
+}
+
+std::vector<ListedState> statesListed(const std::vector<ListedFile>& list) {
+    const bool timed = std::any_of(list.begin(), list.end(), [](const ListedFile& entry) { return entry.time.has_value(); });
+    const std::vector<OpenState> open = timed ? statesByTime(list) : statesInOrder(list);
     std::vector<ListedState> states;
     for (const OpenState& state : open) {
         ListedState& listed = states.emplace_back(ListedState{state.time, {}, state.again});

@@ -177,7 +177,8 @@ FeResult::Contents readVtk(const std::string& path, const ImportSettings& settin
     const std::vector<std::pair<std::string, std::int64_t>> again = grids.listedAgain();
     const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
     if (!timed) {
-        series->noteMissingTimes(states);
+        // What an index lists are states, whenever they are.
+        series->noteMissingTimes(numberedGrids(path).empty() ? std::vector<std::string>{path} : states);
     }
     for (const std::string& file : unfinished) {
         series->noteUnfinished(file);

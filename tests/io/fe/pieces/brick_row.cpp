@@ -69,7 +69,8 @@ std::string pvtu(const std::vector<std::string>& pieces) {
 std::string pvd(const std::vector<std::vector<std::string>>& lines) {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
     for (const std::vector<std::string>& line : lines) {
-        text += "<DataSet timestep=\"" + line[0] + "\" part=\"" + line[1] + "\" file=\"" + line[2] + "\"/>\n";
+        text += "<DataSet " + (line[0].empty() ? "" : "timestep=\"" + line[0] + "\" ") + "part=\"" + line[1] + "\" file=\"" +
+                line[2] + "\"/>\n";
     }
     return text + "</Collection>\n</VTKFile>\n";
 }

@@ -23,7 +23,7 @@ struct BrickRow {
 
 /// An index of pieces.
 std::string pvtu(const std::vector<std::string>& pieces);
-/// Lines "timestep part file" of an index of times.
+/// Lines "timestep part file" of an index of times; one without a timestep has an empty one.
 std::string pvd(const std::vector<std::vector<std::string>>& lines);
 
 }  // namespace rubble::io

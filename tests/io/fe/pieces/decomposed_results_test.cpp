@@ -248,6 +248,44 @@ TEST_F(DecomposedResult, LooselyWrittenIndicesAreRead) {
     }
 }
 
+// Without times, lines are no states of one time that replace each other.
+TEST_F(DecomposedResult, AnIndexWithoutTimesCountsItsStates) {
+    for (int k = 0; k < 3; ++k) {
+        const std::string name = "s" + std::to_string(k);
+        const std::vector<int> bricks = k < 2 ? std::vector<int>{0, 1, 2} : std::vector<int>{0};
+        writeContent(m_folder / (name + ".vtu"), BrickRow{.bricks = bricks}.vtu());
+        writeContent(m_folder / (name + "_left.vtu"), BrickRow{.bricks = {0}, .status = {1}}.vtu());
+        writeContent(m_folder / (name + "_right.vtu"), BrickRow{.bricks = {1}, .status = {k < 2 ? 1 : 0}}.vtu());
+    }
+    writeContent(m_folder / "whole.pvd", pvd({{"", "0", "s0.vtu"}, {"", "0", "s1.vtu"}, {"", "0", "s2.vtu"}}));
+    const auto whole = open("whole.pvd");
+    EXPECT_EQ(whole->times(), (std::vector<double>{0.0, 1.0, 2.0}));
+    EXPECT_EQ(dead(*whole), (Counts{0, 0, 2}));
+    EXPECT_EQ(whole->contents().findings.count("vtk.no_times"), 3);
+    EXPECT_EQ(whole->contents().findings.count("fe.written_twice"), 0);
+    for (const std::string part : {"0", "1"}) {
+        std::vector<std::vector<std::string>> lines;
+        for (const std::string name : {"s0", "s1", "s2"}) {
+            lines.push_back({"", "0", name + "_left.vtu"});
+            lines.push_back({"", part, name + "_right.vtu"});
+        }
+        writeContent(m_folder / "pieces.pvd", pvd(lines));
+        const auto pieces = open("pieces.pvd");
+        EXPECT_EQ(pieces->mesh().elementCount(), 2u) << part;
+        EXPECT_EQ(dead(*pieces), (Counts{0, 0, 1})) << part;
+    }
+    writeContent(m_folder / "mixed.pvd", pvd({{"", "0", "s0.vtu"}, {"1", "0", "s1.vtu"}}));
+    EXPECT_EQ(open("mixed.pvd")->times(), (std::vector<double>{0.0, 1.0}));
+    writeContent(m_folder / "mixed.pvd", pvd({{"", "0", "s0.vtu"}, {"", "0", "s1.vtu"}, {"2", "0", "s2.vtu"}}));
+    EXPECT_THAT(errorOf("mixed.pvd"), HasSubstr("some of its entries have a timestep"));
+    // The files say what the index does not.
+    for (int k = 0; k < 2; ++k) {
+        writeContent(m_folder / ("s" + std::to_string(k) + ".vtu"), BrickRow{.bricks = {0, 1}, .time = 0.5 * k}.vtu());
+    }
+    writeContent(m_folder / "whole.pvd", pvd({{"", "0", "s0.vtu"}, {"", "0", "s1.vtu"}}));
+    EXPECT_EQ(open("whole.pvd")->times(), (std::vector<double>{0.0, 0.5}));
+}
+
 TEST_F(DecomposedResult, AnEmptyLastFileIsLeftOut) {
     for (int k = 0; k < 2; ++k) {
         writeContent(m_folder / ("s" + std::to_string(k) + ".vtu"), BrickRow{.bricks = {0, 1}, .status = {1, k < 1 ? 1 : 0}}.vtu());

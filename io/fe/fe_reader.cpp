@@ -39,6 +39,10 @@ FeResult::Contents readFound(const FoundFe& found, const ImportSettings& setting
         FeResult::Contents contents = found.format->read(path, settings, execution);
         requireTimes(path, contents.times);
         bringIntoFrame(contents, settings, frame, execution);
+        if (const std::string list = deathListBeside(path);
+            !list.empty() && contents.findings.count("fe.death_list.unused") == 0 && !contents.deathTime.empty()) {
+            requireClockOfDeathList(list, contents.units);
+        }
         // Tiny times may fall together in another unit.
         requireTimes(path, contents.times);
         return contents;

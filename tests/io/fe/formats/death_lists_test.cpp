@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "core/base/error.h"
+#include "core/fe/units.h"
 #include "io/fe/fe_copy/copy_writer.h"
 #include "io/fe/fe_format.h"
 #include "io/fe/fe_reader.h"
@@ -70,6 +72,38 @@ TEST_P(DeathListsThatCount, ATimeIsReadWithPointAndCommaAndCountsExactly) {
         EXPECT_THAT(fe->contents().activityFrom, HasSubstr("a list of 1 deaths")) << text;
         EXPECT_EQ(fe->contents().files.back(), result() + ".deaths.csv") << text;
     }
+}
+
+// Milliseconds that are taken for seconds leave all alive.
+TEST_P(DeathListsThatCount, AUnitInTheHeadingIsObeyed) {
+    GetParam().write(m_folder, 3, false);
+    const std::string number = std::to_string(GetParam().dying);
+    for (const std::string& text :
+         {"element,time_ms\n" + number + ",750\n", "element,time [ms]\n" + number + ",750\n",
+          "t_ms;element\n0,75e3;" + number + "\n", "element,timeMs\n" + number + ",750\n", "element,t [s]\n" + number + ",0.75\n",
+          "element,time (\xC2\xB5s)\n" + number + ",750000\n", "element,time of death\n" + number + ",0.75\n"}) {
+        writeContent(result() + ".deaths.csv", text);
+        const auto fe = open();
+        const std::size_t dying = placeOf(fe->mesh(), GetParam().dying);
+        ASSERT_EQ(fe->contents().deathTime.size(), fe->mesh().elementCount()) << text;
+        EXPECT_NEAR(fe->contents().deathTime[dying], 0.75, 1e-12) << text;
+        EXPECT_FALSE(fe->activity().active(fe->stateCount() - 1, idAt<ElementIndex>(static_cast<std::uint32_t>(dying)))) << text;
+    }
+    for (const std::string heading : {"time [weeks]", "time_ns", "time_days", "Zeit [Std]"}) {
+        writeContent(result() + ".deaths.csv", "element;" + heading + "\n" + number + ";1\n");
+        try {
+            open();
+            ADD_FAILURE() << heading;
+        } catch (const ParseError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("\"" + heading + "\"")) << heading;
+        }
+    }
+    ImportSettings milliseconds;
+    const std::vector<std::string_view> choices = unitChoices();
+    milliseconds.units = static_cast<std::size_t>(std::find(choices.begin(), choices.end(), "kg-mm-ms") - choices.begin());
+    ASSERT_LT(milliseconds.units, choices.size());
+    writeContent(result() + ".deaths.csv", "element,time [ms]\n" + number + ",0.75\n");
+    EXPECT_THROW(openFe(result(), milliseconds, {}, Execution{}), ParseError);
 }
 
 class DeathListsBesideFlags : public DeathLists {};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "io/fe/straight_edges.h"
@@ -47,6 +48,16 @@ T valueAt(const std::string& bytes, std::size_t at) {
     T value;
     std::memcpy(&value, bytes.data() + at, sizeof value);
     return value;
+}
+
+// What the blocks of a step are where they are no states of a course of time; null: they are. The number is that of the kind of
+// analysis: 0 static, 1 in time, 2 frequencies, 3 other, 4 buckling.
+const char* shapesOf(const std::string& head, bool ofMode) {
+    const std::string kind = column(head, 57, 1);
+    if (kind == "2" || ofMode || column(head, 63, 5) == "MODAL") {
+        return "a frequency analysis";
+    }
+    return kind == "4" ? "a buckling analysis" : nullptr;
 }
 
 std::size_t realBytes(int format) {
@@ -112,6 +123,8 @@ FrdFile::FrdFile(const std::string& path) : m_path(path), m_window(path) {
             readNodes(line);
         } else if (line.starts_with("    3C")) {
             readElements(line);
+        } else if (line.starts_with("    1PMODE")) {
+            m_ofMode = true;
         } else if (line.starts_with("  100C") && (m_window.place() >= m_window.size() || !readResult(line))) {
             m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
                            {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, path);
@@ -248,6 +261,7 @@ void FrdFile::readBinaryElements(std::size_t count, std::vector<Element>& elemen
 bool FrdFile::readResult(const std::string& head) {
     FrdState state;
     state.format = formatOf(head);
+    const char* const shapes = shapesOf(head, std::exchange(m_ofMode, false));
     if (!toReal(column(head, 12, 12), state.time)) {
         fail("a block of results should have a time, but has \"" + column(head, 12, 12) + "\"");
     }
@@ -281,7 +295,10 @@ bool FrdFile::readResult(const std::string& head) {
     if (state.nodes > (m_window.size() - m_window.place()) / each || !skipBlock(state)) {
         return false;
     }
-    if (name == "DISP" && state.components >= 3) {
+    if (name == "DISP" && shapes) {
+        m_shapes = shapes;
+        ++m_shapeCount;
+    } else if (name == "DISP" && state.components >= 3) {
         // A step that ends where the next begins writes its time twice: the newer counts.
         while (!m_states.empty() && m_states.back().time == state.time) {
             m_states.pop_back();
@@ -310,7 +327,22 @@ bool FrdFile::skipBlock(const FrdState& state) {
     return false;
 }
 
+// A step of frequencies may stand before one in time, which is made of its shapes.
+void FrdFile::noteShapes() {
+    if (m_shapeCount > 0 && m_states.empty()) {
+        throw ParseError(
+            {"frd.analysis", "{0} is {1} of CalculiX, whose shapes are no states of a course of time", {m_path, m_shapes}},
+            {"rst.analysis.remedy", "Give the results of the collapse: a static or a transient analysis.", {}});
+    }
+    if (m_shapeCount > 0) {
+        m_findings.add(
+            {"frd.shapes", "Shapes of frequencies or of buckling are no states of a course of time: they were left out", {}},
+            {"frd.shapes.remedy", "Nothing to do: the states of the other steps were read.", {}}, m_path, m_shapeCount);
+    }
+}
+
 void FrdFile::finish() {
+    noteShapes();
     if (m_elements.empty()) {
         throw ParseError({"fe.no_elements", "{0} has no solids, shells or beams", {m_path}},
                          {"fe.no_elements.remedy", "Give an analysis whose structure is made of such elements.", {}});

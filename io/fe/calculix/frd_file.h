@@ -53,6 +53,7 @@ private:
     void readBinaryElements(std::size_t count, std::vector<Element>& elements);
     bool readResult(const std::string& head);
     bool skipBlock(const FrdState& state);
+    void noteShapes();
     void finish();
     void addElement(const Element& element);
     std::size_t countOf(const std::string& head, std::size_t bytesEach) const;
@@ -65,6 +66,9 @@ private:
     Mesh m_mesh;
     std::vector<Element> m_elements;
     std::vector<FrdState> m_states;
+    bool m_ofMode = false;           // the next block of results is that of a mode
+    const char* m_shapes = nullptr;  // what they are of
+    std::int64_t m_shapeCount = 0;
     Findings m_findings;
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <tuple>
 #include <variant>
 
 #include "core/base/error.h"
@@ -87,6 +89,46 @@ TEST_F(DeathKindsTest, LayersOfACompositeShellMakeOneThicknessAndDensity) {
     const InputDeck deck = readInputDeck(m_folder / "small.inp");
     EXPECT_NEAR(deck.sections.at(0).thickness.value(), 0.15, 1e-12);
     EXPECT_NEAR(deck.densityOf(deck.sections[0]).value(), 2000.0, 1e-9);
+}
+
+// Eigenvalues are no times: what CalculiX writes of its steps, by the number in its headers.
+TEST_F(DeathKindsTest, ShapesOfCalculixAreNoStates) {
+    const std::string time = smallFrd();
+    const auto steps = [&time](const std::vector<std::pair<char, std::string>>& kinds) {
+        constexpr std::size_t kindAt = 57, nameAt = 63;
+        std::string text = time;
+        std::size_t at = 0;
+        for (const auto& [kind, name] : kinds) {
+            at = text.find("  100C", at + 1);
+            text[at + kindAt] = kind;
+            text.replace(at + nameAt, name.size(), name);
+        }
+        return text;
+    };
+    for (const auto& [kind, name, says] : {std::tuple{'2', "MODAL", "a frequency analysis"},
+                                           {'3', "MODAL", "a frequency analysis"},
+                                           {'4', "", "a buckling analysis"}}) {
+        writeContent(m_folder / "small.frd", steps({{kind, name}, {kind, name}, {kind, name}}));
+        try {
+            open("small.frd");
+            ADD_FAILURE() << says;
+        } catch (const ParseError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(std::string("small.frd is ") + says));
+        }
+    }
+    writeContent(m_folder / "small.frd", steps({{'0', ""}, {'2', "MODAL"}, {'1', ""}}));
+    const auto fe = open("small.frd");
+    EXPECT_EQ(fe->times(), (std::vector<double>{0.0, 2.0}));
+    EXPECT_EQ(fe->contents().findings.count("frd.shapes"), 1);
+    std::string complex = time;
+    for (std::size_t at = complex.find("  100C"); at != std::string::npos; at = complex.find("  100C", at + 40)) {
+        complex[at + 57] = '3';
+        const std::string mode = "    1PMODE                         1\n";
+        complex.insert(at, mode);
+        at += mode.size();
+    }
+    writeContent(m_folder / "small.frd", complex);
+    EXPECT_THROW(open("small.frd"), ParseError);
 }
 
 TEST_F(DeathKindsTest, AListCountsBesideAnExodusResultWithoutAFlag) {

@@ -34,7 +34,8 @@ std::optional<std::int64_t> integerOf(const std::string& text) {
     return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// A keyword line: "*ELEMENT, TYPE=C3D8" is ELEMENT with the option TYPE. Names without quotes, upper case.
+/// A keyword line: "*ELEMENT, TYPE=C3D8" is ELEMENT with the option TYPE. Upper case, names without quotes, those of keywords and
+/// options without blanks.
 struct Keyword {
     std::string name;
     std::map<std::string, std::string> options;
@@ -44,20 +45,21 @@ struct Keyword {
     std::string option(const std::string& option) const { return has(option) ? options.at(option) : ""; }
 };
 
+std::string withoutBlanks(std::string text) {
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+    return text;
+}
+
 Keyword keywordOf(const std::string& line) {
     Keyword keyword;
     const std::vector<std::string> fields = fieldsOf(line);
-    for (const char c : upperCase(fields.front().substr(1))) {
-        // "SOLID SECTION" may be written with any number of blanks.
-        if (c != ' ' || (!keyword.name.empty() && keyword.name.back() != ' ')) {
-            keyword.name += c;
-        }
-    }
+    // "SOLID SECTION" may be written with any number of blanks, or none.
+    keyword.name = withoutBlanks(upperCase(fields.front().substr(1)));
     for (std::size_t i = 1; i < fields.size(); ++i) {
         const std::size_t equals = fields[i].find('=');
         std::string value = equals == std::string::npos ? "" : std::string(trimmed(fields[i].substr(equals + 1)));
         std::erase(value, '"');
-        const std::string name = upperCase(std::string(trimmed(fields[i].substr(0, equals))));
+        const std::string name = withoutBlanks(upperCase(fields[i].substr(0, equals)));
         if (name == "INPUT") {
             keyword.file = value;
         }
@@ -136,9 +138,9 @@ private:
             ++m_step;
         } else if (m_keyword.name == "MATERIAL") {
             m_material = m_keyword.option("NAME");
-        } else if (m_keyword.name.ends_with(" SECTION") && m_keyword.has("ELSET")) {
+        } else if (m_keyword.name.ends_with("SECTION") && m_keyword.has("ELSET")) {
             m_deck.sections.push_back({m_keyword.option("ELSET"), m_keyword.option("MATERIAL"), {}, {}, {}});
-        } else if (m_keyword.name == "MODEL CHANGE") {
+        } else if (m_keyword.name == "MODELCHANGE") {
             beginChange();
         }
     }
@@ -163,11 +165,11 @@ private:
             if (const auto density = realOf(fields.front()); density && !m_material.empty()) {
                 m_deck.densities[m_material] = *density;
             }
-        } else if (m_keyword.name == "SHELL SECTION" && m_keyword.has("ELSET")) {
+        } else if (m_keyword.name == "SHELLSECTION" && m_keyword.has("ELSET")) {
             readShell(fields);
-        } else if (m_keyword.name == "SOLID SECTION" && m_line == 1 && m_keyword.has("ELSET")) {
+        } else if (m_keyword.name == "SOLIDSECTION" && m_line == 1 && m_keyword.has("ELSET")) {
             m_deck.sections.back().area = realOf(fields.front());  // of trusses
-        } else if (m_keyword.name == "BEAM SECTION" && m_line == 1 && m_keyword.has("ELSET")) {
+        } else if (m_keyword.name == "BEAMSECTION" && m_line == 1 && m_keyword.has("ELSET")) {
             readBeam(fields);
         } else if (m_inChange) {
             readChange(fields);
@@ -178,7 +180,7 @@ private:
     void readShell(const std::vector<std::string>& fields) {
         DeckSection& section = m_deck.sections.back();
         const std::optional<double> thickness = realOf(fields.front());
-        if (m_keyword.has("NODAL THICKNESS")) {
+        if (m_keyword.has("NODALTHICKNESS")) {
             return;
         }
         if (!m_keyword.has("COMPOSITE")) {

@@ -59,7 +59,8 @@ TEST_F(DeathKindsTest, OnlyRemovalsOfElementsOfADeckAreDeaths) {
         EXPECT_EQ(dead(*open("small.frd")), byNodes) << change;
     }
     for (const char* change :
-         {"*MODEL CHANGE,TYPE=ELEMENT,REMOVE\n2", "*Model  change, remove, type=element\nTop", "*MODEL CHANGE, REMOVE\nTOP"}) {
+         {"*MODEL CHANGE,TYPE=ELEMENT,REMOVE\n2", "*Model  change, remove, type=element\nTop", "*MODEL CHANGE, REMOVE\nTOP",
+          "*MODELCHANGE,TYPE=ELEMENT,REMOVE\n2", "* modelChange , TYPE = ELEMENT , REMOVE\nTOP"}) {
         writeContent(m_folder / "small.inp", deckWith(change));
         EXPECT_EQ(dead(*open("small.frd")), byDeck) << change;
     }
@@ -89,6 +90,18 @@ TEST_F(DeathKindsTest, LayersOfACompositeShellMakeOneThicknessAndDensity) {
     const InputDeck deck = readInputDeck(m_folder / "small.inp");
     EXPECT_NEAR(deck.sections.at(0).thickness.value(), 0.15, 1e-12);
     EXPECT_NEAR(deck.densityOf(deck.sections[0]).value(), 2000.0, 1e-9);
+}
+
+// As solvers do, keywords are read without their blanks.
+TEST_F(DeathKindsTest, KeywordsOfADeckMayLackTheirBlanks) {
+    writeContent(m_folder / "small.inp",
+                 "*ELEMENT,TYPE=S4,ELSET=EALL\n1,1,2,3,4\n*MATERIAL,NAME=A\n*DENSITY\n1000\n"
+                 "*ShellSection,ELSET=EALL,MATERIAL=A\n0.2\n*SHELL  SECTION,ELSET=OTHER,NODALTHICKNESS\n0.5\n");
+    const InputDeck deck = readInputDeck(m_folder / "small.inp");
+    ASSERT_EQ(deck.sections.size(), 2u);
+    EXPECT_EQ(deck.sections[0].thickness, std::optional(0.2));
+    EXPECT_EQ(deck.sections[0].material, "A");
+    EXPECT_EQ(deck.sections[1].thickness, std::nullopt);
 }
 
 // Eigenvalues are no times: what CalculiX writes of its steps, by the number in its headers.

@@ -69,6 +69,7 @@ public:
             m_nodes.emplace(m_mesh.nodeIds[n], n);
         }
         dropUnfinished();
+        noteUnset();
     }
 
     const std::vector<std::int64_t>& nodeNumbers() const { return m_mesh.nodeIds; }
@@ -82,6 +83,18 @@ public:
     }
 
     SeriesFields fields(std::size_t k) const override {
+        SeriesFields fields;
+        fields.positions.assign(m_mesh.nodeCount(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        visit(k, [&](std::size_t node, const Vec3& moved, bool) {
+            fields.positions[node] = m_mesh.nodes[node] + axesOf(node) * moved;
+        });
+        return fields;
+    }
+
+private:
+    // Calls back for each node that a set has: its displacement in its own axes, and whether a component of it is not set.
+    template <class Each>
+    void visit(std::size_t k, const Each& each) const {
         const std::scoped_lock lock(m_mutex);
         const std::vector<std::int64_t> header = m_records.integers(m_sets[k], mostHeader);
         require(header.size() > 124, "the header of a set is short");
@@ -94,17 +107,29 @@ public:
         const auto count = static_cast<std::uint64_t>(nodes * freedoms);
         const std::vector<double> values = m_records.reals(m_sets[k] + offset, count);
         require(values.size() == count, "a set has " + std::to_string(values.size()) + " nodal values");
-        SeriesFields fields;
-        fields.positions.assign(m_mesh.nodeCount(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
         for (std::size_t n = 0; n < static_cast<std::size_t>(nodes); ++n) {
-            if (const auto found = m_nodes.find(m_order[n]); found != m_nodes.end()) {
-                place(found->second, values.data() + n * static_cast<std::size_t>(freedoms), header, fields);
+            const auto found = m_nodes.find(m_order[n]);
+            if (found == m_nodes.end()) {
+                continue;
             }
+            Vec3 moved = Vec3::Zero();
+            bool unset = false;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(freedoms); ++i) {
+                const std::int64_t freedom = header[20 + i];
+                const double value = values[n * static_cast<std::size_t>(freedoms) + i];
+                if (freedom < 1 || freedom > 3) {
+                    continue;
+                }
+                if (std::abs(value) > undefined) {
+                    unset = true;
+                } else {
+                    moved[static_cast<Eigen::Index>(freedom - 1)] = value;
+                }
+            }
+            each(found->second, moved, unset);
         }
-        return fields;
     }
 
-private:
     void require(bool right, const std::string& what) const {
         if (!right) {
             throw ParseError({"rst.layout", "{0}: {1}", {m_path, what}},
@@ -157,6 +182,23 @@ private:
                 m_facts.findings.add(
                     {"rst.dead", "Sets have a list of dead elements whose meaning nobody has verified; it was not used", {}},
                     {"rst.dead.remedy", "Put a list of deaths (element,time) beside the file.", {}}, m_path);
+            }
+        }
+    }
+
+    // A direction in which no element holds a node has no value: the node does not move along it.
+    void noteUnset() {
+        std::vector<bool> unset(m_mesh.nodeCount(), false);
+        for (std::size_t k = 0; k < m_sets.size(); k += std::max<std::size_t>(m_sets.size() - 1, 1)) {
+            visit(k, [&](std::size_t node, const Vec3&, bool missing) { unset[node] = unset[node] || missing; });
+        }
+        for (const std::uint32_t node : m_mesh.corners) {
+            if (unset[node]) {
+                unset[node] = false;
+                m_facts.findings.add(
+                    {"rst.unset", "Nodes of elements have no displacement along some axes: they were left at rest along them", {}},
+                    {"rst.unset.remedy", "Nothing to do if no element resists there, as trusses and plane models do not.", {}},
+                    "node " + englishInteger(m_mesh.nodeIds[node]) + " (" + m_path + ")");
             }
         }
     }
@@ -254,18 +296,6 @@ private:
         m_mesh.elementIds.push_back(values[8]);
         m_mesh.shapes.push_back(*shape);
         m_mesh.offsets.push_back(static_cast<std::uint32_t>(m_mesh.corners.size()));
-    }
-
-    void place(std::size_t node, const double* values, const std::vector<std::int64_t>& header, SeriesFields& fields) const {
-        Vec3 moved = Vec3::Zero();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(header[19]); ++i) {
-            const std::int64_t freedom = header[20 + i];
-            if (freedom >= 1 && freedom <= 3) {
-                moved[static_cast<Eigen::Index>(freedom - 1)] =
-                    std::abs(values[i]) > undefined ? std::numeric_limits<double>::quiet_NaN() : values[i];
-            }
-        }
-        fields.positions[node] = m_mesh.nodes[node] + axesOf(node) * moved;
     }
 
     // Displacements stand in the axes of the node: turned about z, then about its x, then about its y.

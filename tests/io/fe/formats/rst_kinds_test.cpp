@@ -37,6 +37,18 @@ TEST_F(RstKinds, StaticAndTransientAnalysesOfAnyReleaseAreRead) {
     }
 }
 
+// Ansys writes 2^100 where no element of a node resists, as along z in a plane model.
+TEST_F(RstKinds, DirectionsWithoutAValueStayAtRest) {
+    const auto fe = open({.unset = true});
+    const auto state = fe->state(2);
+    for (std::size_t n = 0; n < fe->mesh().nodeCount(); ++n) {
+        EXPECT_NEAR(state->positions[n].x(), fe->mesh().nodes[n].x() + 0.2, 1e-12);
+        EXPECT_EQ(state->positions[n].z(), fe->mesh().nodes[n].z());
+    }
+    EXPECT_EQ(fe->contents().findings.count("rst.unset"), 12);
+    EXPECT_EQ(open({})->contents().findings.count("rst.unset"), 0);
+}
+
 TEST_F(RstKinds, ShapesAreNoCourseOfTime) {
     const std::vector<std::pair<int, std::string>> kinds{{1, "an eigenvalue buckling analysis"},
                                                          {2, "a modal analysis"},

@@ -269,7 +269,7 @@ std::string smallRst(int states, const RstHeader& header) {
         text.set(setsAt, static_cast<std::size_t>(state), {text.integers(set)});
         std::vector<double> moved;
         for (std::size_t n = 0; n < ownNodes.size(); ++n) {
-            moved.insert(moved.end(), {0.1 * state, 0.0, 0.0});
+            moved.insert(moved.end(), {0.1 * state, 0.0, header.unset ? 0x1p100 : 0.0});
         }
         text.reals(moved);
     }

@@ -19,6 +19,7 @@ struct RstHeader {
     int analysis = 4;            ///< code of ANTYPE: 0 static, 4 transient
     std::size_t words = 80;      ///< of the headers of results and geometry; releases of long ago: 40
     std::size_t setWords = 200;  ///< of the header of a set
+    bool unset = false;          ///< displacements along z have no value
     std::vector<int> bricks{};   ///< that one process of a distributed analysis has, from 1; empty: the file is whole
 };
 /// It has no deaths: a list beside it tells them. @param states  that are written

@@ -11863,6 +11863,62 @@
         <source>the registration of the case moves it by {0} and turns it by {1} degrees, and says neither by what it was found nor how well a place is known</source>
         <translation>案例的配准将其移动 {0}、转动 {1} 度，既没有说明由何得出，也没有说明一处的位置已知到多少</translation>
     </message>
+    <message>
+        <source>Copy it again, or take it away: the series is then read without this state.</source>
+        <translation>重新复制该文件，或将其移走：此时读取序列时不含该状态。</translation>
+    </message>
+    <message>
+        <source>Nodes of elements have no displacement along some axes: they were left at rest along them</source>
+        <translation>单元的节点沿某些轴没有位移：沿这些轴保持静止位置</translation>
+    </message>
+    <message>
+        <source>Nothing to do if no element resists there, as trusses and plane models do not.</source>
+        <translation>如果没有单元在该方向上起作用（如桁架和平面模型），则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do: the states of the other steps were read.</source>
+        <translation>无需处理：其他分析步的状态已读取。</translation>
+    </message>
+    <message>
+        <source>Shapes of frequencies or of buckling are no states of a course of time: they were left out</source>
+        <translation>频率或屈曲的振型不是随时间变化的状态：已略去</translation>
+    </message>
+    <message>
+        <source>Write s, ms or us, as in &quot;time [ms]&quot;; without a unit the list counts as the result does.</source>
+        <translation>写 s、ms 或 us，如“time [ms]”；不写单位时，清单按结果的时间单位计。</translation>
+    </message>
+    <message>
+        <source>Write the times as the result counts them, and no unit into the heading.</source>
+        <translation>按结果的时间单位写时间，表头中不写单位。</translation>
+    </message>
+    <message>
+        <source>a buckling analysis</source>
+        <translation>屈曲分析</translation>
+    </message>
+    <message>
+        <source>a frequency analysis</source>
+        <translation>频率分析</translation>
+    </message>
+    <message>
+        <source>some of its entries have a timestep, others of one part have none</source>
+        <translation>其部分条目有 timestep，而同一部分的其他条目没有</translation>
+    </message>
+    <message>
+        <source>{0} is empty: its state is not there</source>
+        <translation>{0} 是空文件：其状态不存在</translation>
+    </message>
+    <message>
+        <source>{0} is {1} of CalculiX, whose shapes are no states of a course of time</source>
+        <translation>{0} 是 CalculiX 的{1}，其振型不是随时间变化的状态</translation>
+    </message>
+    <message>
+        <source>{0}: the heading &quot;{1}&quot; names a unit of time that is not known</source>
+        <translation>{0}：表头“{1}”所写的时间单位未知</translation>
+    </message>
+    <message>
+        <source>{0}: the heading &quot;{1}&quot; names a unit of time, but the result does not count in seconds</source>
+        <translation>{0}：表头“{1}”写了时间单位，但结果不以秒计</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-inline constexpr double apartLeast = 2.0;    ///< m, or two cells: what lies farther from simulated debris is apart from it
+inline constexpr double apartLeast = 2.0;   ///< m, or two cells: what lies farther from simulated debris is apart from it
 inline constexpr double apartShare = 0.05;  ///< of the surveyed debris: from here on it is much
 
 /// What lies outside of the scope, of either side. @param surveyed  before what is not compared was taken out

@@ -8280,8 +8280,8 @@
         <translation>若结构由它们组成，请写成非结构网格。</translation>
     </message>
     <message>
-        <source>Give a .pvd or .series file with the times, or files with TimeValue; if the files are no states of one analysis, set only_this_file=true.</source>
-        <translation>给出带时间的 .pvd 或 .series 文件，或带 TimeValue 的文件；若这些文件不是同一分析的状态，请设 only_this_file=on。</translation>
+        <source>Give a .pvd or .series file with the times, or files with TimeValue; if the files are pieces of one state, their .pvtu or .vtm; if they are no states of one analysis, set only_this_file=true.</source>
+        <translation>给出带时间的 .pvd 或 .series 文件，或带 TimeValue 的文件；若这些文件是同一状态的分块，给出其 .pvtu 或 .vtm；若不是同一分析的状态，请设 only_this_file=true。</translation>
     </message>
     <message>
         <source>Write a line /COM,TIME=T into each file; if the files are no states of one analysis, set only_this_file=true.</source>

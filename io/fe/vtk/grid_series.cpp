@@ -145,12 +145,13 @@ GridNames GridSeries::namesOfSeries(const Grid& first, const ImportSettings& set
 void GridSeries::noteMissingTimes(const std::vector<std::string>& files) {
     // States of one file are states, whenever they are.
     m_facts.timed = files.size() < 2;
-    m_facts.findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
-                         {"vtk.no_times.remedy",
-                          "Give a .pvd or .series file with the times, or files with TimeValue; if the files are no states of one "
-                          "analysis, set only_this_file=true.",
-                          {}},
-                         takenForStates(files), static_cast<std::int64_t>(times().size()));
+    m_facts.findings.add(
+        {"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
+        {"vtk.no_times.remedy",
+         "Give a .pvd or .series file with the times, or files with TimeValue; if the files are pieces of one state, "
+         "their .pvtu or .vtm; if they are no states of one analysis, set only_this_file=true.",
+         {}},
+        takenForStates(files), static_cast<std::int64_t>(times().size()));
 }
 
 void GridSeries::noteDroppedTimes(std::size_t count) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -246,6 +247,18 @@ TEST_F(DecomposedResult, LooselyWrittenIndicesAreRead) {
     for (const char* name : {"loose.pvd", "s2.vtu"}) {
         EXPECT_EQ(open(name)->times(), (std::vector<double>{0.0, 1.0, 2.0})) << name;
     }
+}
+
+// Nobody says that files are pieces: what lacks times may be, and the remedy says so.
+TEST_F(DecomposedResult, PiecesWithoutTheirIndexAreThoughtOf) {
+    writeContent(m_folder / "s0_0.vtu", BrickRow{.bricks = {0}}.vtu());
+    writeContent(m_folder / "s0_1.vtu", BrickRow{.bricks = {0}}.vtu());
+    const auto fe = open("s0_0.vtu");
+    const auto& list = fe->contents().findings.list();
+    const auto found =
+        std::find_if(list.begin(), list.end(), [](const Finding& finding) { return finding.what.id == "vtk.no_times"; });
+    ASSERT_NE(found, list.end());
+    EXPECT_THAT(englishText(found->remedy), HasSubstr("if the files are pieces of one state, their .pvtu"));
 }
 
 // Without times, lines are no states of one time that replace each other.

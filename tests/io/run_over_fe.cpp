@@ -45,6 +45,7 @@ std::shared_ptr<const FeResult> makeFe(const SampleRun& run, std::size_t survivo
             mesh->corners.push_back(static_cast<std::uint32_t>(mesh->nodes.size()));
             const double x = 3.0 * static_cast<double>(e) + ((corner & 1) ^ ((corner >> 1) & 1));
             mesh->nodes.emplace_back(x, (corner >> 1) & 1, corner >> 2);
+            mesh->nodeIds.push_back(static_cast<std::int64_t>(mesh->nodes.size()));
         }
         mesh->elementIds.push_back(static_cast<std::int64_t>(1000 + e));
         mesh->shapes.push_back(ElementShape::Hexahedron);

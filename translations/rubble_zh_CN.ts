@@ -11764,20 +11764,20 @@
         <translation>在远离所有堆积物处，测量低于地面 {0}（{1} 个单元的中位数）</translation>
     </message>
     <message>
-        <source>heights count from {0} on, the level of detection (95 %) of a noise of {1}, estimated from {2} cells far from all debris</source>
-        <translation>高度从 {0} 起计入，即噪声 {1} 的检测限（95 %），噪声由远离所有堆积物的 {2} 个单元估计</translation>
+        <source>heights count from {0} on; the level of detection (95 %) is {1}, of a noise of {2} estimated from {3} cells far from all debris</source>
+        <translation>高度从 {0} 起计入；检测限（95 %）为 {1}，来自由远离所有堆积物的 {3} 个单元估计的噪声 {2}</translation>
     </message>
     <message>
-        <source>heights count from {0} on, the level of detection (95 %) of the stated noise of {1}</source>
-        <translation>高度从 {0} 起计入，即所给噪声 {1} 的检测限（95 %）</translation>
+        <source>heights count from {0} on; the level of detection (95 %) is {1}, of the stated noise of {2}</source>
+        <translation>高度从 {0} 起计入；检测限（95 %）为 {1}，来自所给的噪声 {2}</translation>
     </message>
     <message>
         <source>if that is no debris (vehicles, trees, houses), give an area of interest or leave it out; else no hypothesis explains it</source>
         <translation>若那不是堆积物（车辆、树木、房屋），请给出关注区域或将其排除；否则没有假设能解释它</translation>
     </message>
     <message>
-        <source>none is needed; what lies lower may be noise and is taken for ground on both sides</source>
-        <translation>不需要；更低之处可能是噪声，两侧都视为地面</translation>
+        <source>none is needed; what lies lower is taken for ground on both sides</source>
+        <translation>不需要；更低之处两侧都视为地面</translation>
     </message>
     <message>
         <source>state the noise of the survey and of the ground in the case</source>

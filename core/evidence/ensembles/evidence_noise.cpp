@@ -81,14 +81,13 @@ void tellNoise(Findings& findings, const SurfaceEvidence& evidence, const Survey
         findings.add(
             noise.source == SurveyNoise::Source::Stated
                 ? Message{"evidence.detection",
-                          "heights count from {0} on, the level of detection (95 %) of the stated noise of {1}",
-                          {{evidence.least, "m"}, {noise.deviation, "m"}}}
+                          "heights count from {0} on; the level of detection (95 %) is {1}, of the stated noise of {2}",
+                          {{evidence.least, "m"}, {noise.detection(), "m"}, {noise.deviation, "m"}}}
                 : Message{"evidence.detection",
-                          "heights count from {0} on, the level of detection (95 %) of a noise of {1}, estimated from {2} cells "
-                          "far from all debris",
-                          {{evidence.least, "m"}, {noise.deviation, "m"}, noise.cells}},
-            {"evidence.detection.remedy", "none is needed; what lies lower may be noise and is taken for ground on both sides", {}},
-            evidence.name);
+                          "heights count from {0} on; the level of detection (95 %) is {1}, of a noise of {2} estimated from {3} "
+                          "cells far from all debris",
+                          {{evidence.least, "m"}, {noise.detection(), "m"}, {noise.deviation, "m"}, noise.cells}},
+            {"evidence.detection.remedy", "none is needed; what lies lower is taken for ground on both sides", {}}, evidence.name);
     }
     if (std::isfinite(noise.offset) && std::abs(noise.offset) > offsetLeast) {
         const std::vector<Argument> off{{std::abs(noise.offset), "m"}, noise.cells};

@@ -1,6 +1,9 @@
 #include "io/case/ensemble_source.h"
 
 #include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
 
 namespace rubble::io {
 
@@ -16,6 +19,9 @@ void note(EnsembleSource& source, const std::string& role, const std::string& pa
 
 /// @param id  as the setting "scenario" chooses it
 void addScene(EnsembleSource& source, const OpenedCase& opened, const std::string& id) {
+    if (source.scenes.empty()) {
+        source.fePath = opened.fePath;
+    }
     source.scenes.push_back({id, opened.scenarioName, opened.inputs, opened.scenario});
     source.theCase = opened.theCase;
     source.frame = opened.inputs.frame;
@@ -27,6 +33,10 @@ void addScene(EnsembleSource& source, const OpenedCase& opened, const std::strin
     for (const RecordedInput& mesh : origin.surroundings) {
         note(source, "surroundings", mesh.path, mesh.sha256);
     }
+}
+
+std::string titleOf(const EnsembleSource& source, const std::string& path) {
+    return source.theCase.title.empty() ? std::filesystem::path(path).stem().string() : source.theCase.title;
 }
 
 }  // namespace
@@ -49,7 +59,7 @@ EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& 
     if (request.scenario || varied.empty()) {
         const OpenedCase opened = openCase(request, execution);
         addScene(source, opened, opened.scenarioId);
-        source.name = request.scenario ? opened.scenarioName : opened.theCase.title;
+        source.name = request.scenario ? opened.scenarioName : titleOf(source, request.path);
         return source;
     }
     CaseRequest each = request;
@@ -58,8 +68,26 @@ EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& 
         each.scenario = scenario;
         addScene(source, openCase(each, execution), scenario);
     }
-    source.name = source.theCase.title;
+    source.name = titleOf(source, request.path);
     return source;
+}
+
+void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<const std::string> taken) {
+    if (first != nullptr &&
+        !(next.frame == first->frame && next.theCase.site.controlPoints == first->theCase.site.controlPoints)) {
+        throw UsageError({"causes.other_frame",
+                          "\"{0}\" has another origin, axes, coordinate system or control points than \"{1}\".",
+                          {next.name, first->name}},
+                         {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
+    }
+    const auto isTaken = [&](const std::string& name) { return std::find(taken.begin(), taken.end(), name) != taken.end(); };
+    if (isTaken(next.name)) {
+        next.name += " (" + std::filesystem::path(next.fePath).stem().string() + ")";
+    }
+    const std::string name = next.name;
+    for (int number = 2; isTaken(next.name); ++number) {
+        next.name = name + " " + std::to_string(number);
+    }
 }
 
 std::string evidenceGround(const EnsembleSource& source) {

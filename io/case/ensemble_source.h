@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,11 @@ struct EnsembleInput {
 
 /// A case with all that the members of its ensemble stand on.
 struct EnsembleSource {
-    std::string name;  ///< of the case, or of its scenario where one was asked for
+    std::string name;  ///< of the case, of its scenario where one was asked for, or of the file if the case has none
     Case theCase;      ///< as openCase() gives it
     std::vector<EnsembleScene> scenes;
     std::vector<EnsembleInput> inputs;
+    std::string fePath;              ///< of the first scene, absolute
     std::vector<std::string> files;  ///< everything that was read: never written over
     Frame frame;
     Findings findings;  ///< of what was read
@@ -34,6 +36,11 @@ std::vector<std::string> variedScenarios(const EnsembleSettings& settings);
 /// that is worked on. An FE result is opened as an ensemble of one scenario.
 /// Throws as openCase().
 EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& settings, const Execution& execution);
+
+/// Takes a case as one more cause of what happened at one site: a name that is taken gets the FE result's file in brackets, and a
+/// number where that is taken too. @param first  of the causes so far; null: this is the first. @param taken  names so far
+/// Throws UsageError ("causes.other_frame") where frame or control points are others than those of the first.
+void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<const std::string> taken);
 
 /// The terrain that evidence is held above, for EvidenceSite::groundFile; empty if there is none or surroundings raise it.
 std::string evidenceGround(const EnsembleSource& source);

@@ -165,7 +165,11 @@ void AccuracyPlot::paint(QPainter& painter) const {
 void AccuracyPlot::paintAxes(QPainter& painter) const {
     const double unit = m_content.accuracy.tolerance ? 100.0 : 1.0;
     const auto cost = [](double tick) { return QLocale().toString(tick, 'g', 6); };
-    const auto accuracy = [unit](double tick) { return QLocale().toString(std::round(unit * tick * 1e6) / 1e6, 'g', 4); };
+    const std::vector<double>& ticks = m_field.up.ticks;
+    const double apart = ticks.size() > 1 ? ticks[1] - ticks[0] : 0.0;
+    const auto accuracy = [unit, apart](double tick) {
+        return QLocale().toString(std::round(unit * tick * 1e6) / 1e6, 'g', std::max(4, figures::digitsOfMark(tick, apart)));
+    };
     m_field.paintAxes(painter, m_font, m_palette, {costAxisWords(m_content.cost), cost},
                       {accuracyAxisWords(m_content.accuracy), accuracy});
 }

@@ -188,9 +188,9 @@ std::optional<double> typedNumber(const QString& text, std::string_view unit, do
     return std::nullopt;
 }
 
-QString shownEnergy(double joules) {
+QString shownEnergy(double joules, int significant) {
     if (figures::unitSet() != figures::UnitSet::Si) {
-        return shownWith(joules, "J");
+        return shownWith(joules, "J", significant);
     }
     static constexpr std::array units = {"J", "kJ", "MJ", "GJ", "TJ"};
     std::size_t unit = 0;
@@ -198,7 +198,7 @@ QString shownEnergy(double joules) {
         joules /= 1000.0;
         ++unit;
     }
-    return shownNumber(joules) + QChar(0x00A0) + QLatin1String(units[unit]);
+    return shownNumber(joules, significant) + QChar(0x00A0) + QLatin1String(units[unit]);
 }
 
 QString shownMass(double kilograms, int significant) {

@@ -33,7 +33,7 @@ double typedIn(double shown, std::string_view unit);
 /// us", "2 s"); without, it is in the unit in which figures::shownUnit() shows a value like the one that stood there.
 std::optional<double> typedNumber(const QString& text, std::string_view unit, double near = 0.0);
 /// An energy in the unit that keeps its number readable: "7.89 GJ".
-QString shownEnergy(double joules);
+QString shownEnergy(double joules, int significant = 3);
 /// A mass in the unit that keeps its number readable: "65,870 t", "591 g".
 QString shownMass(double kilograms, int significant = 3);
 /// A whole number with the locale's grouping.

@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -75,7 +74,7 @@ private:
             m_painter.drawLine(QPointF(x(tick), m_field.top()), QPointF(x(tick), m_field.bottom()));
             m_painter.setPen(m_tints.muted);
             m_painter.drawText(QRectF(x(tick) - 4.0 * line, m_field.bottom() + 0.3 * line, 8.0 * line, line), Qt::AlignHCenter,
-                               QLocale().toString(std::abs(tick) < 1e-9 * m_step ? 0.0 : tick, 'g', 4));
+                               shownNumber(std::abs(tick) < 1e-9 * m_step ? 0.0 : tick, figures::digitsOfMark(tick, m_step)));
         }
         const QString words = tr("departure from the evidence, in units of its scatter; less is closer");
         m_painter.drawText(QRectF(m_field.left() - m_names, m_field.bottom() + 1.7 * line, m_field.width() + m_names, 2.2 * line),

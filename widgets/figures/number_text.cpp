@@ -64,8 +64,8 @@ QString paceText(double pace) {
                             : numberText(pace) + QStringLiteral(" ×");
 }
 
-QString numberText(double value) {
-    return numbers().toString(value, 'g', 4);
+QString numberText(double value, int significant) {
+    return numbers().toString(value, 'g', significant);
 }
 
 QString lengthText(double metres) {

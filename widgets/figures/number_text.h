@@ -27,7 +27,7 @@ QString paceText(double pace);
 QString lengthText(double metres);
 /// A speed with its unit: "25 m/s".
 QString speedText(double metresPerSecond);
-/// A number without needless zeros, to four significant digits.
-QString numberText(double value);
+/// A number without needless zeros.
+QString numberText(double value, int significant = 4);
 
 }  // namespace rubble::figures

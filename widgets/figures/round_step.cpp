@@ -19,4 +19,10 @@ double roundStep(double span, double count) {
     return 10.0 * power;
 }
 
+int digitsOfMark(double mark, double step) {
+    const auto power = [](double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); };
+    const double size = std::abs(mark);
+    return size < step || !(step > 0.0) ? 1 : power(size) - power(step) + 1;
+}
+
 }  // namespace rubble::figures

@@ -43,14 +43,14 @@ std::vector<Curve> curvesOf(std::size_t field, const figures::Palette& palette) 
     }
 }
 
-QString figureOf(std::size_t field, double value) {
+QString figureOf(std::size_t field, double value, int significant) {
     switch (field) {
         case 0:
-            return shownWith(value, "m/s");
+            return shownWith(value, "m/s", significant);
         case 1:
-            return shownWith(value, "m");
+            return shownWith(value, "m", significant);
         default:
-            return shownEnergy(value);
+            return shownEnergy(value, significant);
     }
 }
 
@@ -181,7 +181,11 @@ void HistoryChart::paintChart(QPainter& painter, const QRectF& area, const QFont
                                    const double told = (tick - m_content.timeOrigin) * unit.perSi;
                                    return last ? QLocale().toString(std::round(1e9 * told) / 1e9, 'g', 6) : QString();
                                }};
-        field.paintAxes(painter, font, palette, across, {nameOf(i), [i](double tick) { return figureOf(i, tick); }});
+        const std::vector<double>& ticks = field.up.ticks;
+        const double apart = ticks.size() > 1 ? ticks[1] - ticks[0] : 0.0;
+        field.paintAxes(painter, font, palette, across, {nameOf(i), [i, apart](double tick) {
+                                                             return figureOf(i, tick, std::max(3, figures::digitsOfMark(tick, apart)));
+                                                         }});
         double right = field.frame.right();
         for (const Curve& curve : curvesOf(i, palette)) {
             paintCurve(painter, field, m_content.points, curve);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "app/cli/accuracy/study_place.h"
@@ -58,10 +57,6 @@ Against parseAgainst(const Arguments& arguments) {
     return against;
 }
 
-std::string nameOf(const std::string& path, const EnsembleSubject& subject) {
-    return subject.theCase.title.empty() ? std::filesystem::path(path).stem().string() : subject.theCase.title;
-}
-
 /// The hypotheses of one site, opened.
 struct Causes {
     std::vector<std::string> names;
@@ -89,19 +84,10 @@ std::vector<std::pair<std::string, std::optional<std::string>>> causesOf(const s
 Causes openCauses(const Arguments& arguments, const EnsembleRequest& request, Session& session) {
     Causes causes;
     for (const auto& [path, scenario] : causesOf(operandsOf(arguments))) {
-        EnsembleSubject& subject = causes.subjects.emplace_back(openEnsembleSubject(path, scenario, arguments, request, session));
-        std::string name = scenario ? subject.scenes.front().name : nameOf(path, subject);
-        while (std::find(causes.names.begin(), causes.names.end(), name) != causes.names.end()) {
-            name += '\'';
-        }
-        causes.names.push_back(name);
-        const EnsembleSubject& first = causes.subjects.front();
-        if (!(subject.frame == first.frame && subject.theCase.site.controlPoints == first.theCase.site.controlPoints)) {
-            throw UsageError({"causes.other_frame",
-                              "\"{0}\" has another origin, axes, coordinate system or control points than \"{1}\".",
-                              {path, arguments.operand()}},
-                             {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
-        }
+        EnsembleSubject subject = openEnsembleSubject(path, scenario, arguments, request, session);
+        io::joinCauses(subject, causes.subjects.empty() ? nullptr : &causes.subjects.front(), causes.names);
+        causes.names.push_back(subject.name);
+        causes.subjects.push_back(std::move(subject));
     }
     return causes;
 }

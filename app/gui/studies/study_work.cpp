@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/error.h"
 #include "io/base/machine.h"
 #include "io/run/settled_files.h"
 #include "io/site/input_files.h"
@@ -35,6 +34,7 @@ namespace {
 /// The causes, opened. They must be of one site.
 std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const StudyOrder& order, const Execution& execution) {
     std::vector<io::EnsembleSource> sources;
+    std::vector<std::string> names;
     for (const StudyCase& cause : causes.causes) {
         const std::string& shown = cause.name.empty() ? cause.theCase.title : cause.name;
         execution.report({"gui.opening_cause", "Opening \"{0}\"", {shown}}, 0.0);
@@ -42,13 +42,8 @@ std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const Study
         if (!cause.name.empty()) {
             source.name = cause.name;
         }
-        if (!sources.empty() && !(source.frame == sources.front().frame &&
-                                  source.theCase.site.controlPoints == sources.front().theCase.site.controlPoints)) {
-            throw UsageError({"causes.other_frame",
-                              "\"{0}\" has another origin, axes, coordinate system or control points than \"{1}\".",
-                              {source.name, sources.front().name}},
-                             {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
-        }
+        io::joinCauses(source, sources.empty() ? nullptr : &sources.front(), names);
+        names.push_back(source.name);
         sources.push_back(std::move(source));
     }
     return sources;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QString>
 #include <cmath>
 
 namespace rubble::figures {
@@ -21,6 +22,23 @@ TEST(RoundStep, IsRoundAndNotTooFine) {
 TEST(RoundStep, IsOneWhereThereIsNothingToDivide) {
     EXPECT_EQ(roundStep(0.0, 5.0), 1.0);
     EXPECT_EQ(roundStep(5.0, 0.0), 1.0);
+}
+
+TEST(DigitsOfMark, TellAMarkFromTheNextOne) {
+    EXPECT_EQ(digitsOfMark(20990.2, 0.2), 6);
+    EXPECT_EQ(digitsOfMark(20991.0, 0.2), 6);
+    EXPECT_EQ(digitsOfMark(12.0, 2.0), 2);
+    EXPECT_EQ(digitsOfMark(-300.0, 100.0), 1);
+    EXPECT_EQ(digitsOfMark(1000.0, 0.001), 7);
+    EXPECT_EQ(digitsOfMark(0.0, 0.5), 1);
+    EXPECT_EQ(digitsOfMark(5.0, 0.0), 1) << "no scale";
+    for (double step : {0.001, 0.2, 5.0, 100.0}) {
+        for (int k = 990; k < 1010; ++k) {
+            EXPECT_NE(QString::number(k * step, 'g', digitsOfMark(k * step, step)),
+                      QString::number((k + 1) * step, 'g', digitsOfMark((k + 1) * step, step)))
+                << k << " x " << step;
+        }
+    }
 }
 
 }  // namespace rubble::figures

@@ -94,15 +94,17 @@ private:
             painter.drawLine(QPointF(m_plot.left(), height), QPointF(m_plot.right(), height));
             painter.setPen(m_palette.text);
             painter.drawText(QRectF(m_plot.left() - 10.4 * m_text, height - m_text, 10.0 * m_text, 2.0 * m_text),
-                             static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), numberText(std::abs(y) < 1e-12 * step ? 0.0 : y));
+                             static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), numberText(std::abs(y) < 1e-12 * step ? 0.0 : y, std::max(4, digitsOfMark(y, step))));
         }
-        for (const double x : marksAlong()) {
+        const std::vector<double> marks = marksAlong();
+        const double apart = m_chart.logX || marks.size() < 2 ? 0.0 : marks[1] - marks[0];
+        for (const double x : marks) {
             const double place = at(x, 0.0).x();
             painter.setPen(QPen(m_palette.muted, thin()));
             painter.drawLine(QPointF(place, m_plot.bottom()), QPointF(place, m_plot.bottom() + 0.3 * m_text));
             painter.setPen(m_palette.text);
             painter.drawText(QRectF(place - 5.0 * m_text, m_plot.bottom() + 0.4 * m_text, 10.0 * m_text, 1.5 * m_text),
-                             static_cast<int>(Qt::AlignCenter), numberText(x));
+                             static_cast<int>(Qt::AlignCenter), numberText(x, std::max(4, digitsOfMark(x, apart))));
         }
         painter.drawText(QRectF(m_plot.left(), m_plot.bottom() + 2.0 * m_text, m_plot.width(), 1.6 * m_text),
                          static_cast<int>(Qt::AlignCenter), m_chart.xTitle);

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,23 @@ std::optional<Digest> digestOf(std::string_view hex) {
         }
     }
     return digest;
+}
+
+/// Nothing lies there, or a note of ours, whole or cut short; no link leads elsewhere.
+bool mayNote(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::file_status status = fs::symlink_status(path, failed);
+    if (!fs::exists(status)) {
+        return true;
+    }
+    // Two numbers of at most twenty characters, and the digest.
+    constexpr std::uintmax_t longest = 2 * 21 + 2 * std::tuple_size_v<decltype(Digest::bytes)>;
+    if (!fs::is_regular_file(status) || fs::file_size(path, failed) > longest || failed) {
+        return false;
+    }
+    const std::optional<std::string> kept = contentOf(path);
+    return kept && kept->find_first_not_of("0123456789abcdef -") == std::string::npos;
 }
 
 }  // namespace
@@ -76,7 +94,7 @@ Digest rememberedDigest(const std::string& path, const std::string& octree, cons
     const Digest digest = contentDigest(path, execution);
     try {
         // A file that changed meanwhile is another one.
-        if (stampOf(path) == stamp) {
+        if (stampOf(path) == stamp && mayNote(known)) {
             writeIn(known, textOf(digest.hex()));
         }
     } catch (const WorldError&) {

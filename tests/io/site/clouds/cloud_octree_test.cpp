@@ -17,6 +17,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/site/clouds/octree/cloud_bulk.h"
 #include "io/site/clouds/octree/octree_choice.h"
 #include "io/site/clouds/octree/octree_file.h"
@@ -414,6 +415,15 @@ TEST_F(CloudOctreeTest, TheContentOfACopyIsReadOnceAndCanBeGivenUp) {
     EXPECT_NE(keptOctree(path), nullptr);
     fs::resize_file(kept + ".checked", fs::file_size(kept + ".checked") - 1);
     EXPECT_THROW(keptOctree(path, {}, given), Cancelled);
+}
+
+TEST_F(CloudOctreeTest, AFileOfTheUserIsNotTakenForANoteOfOurs) {
+    const std::string path = lay(3'000);
+    const std::string note = openOctree(path, {}, Execution()).octree->path() + ".checked";
+    fs::last_write_time(path, fs::last_write_time(path) + std::chrono::hours(1));
+    std::ofstream(note) << "checked by hand on Monday";
+    EXPECT_NE(keptOctree(path), nullptr);
+    EXPECT_EQ(contentOf(note), "checked by hand on Monday");
 }
 
 TEST_F(CloudOctreeTest, WhatAKilledProcessLeftIsTakenAway) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/base/trimmed.h"
 
 namespace rubble::io {
@@ -110,8 +111,7 @@ std::vector<Line> linesOf(const std::string& path, std::uintmax_t mostBytes, std
         file.open(path, std::ios::binary);
     }
     if (!file.is_open()) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     if (std::filesystem::file_size(path, error) > mostBytes && !error) {
         throw ParseError({"table.too_large", "{0} is too large for such a table", {path}},

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -145,8 +145,7 @@ std::string embeddedProvenance(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     std::array<char, 8> head{};
     if (!in.is_open() || (!in.read(head.data(), head.size()) && in.bad())) {
-        throw WorldError({"io.provenance.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     const bool png = in.gcount() == 8 && std::equal(pngSignature.begin(), pngSignature.end(), head.begin(),
                                                     [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });

@@ -26,9 +26,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void failRead(const std::string& path, int error) {
-    throw WorldError(Message{"io.file.unreadable", "Cannot read {0}: {1}", {path, systemReason(error)}},
-                     Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+/// Why a file cannot be read, as an error number of the system: streams do not say.
+int reasonNotToRead(const std::string& path) {
+    struct stat about{};
+    if (::stat(path.c_str(), &about) != 0) {
+        return errno;
+    }
+    if (S_ISDIR(about.st_mode)) {
+        return EISDIR;
+    }
+    return ::access(path.c_str(), R_OK) != 0 ? errno : EIO;
 }
 
 [[noreturn]] void failWrite(const std::string& path, int error) {
@@ -141,6 +148,12 @@ std::string systemReason(int error) {
     return text ? text : "unknown reason";
 }
 
+void failToRead(const std::string& path, int error) {
+    const int reason = error != 0 ? error : reasonNotToRead(path);
+    throw WorldError(Message{"io.file.unreadable", "Cannot read {0}: {1}", {path, systemReason(reason)}},
+                     Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+}
+
 void failToWrite(const std::string& path, const std::string& reason) {
     throw WorldError(
         Message{"io.file.unwritable", "Cannot write {0}: {1}", {path, reason}},
@@ -152,7 +165,7 @@ void failToWrite(const std::string& path, const std::string& reason) {
 std::string sha256OfFile(const std::string& path, const std::function<void(std::size_t)>& advance) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.get() < 0) {
-        failRead(path, errno);
+        failToRead(path, errno);
     }
     Sha256 digest;
     std::vector<unsigned char> block(std::size_t{1} << 16);
@@ -162,7 +175,7 @@ std::string sha256OfFile(const std::string& path, const std::function<void(std::
             continue;
         }
         if (got < 0) {
-            failRead(path, errno);
+            failToRead(path, errno);
         }
         if (got == 0) {
             break;

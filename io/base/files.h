@@ -16,6 +16,8 @@ std::string sha256OfText(std::string_view text);
 
 /// Reason of an error number of the system, in English whatever the locale.
 std::string systemReason(int error);
+/// Throws the WorldError of a file that cannot be read, with the reason. @param error  of the system; 0: it is looked for
+[[noreturn]] void failToRead(const std::string& path, int error = 0);
 /// Throws the WorldError of a file that cannot be written.
 [[noreturn]] void failToWrite(const std::string& path, const std::string& reason);
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -36,8 +37,7 @@ std::uint64_t littleEndian(const std::array<char, 96>& bytes, std::size_t at) {
 std::optional<std::uint64_t> hdf5End(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     std::array<char, 96> head{};
     file.read(head.data(), static_cast<std::streamsize>(head.size()));

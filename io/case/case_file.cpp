@@ -297,11 +297,6 @@ void bringUpToDate(json& document, const std::string& file) {
     }
 }
 
-[[noreturn]] void failRead(const std::string& path) {
-    throw WorldError(Message{"io.case.unreadable", "Cannot read the case {0}", {path}},
-                     Message{"io.case.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
-}
-
 }  // namespace
 
 bool isCaseFile(const std::string& path) {
@@ -353,7 +348,7 @@ Case loadCase(const std::string& path) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) {
-        failRead(path);
+        failToRead(path);
     }
     if (size > sizeLimit) {
         throw ParseError(Message{"io.case.too_large", "{0} is too large for a case", {path}},
@@ -363,7 +358,7 @@ Case loadCase(const std::string& path) {
     std::ostringstream text;
     text << in.rdbuf();
     if (!in || in.bad()) {
-        failRead(path);
+        failToRead(path);
     }
     Case theCase = caseFromText(text.str(), path);
     noteOutsideChanges(theCase.journal, parseJson(text.str(), path));

@@ -71,8 +71,7 @@ ReportCauses causesFrom(const json& from) {
 ReportCauses readComparedCauses(const std::string& path) {
     const std::optional<std::string> content = contentOf(path);
     if (!content) {
-        throw WorldError({"report.causes_unread", "{0} cannot be read", {path}},
-                         {"report.causes_unread.remedy", "Name a file that exists and may be read.", {}});
+        failToRead(path);
     }
     try {
         return causesFrom(json::parse(*content));

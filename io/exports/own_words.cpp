@@ -33,8 +33,7 @@ std::string trimmedEnds(const std::string& text) {
 OwnWords readOwnWords(const std::string& path) {
     const std::optional<std::string> content = contentOf(path);
     if (!content) {
-        throw WorldError({"report.words_unread", "{0} cannot be read", {path}},
-                         {"report.words_unread.remedy", "Name a text file that exists and may be read.", {}});
+        failToRead(path);
     }
     OwnWords words;
     std::string OwnWords::* part = nullptr;

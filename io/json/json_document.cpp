@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/json/json_cursor.h"
 
 namespace rubble::io {
@@ -29,8 +30,7 @@ std::string contentOf(const std::string& path, const JsonKind& kind) {
         in.open(path, std::ios::binary);
     }
     if (!in.is_open()) {
-        throw WorldError({"io.json.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     return {std::istreambuf_iterator<char>(in), {}};
 }

@@ -158,8 +158,7 @@ ZipReader::ZipReader(const std::string& path) : m_path(path), m_zip(nullptr) {
     std::ifstream file(path, std::ios::binary);
     std::array<char, 4> head{};
     if (std::error_code ignored; !file || std::filesystem::is_directory(path, ignored)) {
-        throw WorldError(Message{"io.file.unreadable", "Cannot read {0}: {1}", {path, systemReason(file ? EISDIR : errno)}},
-                         Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     file.read(head.data(), head.size());
     if (std::memcmp(head.data(), "PK\3\4", head.size()) != 0) {

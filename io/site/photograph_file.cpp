@@ -30,8 +30,7 @@ constexpr const char* siblings[] = {nullptr};  ///< no file beside the photograp
 void checkPhotograph(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error) || !std::ifstream(path, std::ios::binary)) {
-        throw WorldError({"photo.unreadable", "The photograph {0} cannot be read", {path}},
-                         {"photo.unreadable.remedy", "Check that the file is there and that you may read it.", {}});
+        failToRead(path);
     }
 }
 

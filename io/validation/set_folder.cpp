@@ -27,8 +27,7 @@ constexpr double farFromGround = 1.0;
 nlohmann::json definitionAt(const std::string& path) {
     const std::optional<std::string> text = contentOf(path);
     if (!text) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     return parseJson(*text, path);
 }

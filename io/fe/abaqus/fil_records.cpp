@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -110,8 +111,7 @@ FilRecords::FilRecords(const std::string& path) : m_path(path), m_file(path, std
     std::error_code error;
     m_bytes = std::filesystem::file_size(path, error);
     if (error || !m_file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     std::string head(64, '\0');
     m_file.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -97,8 +98,7 @@ RstRecords::RstRecords(const std::string& path) : m_path(path), m_file(path, std
     std::error_code error;
     m_words = std::filesystem::file_size(path, error) / 4;
     if (error || !m_file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
 }
 

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/fe/d3plot/d3plot_header.h"
 #include "io/fe/fe_format.h"
 #include "io/fe/series/numbered_files.h"
@@ -131,8 +132,7 @@ D3plotFamily::D3plotFamily(std::vector<std::string> files, WordFormat format) : 
         std::error_code error;
         const std::uintmax_t size = fs::file_size(file, error);
         if (error) {
-            throw WorldError({"d3plot.unreadable", "{0} cannot be read: {1}", {file, error.message()}},
-                             {"fe.unreadable.remedy", "Check the path and that you may read the file.", {}});
+            failToRead(file);
         }
         m_first.push_back(m_first.back() + static_cast<std::int64_t>(size) / format.bytes);
     }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -200,8 +200,7 @@ std::optional<std::int64_t> ClassicExtent::wholeStates(std::int64_t size) const 
 std::optional<ClassicExtent> classicExtent(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     HeaderStream in(file);
     try {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/base/hdf5_extent.h"
 #include "io/base/trial.h"
 #include "io/fe/exodus/classic_header.h"
@@ -310,8 +311,7 @@ std::size_t checkExodusLayout(const std::string& path) {
         failInHeader(path, 0);
     }
     if (error || !file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     const LibraryLock lock;
     const auto check = [&] { LayoutCheck(path, size).run(); };

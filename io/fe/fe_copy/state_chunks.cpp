@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -85,8 +85,7 @@ void unpack(const std::vector<unsigned char>& bytes, std::span<double> numbers, 
 
 StateChunks::StateChunks(const std::string& path) : m_file(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (m_file < 0) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path, errno);
     }
 }
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/base/hdf5_extent.h"
 #include "io/base/native_lock.h"
 #include "io/base/trial.h"
@@ -173,8 +174,7 @@ MedFile::MedFile(const std::string& path) : m_path(path) {
     std::error_code error;
     m_bytes = std::filesystem::file_size(path, error);
     if (error) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     requireWholeHdf5(path);
     const std::scoped_lock lock(nativeLibraries());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/base/file_words.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -16,8 +17,7 @@ constexpr std::size_t lineMax = std::size_t{1} << 20;
 
 MeshLines::MeshLines(const std::string& path) : m_path(path), m_file(path, std::ios::binary) {
     if (!m_file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
 }
 

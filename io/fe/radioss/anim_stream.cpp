@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -27,8 +28,7 @@ AnimStream::AnimStream(const std::string& path) : m_path(path), m_file(gzopen(pa
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (!m_file || error) {
-        throw WorldError({"anim.unreadable", "{0} cannot be read", {path}},
-                         {"fe.unreadable.remedy", "Check the path and that you may read the file.", {}});
+        failToRead(path);
     }
     gzbuffer(m_file.get(), static_cast<unsigned>(std::clamp<std::uintmax_t>(size, 1u << 12, 1u << 17)));
     m_most = static_cast<std::int64_t>(size) * (gzdirect(m_file.get()) != 0 ? 1 : bestPacking);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -40,8 +41,7 @@ public:
         std::ostringstream text;
         text << file.rdbuf();
         if (!file) {
-            throw WorldError({"anim.unreadable", "{0} cannot be read", {path}},
-                             {"fe.unreadable.remedy", "Check the path and that you may read the file.", {}});
+            failToRead(path);
         }
         m_text = std::move(text).str();
         if (m_text.empty()) {

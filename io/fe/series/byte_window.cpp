@@ -4,7 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -19,8 +19,7 @@ ByteWindow::ByteWindow(const std::string& path) : m_path(path), m_file(path, std
     std::error_code error;
     m_size = std::filesystem::file_size(path, error);
     if (error || !m_file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
 }
 

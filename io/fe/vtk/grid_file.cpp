@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/fe/series/numbered_files.h"
 #include "io/fe/vtk/legacy_grid.h"
 #include "io/fe/vtk/xml_grid.h"
@@ -18,8 +18,7 @@ bool isLegacy(const std::string& path) {
     head.resize(static_cast<std::size_t>(file.gcount()));
     if (head.empty()) {
         requireNotEmpty(path);
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     return head.starts_with("# vtk DataFile");
 }

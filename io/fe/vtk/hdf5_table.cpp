@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/base/hdf5_extent.h"
 #include "io/base/trial.h"
 
@@ -96,8 +97,7 @@ Hdf5Table::Hdf5Table(const std::string& path, const std::function<void(const Hdf
     std::error_code error;
     m_bytes = std::filesystem::file_size(path, error);
     if (error) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     requireWholeHdf5(path);
     {

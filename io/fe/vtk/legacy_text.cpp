@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 
@@ -47,8 +48,7 @@ LegacyText::LegacyText(const std::string& path) : m_path(path) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
     if (error || !file) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     m_text.resize(static_cast<std::size_t>(size));
     file.read(m_text.data(), static_cast<std::streamsize>(m_text.size()));

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "io/base/base64.h"
+#include "io/base/files.h"
 #include "io/base/trimmed.h"
 
 namespace rubble::io {
@@ -27,8 +28,7 @@ constexpr std::uint64_t lzmaMemory = std::uint64_t{128} << 20;
 
 XmlArrays::XmlArrays(const std::string& path) : m_path(path), m_file(path, std::ios::binary | std::ios::ate) {
     if (!m_file || m_file.tellg() < 0) {
-        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+        failToRead(path);
     }
     m_size = static_cast<std::uint64_t>(m_file.tellg());
     readText();

@@ -483,8 +483,8 @@ TEST_F(Photo, WithoutExifOrCroppedIsPointedOut) {
 TEST_F(Photo, DamagedOrNoPhotographIsRefusedOrSaid) {
     const std::string path = write(1);
     const Bytes whole = bytesOf(path);
-    EXPECT_EQ(idOfError([&] { readPhotograph(m_folder / "none.jpg"); }), "photo.unreadable");
-    EXPECT_EQ(idOfError([&] { readPhotograph(m_folder.path()); }), "photo.unreadable");
+    EXPECT_EQ(idOfError([&] { readPhotograph(m_folder / "none.jpg"); }), "io.file.unreadable");
+    EXPECT_EQ(idOfError([&] { readPhotograph(m_folder.path()); }), "io.file.unreadable");
     const std::string text = m_folder / "text.jpg";
     std::ofstream(text) << "this is no photograph";
     EXPECT_EQ(idOfError([&] { readPhotograph(text); }), "photo.no_photograph");

@@ -1708,20 +1708,12 @@
         <translation>无法建立文件夹 {0}：{1}</translation>
     </message>
     <message>
-        <source>Cannot read the case {0}</source>
-        <translation>无法读取案例 {0}</translation>
-    </message>
-    <message>
         <source>Cannot read the input deck {0}</source>
         <translation>无法读取输入卡 {0}</translation>
     </message>
     <message>
         <source>Cannot read the run file {0}: {1}</source>
         <translation>无法读取计算文件 {0}：{1}</translation>
-    </message>
-    <message>
-        <source>Cannot read {0}</source>
-        <translation>无法读取 {0}</translation>
     </message>
     <message>
         <source>Cannot read {0}: {1}</source>
@@ -5980,10 +5972,6 @@
         <translation>可能缺少一部分；请从来源处重新复制。</translation>
     </message>
     <message>
-        <source>Check that the file is there and that you may read it.</source>
-        <translation>请检查文件是否存在以及您是否有读取权限。</translation>
-    </message>
-    <message>
         <source>Copy the photograph anew from where it came, or save it again as JPEG.</source>
         <translation>请从来源处重新复制照片，或另存为 JPEG。</translation>
     </message>
@@ -6054,10 +6042,6 @@
     <message>
         <source>The photograph says nothing of its camera, time and place.</source>
         <translation>照片没有相机、时间和位置的信息。</translation>
-    </message>
-    <message>
-        <source>The photograph {0} cannot be read</source>
-        <translation>无法读取照片 {0}</translation>
     </message>
     <message>
         <source>The photograph {0} is another file than the case names.</source>
@@ -11412,14 +11396,6 @@
         <translation>重新生成：rubble-cli compare CAUSES --against KIND=FILE --json &gt; FILE。</translation>
     </message>
     <message>
-        <source>Name a file that exists and may be read.</source>
-        <translation>请指定存在且可读取的文件。</translation>
-    </message>
-    <message>
-        <source>Name a text file that exists and may be read.</source>
-        <translation>请指定存在且可读取的文本文件。</translation>
-    </message>
-    <message>
         <source>There are no two causes that further evidence could tell apart.</source>
         <translation>没有两个可由进一步证据区分的原因。</translation>
     </message>
@@ -13141,10 +13117,6 @@
         <translation>表格 (*.csv)</translation>
     </message>
     <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
         <source>Map of what tells causes apart</source>
         <translation>区分原因的图</translation>
     </message>
@@ -13307,10 +13279,6 @@
     <message>
         <source>GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)</source>
         <translation>GeoTIFF (*.tif);;表格 (*.csv);;图像 (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
     </message>
     <message>
         <source>Members of the ensemble</source>
@@ -13490,10 +13458,6 @@
     <message>
         <source>Cases (*.rubble)</source>
         <translation>案例 (*.rubble)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
     </message>
     <message>
         <source>Save run</source>
@@ -13992,10 +13956,6 @@
         <translation>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;表格 (*.csv);;图像 (*.png)</translation>
     </message>
     <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
         <source>The debris map is there: save it now.</source>
         <translation>堆积物图已完成：现在可以保存。</translation>
     </message>
@@ -14194,14 +14154,6 @@
     <message>
         <source>Page</source>
         <translation>网页</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
-        <source>Cancelled; nothing half-made is left</source>
-        <translation>已取消；不留下半成品</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -14456,6 +14408,17 @@
     </message>
 </context>
 <context>
+    <name>rubble::Session</name>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing half-made is left</source>
+        <translation>已取消；没有留下半成品</translation>
+    </message>
+</context>
+<context>
     <name>rubble::StartDisplay</name>
     <message>
         <source>today, %1</source>
@@ -14587,10 +14550,6 @@
         <translation>请重新比较后再保存。</translation>
     </message>
     <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
         <source>what the survey shows</source>
         <translation>测量显示的内容</translation>
     </message>
@@ -14715,10 +14674,6 @@
     <message>
         <source>Images (*.png)</source>
         <translation>图片 (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
     </message>
 </context>
 <context>

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/engine/world/rigid_world.h"
-#include "core/scenario/scenario.h"
+#include "core/validation/standing_world.h"
 
 namespace rubble {
 
@@ -59,16 +58,7 @@ std::vector<NewBody> blocksOf(const TiltedWall& wall) {
 }
 
 bool stands(const TiltedWall& wall, double degrees, const Execution& execution) {
-    WorldSettings settings;
-    settings.pairs = PairTable::uniform(wall.friction, 0.0);
-    settings.ground = false;
-    // As a collapse takes them by default, so that what is found here holds there. Its other rules find nothing here: no block is
-    // born in another, and none has contacts enough to be split.
-    settings.substeps = substepsOf(Scenario());
-    settings.partsJammed = settings.steadyPatches = true;
-    settings.threads = execution.threads();
-    settings.cancelled = [execution] { return execution.cancelled(); };
-    const std::unique_ptr<RigidWorld> world = makeWorld(SolverKind::SoftStep, settings);
+    const std::unique_ptr<RigidWorld> world = standingWorld(wall.friction, execution);
     const Quat tilt(Eigen::AngleAxisd(degrees * toRadians, Vec3::UnitY()));
     const double span = 4.0 * (wall.blocks * wall.block.y() + wall.courses * wall.block.z());
     ConvexPart table;
@@ -80,17 +70,7 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
         places.push_back(block.pose.position);
         world->addBody(block);
     }
-    const auto steps = static_cast<int>(std::lround(standingSeconds * wall.stepRate));
-    for (int i = 0; i < steps; ++i) {
-        world->step(1.0 / wall.stepRate);
-        execution.check();
-        for (std::size_t b = 0; b < places.size(); ++b) {
-            if (!((world->motion(idAt<BodyId>(b)).pose.position - places[b]).norm() < movedShare * wall.block.x())) {
-                return false;
-            }
-        }
-    }
-    return true;
+    return staysInPlace(*world, places, movedShare * wall.block.x(), standingSeconds, wall.stepRate, execution);
 }
 
 }  // namespace

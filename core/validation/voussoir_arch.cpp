@@ -6,8 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/engine/world/rigid_world.h"
-#include "core/scenario/scenario.h"
+#include "core/validation/standing_world.h"
 
 namespace rubble {
 
@@ -61,16 +60,7 @@ NewBody voussoirOf(double radius, double thickness, double halfAngle, double mid
 }
 
 bool archStands(const VoussoirArch& arch, double thickness, const Execution& execution) {
-    WorldSettings settings;
-    settings.pairs = PairTable::uniform(arch.friction, 0.0);
-    settings.ground = false;
-    // As a collapse takes them by default, so that what is found here holds there. Its other rules find nothing here: no block is
-    // born in another, and none has contacts enough to be split.
-    settings.substeps = substepsOf(Scenario());
-    settings.partsJammed = settings.steadyPatches = true;
-    settings.threads = execution.threads();
-    settings.cancelled = [execution] { return execution.cancelled(); };
-    const std::unique_ptr<RigidWorld> world = makeWorld(SolverKind::SoftStep, settings);
+    const std::unique_ptr<RigidWorld> world = standingWorld(arch.friction, execution);
     for (const double side : {-1.0, 1.0}) {
         ConvexPart abutment;
         abutment.box.halfExtents = {2.0 * thickness, archDepth, 0.5};
@@ -83,17 +73,7 @@ bool archStands(const VoussoirArch& arch, double thickness, const Execution& exe
         places.push_back(body.pose.position);
         world->addBody(body);
     }
-    const auto steps = static_cast<int>(std::lround(archSeconds * arch.stepRate));
-    for (int i = 0; i < steps; ++i) {
-        world->step(1.0 / arch.stepRate);
-        execution.check();
-        for (std::size_t b = 0; b < places.size(); ++b) {
-            if (!((world->motion(idAt<BodyId>(b)).pose.position - places[b]).norm() < archMoved * thickness)) {
-                return false;
-            }
-        }
-    }
-    return true;
+    return staysInPlace(*world, places, archMoved * thickness, archSeconds, arch.stepRate, execution);
 }
 
 }  // namespace

@@ -73,8 +73,7 @@ EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& 
 }
 
 void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<const std::string> taken) {
-    if (first != nullptr &&
-        !(next.frame == first->frame && next.theCase.site.controlPoints == first->theCase.site.controlPoints)) {
+    if (first != nullptr && !(next.frame == first->frame && next.theCase.site.controlPoints == first->theCase.site.controlPoints)) {
         throw UsageError({"causes.other_frame",
                           "\"{0}\" has another origin, axes, coordinate system or control points than \"{1}\".",
                           {next.name, first->name}},

@@ -1,7 +1,9 @@
 #include "widgets/basics/form_row.h"
 
+#include <QDialog>
 #include <QFormLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 
 namespace rubble::widgets {
 
@@ -12,6 +14,20 @@ void addRow(QFormLayout& form, const QString& name, QWidget* editor, const QStri
     editor->setToolTip(tip);
     editor->setAccessibleName(name);
     form.addRow(label, editor);
+}
+
+QVBoxLayout* dialogColumn(QDialog& dialog) {
+    auto* column = new QVBoxLayout(&dialog);
+    column->setContentsMargins(20, 16, 20, 16);
+    column->setSpacing(12);
+    return column;
+}
+
+QFormLayout* dialogForm() {
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    return form;
 }
 
 }  // namespace rubble::widgets

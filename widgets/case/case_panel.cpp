@@ -49,6 +49,16 @@ QString regroupText(const RegroupStep& step) {
     return CasePanel::tr("%1 split into what hangs together").arg(name(std::get<SplitByConnectivity>(step).component));
 }
 
+void showRegrouping(QLabel& steps, QWidget& clear, const std::vector<RegroupStep>& regrouping) {
+    QStringList lines;
+    for (const RegroupStep& step : regrouping) {
+        lines << regroupText(step);
+    }
+    steps.setText(lines.join(u'\n'));
+    steps.setVisible(!lines.isEmpty());
+    clear.setVisible(!lines.isEmpty());
+}
+
 CasePanel::CasePanel(QWidget* parent)
     : Panel(tr("Case"), tr("What was computed, and of what the structure is made."), parent),
       m_scenarios(new ScenarioList),
@@ -262,13 +272,7 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
 
 void CasePanel::setScenario(const Scenario& scenario) {
     Panel::setScenario(scenario);
-    QStringList steps;
-    for (const RegroupStep& step : scenario.regrouping) {
-        steps << regroupText(step);
-    }
-    m_steps->setText(steps.join(QLatin1Char('\n')));
-    m_steps->setVisible(!steps.isEmpty());
-    m_clear->setVisible(!steps.isEmpty());
+    showRegrouping(*m_steps, *m_clear, scenario.regrouping);
 }
 
 void CasePanel::setEditable(bool editable) {

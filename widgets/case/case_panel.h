@@ -73,5 +73,7 @@ private:
 
 /// A regrouping step in words: "deck 1, deck 2 joined into deck".
 QString regroupText(const RegroupStep& step);
+/// Says in `steps` what was regrouped, a line a step; neither is shown where nothing was. @param clear  drops all of it
+void showRegrouping(QLabel& steps, QWidget& clear, const std::vector<RegroupStep>& regrouping);
 
 }  // namespace rubble::widgets

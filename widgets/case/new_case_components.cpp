@@ -67,13 +67,7 @@ void NewCaseComponents::showChosen() {
 
 void NewCaseComponents::setScenario(const Scenario& scenario) {
     Panel::setScenario(scenario);
-    QStringList steps;
-    for (const RegroupStep& step : scenario.regrouping) {
-        steps << regroupText(step);
-    }
-    m_steps->setText(steps.join(QLatin1Char('\n')));
-    m_steps->setVisible(!steps.isEmpty());
-    m_clear->setVisible(!steps.isEmpty());
+    showRegrouping(*m_steps, *m_clear, scenario.regrouping);
 }
 
 }  // namespace rubble::widgets

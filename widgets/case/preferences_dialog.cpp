@@ -46,12 +46,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent)
     setWindowTitle(tr("Preferences"));
     setObjectName(QStringLiteral("preferences"));
     setProperty("help", QStringLiteral("Preferences"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 16, 20, 16);
-    column->setSpacing(12);
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(16);
-    form->setVerticalSpacing(8);
+    auto* column = dialogColumn(*this);
+    auto* form = dialogForm();
     buildLook(*form);
     buildWork(*form);
     column->addLayout(form);

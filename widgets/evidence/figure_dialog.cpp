@@ -52,18 +52,14 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     m_preset->addItem(tr("In its surroundings"), static_cast<int>(figures::FigurePreset::Surroundings));
     m_preset->addItem(tr("Stages"), static_cast<int>(figures::FigurePreset::Stages));
     m_preset->setCurrentIndex(choice.preset ? m_preset->findData(static_cast<int>(*choice.preset)) : 0);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 16, 20, 16);
-    column->setSpacing(12);
+    auto* column = dialogColumn(*this);
     m_preview->setMinimumSize(previewPixels);
     m_preview->setAlignment(Qt::AlignCenter);
     m_preview->setWordWrap(true);
     m_preview->setAccessibleName(tr("Preview of the figure"));
     m_preview->setText(tr("Drawing the preview …"));
     column->addWidget(m_preview, 1);
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(16);
-    form->setVerticalSpacing(8);
+    auto* form = dialogForm();
     addRow(*form, tr("Arrangement"), m_preset,
            tr("The panes as they are, or the arrangement of a figure of the published method with its instants"));
     addRow(*form, tr("Width"), m_width, tr("Pixels from left to right, 100 to 8000"));

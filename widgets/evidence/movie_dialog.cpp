@@ -78,12 +78,8 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
         m_format->addItem(tr("MP4"), true);
     }
     m_format->addItem(tr("Folder of pictures (PNG)"), false);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 16, 20, 16);
-    column->setSpacing(12);
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(16);
-    form->setVerticalSpacing(8);
+    auto* column = dialogColumn(*this);
+    auto* form = dialogForm();
     addRow(*form, tr("From"), m_from, tr("Where the movie begins, on the clock of the FE result"));
     addRow(*form, tr("To"), m_to, tr("Where it ends; the run may go on after the FE result"));
     addRow(*form, tr("Pace"), m_pace, tr("How fast the collapse runs in the movie; other paces than real time are printed on it"));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/basics/drawing_keys.h"
 #include "widgets/basics/theme.h"
 #include "widgets/evidence/point_marks.h"
 
@@ -324,22 +325,7 @@ void PhotoView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 bool PhotoView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && m_tool != Tool::Look) {
-        // While a tool is chosen its keys are not those of the transport.
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-            case Qt::Key_Left:
-            case Qt::Key_Right:
-            case Qt::Key_Up:
-            case Qt::Key_Down:
-            case Qt::Key_Space:
-            case Qt::Key_Escape:
-                event->accept();
-                return true;
-            default:
-                break;
-        }
-    }
-    return QWidget::event(event);
+    return (m_tool != Tool::Look && keepsDrawingKeys(*event)) || QWidget::event(event);
 }
 
 void PhotoView::keyPressEvent(QKeyEvent* event) {

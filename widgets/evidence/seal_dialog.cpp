@@ -22,12 +22,8 @@ SealDialog::SealDialog(const SealChoice& choice, QWidget* parent)
     m_note->setObjectName(QStringLiteral("sealNote"));
     m_passphrase->setObjectName(QStringLiteral("sealPassphrase"));
     m_passphrase->setEchoMode(QLineEdit::Password);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 16, 20, 16);
-    column->setSpacing(12);
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(16);
-    form->setVerticalSpacing(8);
+    auto* column = dialogColumn(*this);
+    auto* form = dialogForm();
     addRow(*form, tr("Sealed by"), m_by, tr("Who seals the case"));
     addRow(*form, tr("Note"), m_note, tr("Why, or what is to be known of it"));
     m_key = addFile(*form, "sealKey", tr("Key"), tr("Private key of whoever signs, PEM: Ed25519, RSA or elliptic curve"));

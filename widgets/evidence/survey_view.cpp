@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/basics/drawing_keys.h"
 #include "widgets/basics/theme.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/survey_picture.h"
@@ -223,22 +224,7 @@ void SurveyView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 bool SurveyView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && m_drawing) {
-        // While something is drawn its keys are not those of the transport.
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-            case Qt::Key_Left:
-            case Qt::Key_Right:
-            case Qt::Key_Up:
-            case Qt::Key_Down:
-            case Qt::Key_Space:
-            case Qt::Key_Escape:
-                event->accept();
-                return true;
-            default:
-                break;
-        }
-    }
-    return QWidget::event(event);
+    return (m_drawing.has_value() && keepsDrawingKeys(*event)) || QWidget::event(event);
 }
 
 void SurveyView::keyPressEvent(QKeyEvent* event) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "widgets/basics/form_row.h"
 #include "widgets/basics/table_cell.h"
 #include "widgets/basics/wording.h"
 
@@ -50,9 +51,7 @@ KeptRunsDialog::KeptRunsDialog(QWidget* parent)
     setWindowTitle(tr("Kept runs"));
     setProperty("help", QStringLiteral("Run#Keeping runs"));
     resize(860, 520);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 16, 20, 16);
-    column->setSpacing(10);
+    auto* column = dialogColumn(*this);
     m_total->setObjectName(QStringLiteral("keptTotal"));
     m_total->setWordWrap(true);
     column->addWidget(m_total);

@@ -183,9 +183,9 @@ void HistoryChart::paintChart(QPainter& painter, const QRectF& area, const QFont
                                }};
         const std::vector<double>& ticks = field.up.ticks;
         const double apart = ticks.size() > 1 ? ticks[1] - ticks[0] : 0.0;
-        field.paintAxes(painter, font, palette, across, {nameOf(i), [i, apart](double tick) {
-                                                             return figureOf(i, tick, std::max(3, figures::digitsOfMark(tick, apart)));
-                                                         }});
+        field.paintAxes(
+            painter, font, palette, across,
+            {nameOf(i), [i, apart](double tick) { return figureOf(i, tick, std::max(3, figures::digitsOfMark(tick, apart))); }});
         double right = field.frame.right();
         for (const Curve& curve : curvesOf(i, palette)) {
             paintCurve(painter, field, m_content.points, curve);

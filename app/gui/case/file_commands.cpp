@@ -264,7 +264,7 @@ bool FileCommands::saveAs() {
 }
 
 bool FileCommands::saveTo(const QString& path) {
-    try {
+    return m_session.writeNow(path, [&] {
         Case moved = movedCase(m_document.theCase(), m_document.base(), path);
         for (CaseInput& input : moved.inputs) {
             if (m_computation.inputs().fe != nullptr && input.role == InputRole::Fe && input.sha256.empty()) {
@@ -280,21 +280,7 @@ bool FileCommands::saveTo(const QString& path) {
             }
         }
         m_document.saved(io::saveCase(path.toStdString(), moved), path);
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-        return true;
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.report(*failure);
-        return false;
-    }
-}
-
-void FileCommands::reportWrite(Session& session, const QString& path, const std::exception_ptr& thrown) {
-    if (const auto failure = failureOf(thrown)) {
-        session.report(*failure);
-    } else if (thrown == nullptr) {
-        session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    }
+    });
 }
 
 void FileCommands::saveRun() {
@@ -319,7 +305,7 @@ void FileCommands::saveRunTo(const QString& path) {
             copyRun(from, to, execution);
         },
         [session = &m_session, path, kept = record->path](const std::exception_ptr& thrown) {
-            reportWrite(*session, path, thrown);
+            session->tellWritten(path, thrown);
             const RunRecord* shown = session->computation().currentRun();
             if (thrown == nullptr && shown != nullptr && shown->path == kept) {
                 session->part<ProjectFiles>().runs.keptAt(QFileInfo(path).absoluteFilePath());
@@ -402,7 +388,7 @@ void FileCommands::exportRun(const QString& title, const QString& suffix, const 
 
 void FileCommands::writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write) {
     m_computation.write([path, run, write](const Execution& execution) { write(path.toStdString(), *run, execution); },
-                        [session = &m_session, path](const std::exception_ptr& thrown) { reportWrite(*session, path, thrown); });
+                        [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 
 void FileCommands::saveSweep(const std::shared_ptr<const AccuracyReport>& report) {
@@ -434,13 +420,7 @@ void FileCommands::saveCalibrationTo(const QString& path, const Calibration& cal
 }
 
 void FileCommands::writeTable(const QString& path, const std::function<void(std::ostream&)>& table) {
-    try {
-        io::writeAtomically(path.toStdString(), table);
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.report(*failure);
-    }
+    m_session.writeNow(path, [&] { io::writeAtomically(path.toStdString(), table); });
 }
 
 void FileCommands::saveChart(const widgets::FileChart& chart, const QString& suffix) {
@@ -468,12 +448,10 @@ void FileCommands::saveHistoryTo(const QString& path, const widgets::HistoryChar
                                     {},
                                     {},
                                     m_document.path().toStdString()};
-    writeTable(path, [&](std::ostream& out) { writeHistoryCsv(history.points, out); });
-    try {
+    m_session.writeNow(path, [&] {
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeHistoryCsv(history.points, out); });
         io::writeProvenance(path.toStdString(), io::exportProvenance(exported, record->reader->origin(), record->reader.get()));
-    } catch (...) {
-        m_session.report(*failureOf(std::current_exception()));
-    }
+    });
 }
 
 void writeChart(const QString& path, const widgets::FileChart& chart) {
@@ -486,13 +464,7 @@ void writeChart(const QString& path, const widgets::FileChart& chart) {
 }
 
 void FileCommands::saveChartTo(const QString& path, const widgets::FileChart& chart) {
-    try {
-        writeChart(path, chart);
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.report(*failure);
-    }
+    m_session.writeNow(path, [&] { writeChart(path, chart); });
 }
 
 }  // namespace rubble

@@ -95,7 +95,6 @@ private:
     void exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write);
     void writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write);
     void writeTable(const QString& path, const std::function<void(std::ostream&)>& table);
-    static void reportWrite(Session& session, const QString& path, const std::exception_ptr& thrown);
 
     Session& m_session;
     Document& m_document;

@@ -486,13 +486,9 @@ void CausesDisplay::saveTableTo(const QString& path) {
     if (made() == nullptr || made()->comparison == nullptr) {
         return;
     }
-    try {
+    m_session.writeNow(path, [&] {
         io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeRankingCsv(*made()->comparison, out); });
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.report(*failure);
-    }
+    });
 }
 
 void CausesDisplay::saveMap() {
@@ -516,13 +512,7 @@ void CausesDisplay::saveMapTo(const QString& path) {
             writeMapFile(path, map, MapLayer::Separation,
                          io::ensembleOrigin(*closest.ensemble, map, made->frame, made->site, made->inputs), execution);
         },
-        [session = &m_session, path](const std::exception_ptr& thrown) {
-            if (const auto failure = failureOf(thrown)) {
-                session->report(*failure);
-            } else if (thrown == nullptr) {
-                session->tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-            }
-        });
+        [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 
 }  // namespace rubble

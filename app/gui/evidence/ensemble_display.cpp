@@ -300,13 +300,7 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
     const io::MapOrigin origin = io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs);
     m_computation.write([path, origin, map = m_kept.map, layer = m_page.layer()](
                             const Execution& execution) { writeMapFile(path, *map, layer, origin, execution); },
-                        [session = &m_session, path](const std::exception_ptr& thrown) {
-                            if (const auto failure = failureOf(thrown)) {
-                                session->report(*failure);
-                            } else if (thrown == nullptr) {
-                                session->tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-                            }
-                        });
+                        [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 
 void EnsembleDisplay::saveTable() {
@@ -322,13 +316,8 @@ void EnsembleDisplay::saveTableTo(const QString& path) {
     if (made().report == nullptr) {
         return;
     }
-    try {
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeMembersCsv(*made().report, out); });
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.report(*failure);
-    }
+    m_session.writeNow(
+        path, [&] { io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeMembersCsv(*made().report, out); }); });
 }
 
 }  // namespace rubble

@@ -273,13 +273,7 @@ void MapDisplay::saveTo(const QString& path) {
                 io::writeRunMap(file, made->map, made->map.map.present(), contours, *made->run, execution);
             }
         },
-        [session = &m_session, path](const std::exception_ptr& thrown) {
-            if (const auto failure = failureOf(thrown)) {
-                session->report(*failure);
-            } else if (thrown == nullptr) {
-                session->tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-            }
-        });
+        [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 
 }  // namespace rubble

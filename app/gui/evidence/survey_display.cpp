@@ -477,7 +477,7 @@ void SurveyDisplay::saveTo(const QString& path) {
         m_session.tell(tr("The comparison is of another run or other settings.") + u' ' + tr("Compare again, then save."));
         return;
     }
-    try {
+    m_session.writeNow(path, [&] {
         const io::MapOrigin origin = io::surveyOrigin(*record->reader, made->comparison, made->input);
         if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
             figures::SurveyPictureStyle style;
@@ -489,11 +489,7 @@ void SurveyDisplay::saveTo(const QString& path) {
         } else {
             io::writeSurveyTiff(path.toStdString(), made->comparison, origin, Execution());
         }
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.tell(failure->inOneLine());
-    }
+    });
 }
 
 void SurveyDisplay::refresh() {

@@ -149,15 +149,11 @@ void SurveySections::saveTo(const QString& path) {
     if (m_section == nullptr || m_stale || record == nullptr || record->reader == nullptr) {
         return;
     }
-    try {
+    m_session.writeNow(path, [&] {
         const std::string provenance = io::provenanceText(*record->reader);
         figures::writePng(path.toStdString(), figures::sectionPicture(m_section->section, m_dialog->printed()), provenance);
         io::writeProvenance(path.toStdString(), provenance);
-        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        m_session.tell(failure->inOneLine());
-    }
+    });
 }
 
 }  // namespace rubble

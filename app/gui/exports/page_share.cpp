@@ -77,7 +77,7 @@ void PictureExport::sharePageAt(const QString& path, const render::SceneData& da
                                                                    m_document.theCase(), m_document.path().toStdString(),
                                                                    m_document.base().toStdString(), data, madeNow(data).around});
     m_computation.write([order](const Execution& execution) { makePage(*order, execution); },
-                        [session = &m_session, path](const std::exception_ptr& thrown) { tell(*session, path, thrown); });
+                        [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 
 }  // namespace rubble

@@ -161,16 +161,6 @@ QString PictureExport::proposed(const QString& suffix) const {
     return base.absolutePath() + u'/' + base.completeBaseName() + suffix;
 }
 
-void PictureExport::tell(Session& session, const QString& path, const std::exception_ptr& thrown) {
-    if (const auto failure = failureOf(thrown)) {
-        session.report(*failure);
-    } else if (thrown == nullptr) {
-        session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } else {
-        session.tell(tr("Cancelled; nothing half-made is left"));
-    }
-}
-
 PictureExport::Made PictureExport::madeNow(const render::SceneData& data) const {
     const RunRecord* record = m_computation.currentRun();
     std::vector<io::ShownFile> around = io::shownFiles(m_computation.terrain());
@@ -237,7 +227,7 @@ void PictureExport::writeFigure(const QString& path, const widgets::FigureChoice
             execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
             writeFigureFile(path.toStdString(), choice, view, data, made, execution);
         },
-        [session = &m_session, path](const std::exception_ptr& thrown) { tell(*session, path, thrown); });
+        [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 
 void PictureExport::exportMovie(const render::View& view, const render::SceneData& data) {
@@ -280,7 +270,9 @@ void PictureExport::writeMovie(const QString& path, const widgets::MovieChoice& 
         [path, choice, view, data, made, lies](const Execution& execution) {
             *lies = writeMovieFile(path.toStdString(), choice, view, data, made, execution);
         },
-        [session = &m_session, lies](const std::exception_ptr& thrown) { tell(*session, QString::fromStdString(*lies), thrown); });
+        [session = &m_session, lies](const std::exception_ptr& thrown) {
+            session->tellWritten(QString::fromStdString(*lies), thrown);
+        });
 }
 
 }  // namespace rubble

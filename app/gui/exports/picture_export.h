@@ -61,7 +61,6 @@ private:
                      const render::SceneData& data, const Made& made);
     void writeMovie(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
                     const render::SceneData& data, const Made& made);
-    static void tell(Session& session, const QString& path, const std::exception_ptr& thrown);
 
     Session& m_session;
     Document& m_document;

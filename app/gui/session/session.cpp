@@ -1,5 +1,6 @@
 #include "app/gui/session/session.h"
 
+#include <QFileInfo>
 #include <QSettings>
 
 #include "app/gui/session/settings.h"
@@ -26,6 +27,27 @@ void Session::setPreferences(const widgets::Preferences& preferences) {
     const widgets::Preferences before = std::exchange(m_preferences, preferences);
     usePreferences();
     emit preferencesChanged(before);
+}
+
+void Session::tellWritten(const QString& path, const std::exception_ptr& thrown) {
+    if (const auto failure = failureOf(thrown)) {
+        report(*failure);
+    } else if (thrown == nullptr) {
+        tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } else {
+        tell(tr("Cancelled; nothing half-made is left"));
+    }
+}
+
+bool Session::writeNow(const QString& path, const std::function<void()>& write) {
+    std::exception_ptr thrown;
+    try {
+        write();
+    } catch (...) {
+        thrown = std::current_exception();
+    }
+    tellWritten(path, thrown);
+    return thrown == nullptr;
 }
 
 void Session::usePreferences() {

@@ -40,6 +40,12 @@ public:
     /// Says what went wrong, where the window says such things.
     void report(const Failure& failure) { emit failed(failure); }
 
+    /// Says what came of a file that was to be written: saved, given up, or what went wrong. @param thrown  by what wrote it; null:
+    /// nothing
+    void tellWritten(const QString& path, const std::exception_ptr& thrown = nullptr);
+    /// Writes a file at once and says what came of it. Returns whether it is there.
+    bool writeNow(const QString& path, const std::function<void()>& write);
+
 signals:
     void told(const QString& what);
     void failed(const rubble::Failure& failure);

@@ -249,35 +249,48 @@ bool Hdf5Table::hasAttribute(const std::string& group, const std::string& attrib
     return there > 0;
 }
 
-std::optional<std::string> Hdf5Table::text(const std::string& group, const std::string& attribute) const {
-    const Hdf5Session quiet;
+struct Hdf5Table::Attribute {
+    Hdf5Handle handle;
+    Hdf5Handle type;
+    hssize_t count = 0;  ///< of values
+};
+
+std::optional<Hdf5Table::Attribute> Hdf5Table::openAttribute(const std::string& group, const std::string& attribute) const {
     if (!hasAttribute(group, attribute)) {
         return std::nullopt;
     }
-    const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const Hdf5Handle type(handle.valid() ? H5Aget_type(handle.get()) : H5I_INVALID_HID, H5Tclose);
-    const Hdf5Handle space(handle.valid() ? H5Aget_space(handle.get()) : H5I_INVALID_HID, H5Sclose);
-    if (!type.valid() || !space.valid()) {
+    Attribute found;
+    found.handle = {H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose};
+    found.type = {found.handle.valid() ? H5Aget_type(found.handle.get()) : H5I_INVALID_HID, H5Tclose};
+    const Hdf5Handle space(found.handle.valid() ? H5Aget_space(found.handle.get()) : H5I_INVALID_HID, H5Sclose);
+    if (!found.type.valid() || !space.valid()) {
         failTable(m_path, group + ":" + attribute, "it is damaged");
     }
-    if (H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(space.get()) != 1) {
+    found.count = H5Sget_simple_extent_npoints(space.get());
+    return found;
+}
+
+std::optional<std::string> Hdf5Table::text(const std::string& group, const std::string& attribute) const {
+    const Hdf5Session quiet;
+    const std::optional<Attribute> found = openAttribute(group, attribute);
+    if (!found || H5Tget_class(found->type.get()) != H5T_STRING || found->count != 1) {
         return std::nullopt;
     }
-    if (H5Tis_variable_str(type.get()) > 0) {
+    if (H5Tis_variable_str(found->type.get()) > 0) {
         char* value = nullptr;
-        const bool read = H5Aread(handle.get(), type.get(), static_cast<void*>(&value)) >= 0 && value;
+        const bool read = H5Aread(found->handle.get(), found->type.get(), static_cast<void*>(&value)) >= 0 && value;
         std::string result = read ? value : "";
         if (value) {
             H5free_memory(value);
         }
         return result;
     }
-    const std::size_t size = H5Tget_size(type.get());
+    const std::size_t size = H5Tget_size(found->type.get());
     if (size == 0 || size > 4096) {
         return std::nullopt;
     }
     std::string value(size, '\0');
-    if (H5Aread(handle.get(), type.get(), value.data()) < 0) {
+    if (H5Aread(found->handle.get(), found->type.get(), value.data()) < 0) {
         return std::nullopt;
     }
     value.resize(std::min(value.find('\0'), value.size()));
@@ -286,40 +299,23 @@ std::optional<std::string> Hdf5Table::text(const std::string& group, const std::
 
 std::optional<std::int64_t> Hdf5Table::number(const std::string& group, const std::string& attribute) const {
     const Hdf5Session quiet;
-    if (!hasAttribute(group, attribute)) {
-        return std::nullopt;
-    }
-    const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const Hdf5Handle type(handle.valid() ? H5Aget_type(handle.get()) : H5I_INVALID_HID, H5Tclose);
-    const Hdf5Handle space(handle.valid() ? H5Aget_space(handle.get()) : H5I_INVALID_HID, H5Sclose);
-    const hssize_t count = space.valid() ? H5Sget_simple_extent_npoints(space.get()) : 0;
-    if (!type.valid() || !space.valid()) {
-        failTable(m_path, group + ":" + attribute, "it is damaged");
-    }
-    if (H5Tget_class(type.get()) != H5T_INTEGER || count < 1 || count > 64) {
+    const std::optional<Attribute> found = openAttribute(group, attribute);
+    if (!found || H5Tget_class(found->type.get()) != H5T_INTEGER || found->count < 1 || found->count > 64) {
         return std::nullopt;
     }
     std::array<std::int64_t, 64> values{};
-    return H5Aread(handle.get(), H5T_NATIVE_INT64, values.data()) < 0 ? std::nullopt : std::optional(values[0]);
+    return H5Aread(found->handle.get(), H5T_NATIVE_INT64, values.data()) < 0 ? std::nullopt : std::optional(values[0]);
 }
 
 std::optional<double> Hdf5Table::real(const std::string& group, const std::string& attribute) const {
     const Hdf5Session quiet;
-    if (!hasAttribute(group, attribute)) {
-        return std::nullopt;
-    }
-    const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const Hdf5Handle type(handle.valid() ? H5Aget_type(handle.get()) : H5I_INVALID_HID, H5Tclose);
-    const Hdf5Handle space(handle.valid() ? H5Aget_space(handle.get()) : H5I_INVALID_HID, H5Sclose);
-    if (!type.valid() || !space.valid()) {
-        failTable(m_path, group + ":" + attribute, "it is damaged");
-    }
-    const H5T_class_t kind = H5Tget_class(type.get());
-    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Sget_simple_extent_npoints(space.get()) != 1) {
+    const std::optional<Attribute> found = openAttribute(group, attribute);
+    const H5T_class_t kind = found ? H5Tget_class(found->type.get()) : H5T_NO_CLASS;
+    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || found->count != 1) {
         return std::nullopt;
     }
     double value = 0.0;
-    return H5Aread(handle.get(), H5T_NATIVE_DOUBLE, &value) < 0 ? std::nullopt : std::optional(value);
+    return H5Aread(found->handle.get(), H5T_NATIVE_DOUBLE, &value) < 0 ? std::nullopt : std::optional(value);
 }
 
 }  // namespace rubble::io

@@ -49,6 +49,9 @@ private:
     std::vector<T> read(const std::string& name, hid_t type, std::uint64_t first, std::uint64_t rows) const;
     void lookAtAll() const;
     bool hasAttribute(const std::string& group, const std::string& attribute) const;
+    struct Attribute;
+    /// Nothing if there is none. Throws ParseError where it is damaged.
+    std::optional<Attribute> openAttribute(const std::string& group, const std::string& attribute) const;
 
     std::string m_path;
     std::uint64_t m_bytes = 0;

@@ -54,17 +54,8 @@ TEST_F(Workbench, AnEditInTheEffectsPanelIsOneStepOfUndo) {
 // An hour of free fall that nobody waits for: the sign is there while it goes on, and stays when it is cancelled.
 TEST_F(Workbench, ABreachIsMarkedWhileTheRunGoesOn) {
     openArch();
-    session->document().setParameter(QStringLiteral("multiple"), 8.0);
-    session->document().setParameter(QStringLiteral("ground"), std::string("off"));
-    session->document().setParameter(QStringLiteral("settle_time"), 3600.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->rooms().runs->simulate(false);
+    ASSERT_NO_FATAL_FAILURE(fallUntilABreach());
     Computation& computation = session->computation();
-    const auto marked = [&] {
-        const RunRecord* record = computation.currentRun();
-        return record != nullptr && record->running && !record->health().breaches.empty();
-    };
-    ASSERT_TRUE(QTest::qWaitFor(marked, patience));
     EXPECT_EQ(computation.currentRun()->outcome, nullptr);
     widgets::Timeline& timeline = (*window->findChild<widgets::Timeline*>());
     EXPECT_FALSE(timeline.marksAt(timeline.signOf(0)).empty());

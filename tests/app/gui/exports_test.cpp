@@ -36,15 +36,21 @@ protected:
         return QTest::qWaitFor([&] { return !session->computation().busy(); }, patience);
     }
 
+    /// Small pictures from 0 s on, at the pace of the collapse.
+    static widgets::MovieChoice smallMovie(double to, double picturesPerSecond) {
+        widgets::MovieChoice choice;
+        choice.settings = {0.0, to, picturesPerSecond, 1.0};
+        choice.pixels = {320, 200};
+        choice.encoded = false;
+        return choice;
+    }
+
     io::TemporaryFolder m_folder;
 };
 
 TEST_F(Exports, AMovieIsWrittenInTheBackground) {
     simulated();
-    widgets::MovieChoice choice;
-    choice.settings = {0.0, 0.4, 10.0, 1.0};
-    choice.pixels = {320, 200};
-    choice.encoded = false;
+    const widgets::MovieChoice choice = smallMovie(0.4, 10.0);
     window->rooms().pictures->exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
                                             window->rooms().scene->data());
     ASSERT_TRUE(idle());
@@ -54,10 +60,7 @@ TEST_F(Exports, AMovieIsWrittenInTheBackground) {
 
 TEST_F(Exports, AFigureWaitsForTheMovieBeforeItAndBothAreWritten) {
     simulated();
-    widgets::MovieChoice choice;
-    choice.settings = {0.0, 0.4, 100.0, 1.0};
-    choice.pixels = {320, 200};
-    choice.encoded = false;
+    const widgets::MovieChoice choice = smallMovie(0.4, 100.0);
     const render::View view = window->area().views().view();
     window->rooms().pictures->exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, view,
                                             window->rooms().scene->data());
@@ -73,10 +76,7 @@ TEST_F(Exports, AFigureWaitsForTheMovieBeforeItAndBothAreWritten) {
 /// What is half written goes with the window.
 TEST_F(Exports, ClosingWhileAMovieIsWrittenLeavesNoHalfOfIt) {
     simulated();
-    widgets::MovieChoice choice;
-    choice.settings = {0.0, 0.5, 1000.0, 1.0};
-    choice.pixels = {320, 200};
-    choice.encoded = false;
+    const widgets::MovieChoice choice = smallMovie(0.5, 1000.0);
     window->rooms().pictures->exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
                                             window->rooms().scene->data());
     ASSERT_TRUE(session->computation().busy());

@@ -77,6 +77,19 @@ protected:
         session->document().setParameter(QStringLiteral("settle_time"), 0.0);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
+    /// Simulates an hour of free fall of the arch, without a ground, until the first limit of health is passed. It goes on then.
+    void fallUntilABreach() {
+        session->document().setParameter(QStringLiteral("multiple"), 8.0);
+        session->document().setParameter(QStringLiteral("ground"), std::string("off"));
+        session->document().setParameter(QStringLiteral("settle_time"), 3600.0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->rooms().runs->simulate(false);
+        const auto marked = [&] {
+            const RunRecord* record = session->computation().currentRun();
+            return record != nullptr && record->running && !record->health().breaches.empty();
+        };
+        ASSERT_TRUE(QTest::qWaitFor(marked, patience));
+    }
     /// What is done to a dialog once it stands, from within its own event loop.
     template <typename Do>
     static void whenAsked(Do act) {

@@ -5,27 +5,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <mutex>
 
 #include "core/analysis/accuracy/accuracy_front.h"
 #include "core/base/error.h"
 #include "core/selftest/element_scene.h"
 #include "tests/scenes/fe_scenes.h"
+#include "tests/scenes/memory_store.h"
 
 namespace rubble {
 namespace {
 
-/// Keeps worlds in memory, and counts.
-class MemoryStore : public StudyStore {
+/// A store that can be full, and after which the study can be given up.
+class FailingStore : public MemoryStore {
 public:
-    std::optional<SimulatedWorld> world(const WorldOrigin& origin, Findings&) override {
-        const std::scoped_lock lock(m_mutex);
-        const auto found = worlds.find(origin.key);
-        return found == worlds.end() ? std::nullopt : std::optional(found->second);
-    }
-    void keep(const WorldOrigin& origin, const SimulatedWorld& world) override {
-        const std::scoped_lock lock(m_mutex);
+    const Execution* interrupted = nullptr;
+    std::size_t interruptAfter = 0;  ///< worlds
+    bool full = false;
+
+protected:
+    void admit(const WorldOrigin& origin) override {
         if (full) {
             throw WorldError({"test.full", "the disk is full", {}}, {"test.room", "make room", {}});
         }
@@ -33,27 +31,13 @@ public:
         if (interrupted && interrupted->cancelled()) {
             throw Cancelled();
         }
-        EXPECT_TRUE(worlds.emplace(origin.key, world).second) << "simulated twice";
-        order.push_back(origin);
+        EXPECT_FALSE(worlds.contains(origin.key)) << "simulated twice";
+    }
+    void kept() override {
         if (interrupted && order.size() == interruptAfter) {
             interrupted->cancel();
         }
     }
-    std::optional<SettingCost> cost(const WorldOrigin& origin, int) override {
-        const auto found = costs.find(origin.key);
-        return found == costs.end() ? std::nullopt : std::optional(found->second);
-    }
-    void keep(const WorldOrigin& origin, const SettingCost& cost) override { costs[origin.key] = cost; }
-
-    std::map<Digest, SimulatedWorld> worlds;
-    std::map<Digest, SettingCost> costs;
-    std::vector<WorldOrigin> order;
-    const Execution* interrupted = nullptr;
-    std::size_t interruptAfter = 0;  ///< worlds
-    bool full = false;
-
-private:
-    std::mutex m_mutex;
 };
 
 class AccuracyStudy : public testing::Test {
@@ -219,7 +203,7 @@ TEST_F(AccuracyStudy, TheFloorIsThatOfTheReference) {
 
 TEST_F(AccuracyStudy, RepeatsOfASettingShowHowFarItScatters) {
     const AccuracyReport without = study();
-    MemoryStore store;
+    FailingStore store;
     options.store = &store;
     options.settingRepeats = 2;
     const AccuracyReport report = study();
@@ -270,7 +254,7 @@ TEST_F(AccuracyStudy, RepeatsOfASettingShowHowFarItScatters) {
     options.settingRepeats = 2;
     // One of them alone, as a task of a cluster, needs no other.
     const WorldOrigin wanted = originOf(inputs, report.points[1].scenario, 2, options.study.birthShift, options.machine);
-    MemoryStore empty;
+    FailingStore empty;
     options.store = &empty;
     options.choice = WorldChoice::only(wanted.key);
     study();
@@ -291,7 +275,7 @@ TEST_F(AccuracyStudy, DoesNotDependOnHowManyWorldsRunAtOnce) {
 TEST_F(AccuracyStudy, AnInterruptedSweepGoesOnAndEndsTheSame) {
     const AccuracyReport whole = study();
     for (const std::size_t after : {1u, 2u, 4u}) {
-        MemoryStore store;
+        FailingStore store;
         options.store = &store;
         options.jobs = 1;
         const Execution execution;
@@ -318,7 +302,7 @@ TEST_F(AccuracyStudy, AnInterruptedSweepGoesOnAndEndsTheSame) {
 }
 
 TEST_F(AccuracyStudy, SettingsThatDifferInNothingThatCountsAreSimulatedOnce) {
-    MemoryStore store;
+    FailingStore store;
     options.store = &store;
     const std::vector<VariedParameter> varied{{"bodies_max", {"4500", "4000"}}, {"iterations", {"10", "20"}}};
     const auto sweep = [&] {
@@ -360,7 +344,7 @@ TEST_F(AccuracyStudy, SettingsThatDifferInNothingThatCountsAreSimulatedOnce) {
 }
 
 TEST_F(AccuracyStudy, CostsAreMeasuredOnceAndTakenUp) {
-    MemoryStore store;
+    FailingStore store;
     options.store = &store;
     options.timed = true;
     int screens = 0;
@@ -407,7 +391,7 @@ TEST_F(AccuracyStudy, WithoutADisplayEverythingElseIsMeasured) {
 }
 
 TEST_F(AccuracyStudy, AFullDiskLosesNoPoint) {
-    MemoryStore store;
+    FailingStore store;
     store.full = true;
     options.store = &store;
     const AccuracyReport report = study();
@@ -418,9 +402,9 @@ TEST_F(AccuracyStudy, AFullDiskLosesNoPoint) {
 
 TEST_F(AccuracyStudy, AWorldWithoutMemoryTakesNoOtherWithIt) {
     // Memory is out when the first of the settings is kept, and comes back for the second try but never for the third world.
-    class Failing : public MemoryStore {
+    class Failing : public FailingStore {
     public:
-        using MemoryStore::keep;
+        using FailingStore::keep;
         void keep(const WorldOrigin& origin, const SimulatedWorld& world) override {
             if (origin.scenario == lost) {
                 throw std::bad_alloc();
@@ -429,7 +413,7 @@ TEST_F(AccuracyStudy, AWorldWithoutMemoryTakesNoOtherWithIt) {
                 m_failed = true;
                 throw std::bad_alloc();
             }
-            MemoryStore::keep(origin, world);
+            FailingStore::keep(origin, world);
         }
         Digest lost;
         Digest once;
@@ -477,7 +461,7 @@ TEST_F(AccuracyStudy, OriginsTellWhatDiffers) {
 
 TEST_F(AccuracyStudy, PlansWithoutSimulating) {
     options.simulated = false;
-    MemoryStore store;
+    FailingStore store;
     options.store = &store;
     const AccuracyReport report = study();
     EXPECT_TRUE(report.complete);

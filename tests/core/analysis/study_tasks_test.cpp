@@ -2,38 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <mutex>
-
 #include "core/analysis/accuracy/influence.h"
 #include "core/base/error.h"
 #include "tests/scenes/fe_scenes.h"
+#include "tests/scenes/memory_store.h"
 
 namespace rubble {
 namespace {
-
-/// Keeps worlds in memory.
-class MemoryStore : public StudyStore {
-public:
-    std::optional<SimulatedWorld> world(const WorldOrigin& origin, Findings&) override {
-        const std::scoped_lock lock(m_mutex);
-        const auto found = worlds.find(origin.key);
-        return found == worlds.end() ? std::nullopt : std::optional(found->second);
-    }
-    void keep(const WorldOrigin& origin, const SimulatedWorld& world) override {
-        const std::scoped_lock lock(m_mutex);
-        ++kept;
-        worlds.insert_or_assign(origin.key, world);
-    }
-    std::optional<SettingCost> cost(const WorldOrigin&, int) override { return {}; }
-    void keep(const WorldOrigin&, const SettingCost&) override {}
-
-    std::map<Digest, SimulatedWorld> worlds;
-    int kept = 0;
-
-private:
-    std::mutex m_mutex;
-};
 
 /// A wall that falls, and what water of 0.5 m changes in it.
 class StudyTasks : public testing::Test {
@@ -64,7 +39,7 @@ TEST_F(StudyTasks, OneByOneTheyMakeWhatTheStudyMakes) {
         EXPECT_TRUE(store.worlds.contains(list[i].origin.key)) << list[i].name;
     }
     const InfluenceReport collected = study(WorldChoice::none());
-    EXPECT_EQ(store.kept, 4) << "collecting simulates nothing";
+    EXPECT_EQ(store.order.size(), 4u) << "collecting simulates nothing";
     EXPECT_TRUE(collected.complete);
     const InfluenceReport whole = influence(inputs, scenario, effects, settings, Execution());
     EXPECT_EQ(collected.floor->trajectoryHash, whole.floor->trajectoryHash);
@@ -87,7 +62,7 @@ TEST_F(StudyTasks, WhatIsMissingIsLeftOpen) {
 
 TEST_F(StudyTasks, AWorldOfAnotherStudyIsRefused) {
     EXPECT_THROW(study(WorldChoice::only(Digest())), UsageError);
-    EXPECT_EQ(store.kept, 0);
+    EXPECT_EQ(store.order.size(), 0u);
 }
 
 TEST(StudyTask, DigestsComeBackFromTheirDigits) {

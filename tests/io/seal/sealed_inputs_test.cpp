@@ -62,6 +62,15 @@ void writeRoof(const std::string& folder) {
                "nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})";
 }
 
+/// To seal the case of stones with its run, signed by a new key.
+SealRequest requestOf(const TemporaryFolder& folder) {
+    SealRequest request;
+    request.casePath = folder / "stones.rubble";
+    request.runs = {folder / "stones.run.h5"};
+    request.signer.key = makeKey(folder / "key.pem");
+    return request;
+}
+
 TEST(SealedInputs, ATableOfBodiesTravelsWithItsMeshesItsTerrainAndItsSurroundings) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "shapes");
@@ -81,10 +90,7 @@ TEST(SealedInputs, ATableOfBodiesTravelsWithItsMeshesItsTerrainAndItsSurrounding
     saveCase(casePath, theCase);
     runSmallCase(casePath, folder / "stones.run.h5");
 
-    SealRequest request;
-    request.casePath = casePath;
-    request.runs = {folder / "stones.run.h5"};
-    request.signer.key = makeKey(folder / "key.pem");
+    SealRequest request = requestOf(folder);
     const std::string bundle = folder / "stones.rubblecase";
     const SealReport report = sealCase(bundle, request, Execution());
     ASSERT_EQ(report.statement.inputs.size(), 3u);
@@ -173,10 +179,7 @@ TEST(SealedInputs, ACaseWithTheDigestOfTheFileAloneIsSealedAndRepeated) {
     // The run keeps that of header and heights.
     runSmallCase(casePath, folder / "stones.run.h5");
 
-    SealRequest request;
-    request.casePath = casePath;
-    request.runs = {folder / "stones.run.h5"};
-    request.signer.key = makeKey(folder / "key.pem");
+    SealRequest request = requestOf(folder);
     const std::string bundle = folder / "stones.rubblecase";
     const SealReport report = sealCase(bundle, request, Execution());
     EXPECT_EQ(report.statement.inputs.at(1).sha256, sha256OfFile(folder / "ground.bil"));

@@ -94,7 +94,8 @@ private:
             painter.drawLine(QPointF(m_plot.left(), height), QPointF(m_plot.right(), height));
             painter.setPen(m_palette.text);
             painter.drawText(QRectF(m_plot.left() - 10.4 * m_text, height - m_text, 10.0 * m_text, 2.0 * m_text),
-                             static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), numberText(std::abs(y) < 1e-12 * step ? 0.0 : y, std::max(4, digitsOfMark(y, step))));
+                             static_cast<int>(Qt::AlignRight | Qt::AlignVCenter),
+                             numberText(std::abs(y) < 1e-12 * step ? 0.0 : y, std::max(4, digitsOfMark(y, step))));
         }
         const std::vector<double> marks = marksAlong();
         const double apart = m_chart.logX || marks.size() < 2 ? 0.0 : marks[1] - marks[0];

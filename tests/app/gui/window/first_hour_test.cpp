@@ -98,17 +98,8 @@ TEST_F(FirstHour, FindingsAreOneClickAway) {
 // An hour of free fall without a ground, stopped as soon as a limit is passed.
 TEST_F(FirstHour, TheHealthOfAStoppedRunLeadsToWhenItWasLost) {
     openArch();
-    session->document().setParameter(QStringLiteral("multiple"), 8.0);
-    session->document().setParameter(QStringLiteral("ground"), std::string("off"));
-    session->document().setParameter(QStringLiteral("settle_time"), 3600.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->rooms().runs->simulate(false);
+    ASSERT_NO_FATAL_FAILURE(fallUntilABreach());
     Computation& computation = session->computation();
-    const auto marked = [&] {
-        const RunRecord* record = computation.currentRun();
-        return record != nullptr && record->running && !record->health().breaches.empty();
-    };
-    ASSERT_TRUE(QTest::qWaitFor(marked, patience));
     computation.cancel();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !computation.busy(); }, patience));
     deck().choose(PanelDeck::Case);

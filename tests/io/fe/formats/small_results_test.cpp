@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "io/fe/fe_format.h"
 #include "io/fe/fe_reader.h"
+#include "tests/io/fe/results_in_folder.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 
@@ -141,26 +142,7 @@ std::vector<Small> allSmall() {
 INSTANTIATE_TEST_SUITE_P(Formats, SmallResult, testing::ValuesIn(allSmall()),
                          [](const testing::TestParamInfo<Small>& small) { return small.param.name; });
 
-class FormatTest : public testing::Test {
-protected:
-    std::shared_ptr<const FeResult> open(const std::string& name, const ImportSettings& settings = {}) {
-        return openFe(m_folder / name, settings, {}, Execution{});
-    }
-
-    std::string errorOf(const std::string& name) {
-        try {
-            open(name);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        ADD_FAILURE() << name << " was read";
-        return {};
-    }
-
-    TemporaryFolder m_folder;
-};
-
-TEST_F(FormatTest, DatabasesOfANumberSeriesAreStates) {
+TEST_F(ResultsInFolder, DatabasesOfANumberSeriesAreStates) {
     for (int k = 0; k < 3; ++k) {
         writeContent(m_folder / ("wall_" + std::to_string(k) + ".cdb"), smallCdb(k));
     }
@@ -172,7 +154,7 @@ TEST_F(FormatTest, DatabasesOfANumberSeriesAreStates) {
     EXPECT_NEAR(fe->state(2)->positions[0].x(), 0.2, 1e-12);
 }
 
-TEST_F(FormatTest, ADatabaseCutOffAtEveryByteIsReadOrRefused) {
+TEST_F(ResultsInFolder, ADatabaseCutOffAtEveryByteIsReadOrRefused) {
     const std::string text = smallCdb(0);
     writeContent(m_folder / "wall.mac", "TIME,1\nEKILL,2\nSOLVE\n");
     writeContent(m_folder / "wall.cdb", text);
@@ -186,7 +168,7 @@ TEST_F(FormatTest, ADatabaseCutOffAtEveryByteIsReadOrRefused) {
     }
 }
 
-TEST_F(FormatTest, KillsOfAMacroAreDeaths) {
+TEST_F(ResultsInFolder, KillsOfAMacroAreDeaths) {
     writeContent(m_folder / "wall.cdb", smallCdb(0));
     writeContent(m_folder / "wall.mac",
                  "! comment\nTIME,1\nSOLVE\nTIME,2.5\nEKILL,2\nEKILL,WALL\nSOLVE\nTIME,4\nEALIVE,2\nSOLVE\n");
@@ -198,7 +180,7 @@ TEST_F(FormatTest, KillsOfAMacroAreDeaths) {
     EXPECT_EQ(fe->contents().findings.count("cdb.kill_name"), 1);
 }
 
-TEST_F(FormatTest, AListOfDeathsCountsWhereTheFileSaysNothing) {
+TEST_F(ResultsInFolder, AListOfDeathsCountsWhereTheFileSaysNothing) {
     writeContent(m_folder / "wall.cdb", smallCdb(0));
     EXPECT_EQ(open("wall.cdb")->contents().findings.count("fe.no_deaths"), 2);
     writeContent(m_folder / "wall.cdb.deaths.csv", "element,time\n2,1.5\n77,2\n");
@@ -213,7 +195,7 @@ TEST_F(FormatTest, AListOfDeathsCountsWhereTheFileSaysNothing) {
 }
 
 // What is only concluded gives way to what somebody states; what the file says does not.
-TEST_F(FormatTest, AListOfDeathsCountsBeforeWhatIsConcluded) {
+TEST_F(ResultsInFolder, AListOfDeathsCountsBeforeWhatIsConcluded) {
     writeContent(m_folder / "small.frd", smallFrd());
     writeContent(m_folder / "small.t19", smallMarc(false));
     writeContent(m_folder / "small.fil", smallFil());
@@ -228,7 +210,7 @@ TEST_F(FormatTest, AListOfDeathsCountsBeforeWhatIsConcluded) {
     }
 }
 
-TEST_F(FormatTest, TheDeckGivesDensityAndParts) {
+TEST_F(ResultsInFolder, TheDeckGivesDensityAndParts) {
     writeContent(m_folder / "small.fil", smallFil());
     writeContent(m_folder / "small.inp", smallDeck());
     const auto fe = open("small.fil");
@@ -238,7 +220,7 @@ TEST_F(FormatTest, TheDeckGivesDensityAndParts) {
 }
 
 // Counts that no file of that size can hold are refused before anything is made for them.
-TEST_F(FormatTest, CountsBeyondTheFileAreRefused) {
+TEST_F(ResultsInFolder, CountsBeyondTheFileAreRefused) {
     std::string frd = smallFrd();
     frd.replace(frd.find("          12"), 12, "  2000000000");
     writeContent(m_folder / "huge.frd", frd);
@@ -253,7 +235,7 @@ TEST_F(FormatTest, CountsBeyondTheFileAreRefused) {
     EXPECT_THAT(errorOf("huge.fil"), HasSubstr("huge.fil"));
 }
 
-TEST_F(FormatTest, AStateThatIsStillBeingWrittenIsLeftOut) {
+TEST_F(ResultsInFolder, AStateThatIsStillBeingWrittenIsLeftOut) {
     const std::string text = smallMarc(true);
     writeContent(m_folder / "small.t19", text.substr(0, text.rfind("=beg=52401")));
     const auto marc = open("small.t19");

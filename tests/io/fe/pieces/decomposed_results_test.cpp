@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/fe/fe_reader.h"
 #include "tests/io/fe/pieces/brick_row.h"
+#include "tests/io/fe/results_in_folder.h"
 #include "tests/support/exodus_builder.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -21,22 +22,8 @@ namespace {
 using ::testing::HasSubstr;
 using Counts = std::vector<std::size_t>;
 
-class DecomposedResult : public testing::Test {
+class DecomposedResult : public ResultsInFolder {
 protected:
-    std::shared_ptr<const FeResult> open(const std::string& name, const ImportSettings& settings = {}) {
-        return openFe(m_folder / name, settings, {}, Execution{});
-    }
-
-    std::string errorOf(const std::string& name) {
-        try {
-            open(name);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        ADD_FAILURE() << name << " was read";
-        return {};
-    }
-
     static Counts dead(const FeResult& fe) {
         Counts counts;
         for (std::size_t k = 0; k < fe.stateCount(); ++k) {
@@ -55,8 +42,6 @@ protected:
             writeContent(m_folder / (name + ".pvtu"), pvtu({name + "_0.vtu", name + "_1.vtu"}));
         }
     }
-
-    TemporaryFolder m_folder;
 };
 
 TEST_F(DecomposedResult, APieceOpensTheWholeAndItsPointsAreJoined) {

@@ -13,9 +13,6 @@ namespace rubble::io {
 
 namespace {
 
-using namespace std::string_view_literals;
-
-constexpr std::string_view signature = "\x89HDF\r\n\x1a\n"sv;
 constexpr std::size_t shortestBlock = 48;
 // What a writer puts there that has not closed the file yet.
 constexpr std::uint64_t undefinedEnd = std::uint64_t{1} << 62;
@@ -42,8 +39,8 @@ std::optional<std::uint64_t> hdf5End(const std::string& path) {
     std::array<char, 96> head{};
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     const auto got = static_cast<std::size_t>(file.gcount());
-    const std::string_view seen(head.data(), std::min(got, signature.size()));
-    if (seen != signature.substr(0, seen.size())) {
+    const std::string_view seen(head.data(), std::min(got, hdf5Signature.size()));
+    if (seen != hdf5Signature.substr(0, seen.size())) {
         return std::nullopt;
     }
     if (got < shortestBlock) {

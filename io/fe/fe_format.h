@@ -58,6 +58,10 @@ struct ForeignFormat {
 /// Formats that are out of scope, named so in the error.
 std::span<const ForeignFormat> foreignFormats();
 
+/// Whether a file begins as those of another container do, whatever the words behind that come to: HDF5, classic netCDF, zip, XML.
+/// Formats without a beginning of their own must not take it for theirs.
+bool hasOtherSignature(const FileHead& head);
+
 /// Reads the beginning of a file. Throws WorldError where it cannot be read.
 FileHead readHead(const std::string& path);
 

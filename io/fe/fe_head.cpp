@@ -5,8 +5,10 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "core/base/error.h"
+#include "io/base/hdf5_extent.h"
 #include "io/base/native_lock.h"
 #include "io/base/trial.h"
 #include "io/fe/fe_format.h"
@@ -14,6 +16,8 @@
 namespace rubble::io {
 
 namespace {
+
+using namespace std::string_view_literals;
 
 constexpr std::size_t headSize = 4096;
 constexpr std::size_t mostNames = 64;
@@ -89,8 +93,13 @@ void lookIntoHdf5(FileHead& head) {
 
 }  // namespace
 
+bool hasOtherSignature(const FileHead& head) {
+    constexpr std::array signatures{hdf5Signature, "CDF\x01"sv, "CDF\x02"sv, "CDF\x05"sv, "PK\x03\x04"sv, "<?xml"sv};
+    return std::any_of(signatures.begin(), signatures.end(),
+                       [&](std::string_view signature) { return head.bytes.starts_with(signature); });
+}
+
 FileHead readHead(const std::string& path) {
-    using namespace std::string_view_literals;
     const Message remedy{"fe.unreadable.remedy", "Check the path and that you may read the file.", {}};
     std::error_code error;
     if (!std::filesystem::exists(path, error)) {
@@ -116,7 +125,7 @@ FileHead readHead(const std::string& path) {
             head.bytes = std::move(unpacked);
             head.packed = true;
         }
-    } else if (head.bytes.starts_with("\x89HDF\r\n\x1a\n"sv)) {
+    } else if (head.bytes.starts_with(hdf5Signature)) {
         lookIntoHdf5(head);
     }
     return head;

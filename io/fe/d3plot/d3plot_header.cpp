@@ -113,7 +113,7 @@ std::optional<Reading> readingOf(const FileHead& head, bool (Reading::*fits)() c
     for (const std::int64_t bytes : {4, 8}) {
         for (const bool bigEndian : {false, true}) {
             Reading reading{{bytes, bigEndian}, {}};
-            if (head.packed || head.bytes.size() < controlWords * static_cast<std::size_t>(bytes)) {
+            if (head.packed || hasOtherSignature(head) || head.bytes.size() < controlWords * static_cast<std::size_t>(bytes)) {
                 continue;
             }
             const auto* data = reinterpret_cast<const unsigned char*>(head.bytes.data());

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
+#include "io/base/hdf5_extent.h"
 #include "io/fe/exodus/exodus_activity.h"
 #include "io/fe/exodus/exodus_displacement.h"
 #include "io/fe/exodus/exodus_files.h"
@@ -90,7 +91,7 @@ bool recognisesExodus(const FileHead& head) {
     using namespace std::string_view_literals;
     const bool classic =
         head.bytes.starts_with("CDF\x01"sv) || head.bytes.starts_with("CDF\x02"sv) || head.bytes.starts_with("CDF\x05"sv);
-    return !head.packed && (classic || head.bytes.starts_with("\x89HDF\r\n\x1a\n"sv));
+    return !head.packed && (classic || head.bytes.starts_with(hdf5Signature));
 }
 
 std::vector<std::string> exodusMembers(const std::string& path) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "io/base/hdf5_extent.h"
 #include "io/fe/series/numbered_files.h"
 #include "io/fe/series/series_result.h"
 #include "io/fe/vtk/grid_series.h"
@@ -339,7 +340,7 @@ std::string textNaming(const std::string& tables) {
 }
 
 bool isHdf5(std::string_view bytes) {
-    return bytes.starts_with("\x89HDF\r\n\x1a\n");
+    return bytes.starts_with(hdf5Signature);
 }
 
 bool isHdf5File(const std::string& path) {

@@ -19632,7 +19632,7 @@ What the file fits: %2.</source>
     <name>rubble::widgets::FindingList</name>
     <message>
         <source>%1×: %2</source>
-        <translation>%1 次：%2</translation>
+        <translation>%1 处：%2</translation>
     </message>
     <message>
         <source>first: %1</source>
@@ -21058,7 +21058,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>%1×: %2</source>
-        <translation>%1 次：%2</translation>
+        <translation>%1 处：%2</translation>
     </message>
     <message>
         <source>first: %1</source>

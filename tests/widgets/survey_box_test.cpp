@@ -15,6 +15,7 @@
 #include <map>
 
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
 #include "widgets/evidence/survey_view.h"
 
 namespace rubble::widgets {
@@ -92,6 +93,29 @@ TEST_F(SurveyForm, SaysWhatIsMissingUntilItCanCompare) {
     QSignalSpy asked(&box, &SurveyBox::compareRequested);
     QTest::mouseClick(button(QStringLiteral("Compare with survey")), Qt::LeftButton);
     EXPECT_EQ(asked.count(), 1);
+}
+
+TEST_F(SurveyForm, WhatMustBeKnownOfTheRunStandsAboveTheFigures) {
+    const auto words = [this] {
+        QString text;
+        for (const Notice* notice : box.findChildren<Notice*>()) {
+            text += notice->isHidden() ? QString() : notice->text();
+        }
+        return text;
+    };
+    RunStanding run;
+    run.reached = 19.68;
+    run.fragments = run.bodies = 1999;
+    run.moving = 514;
+    content.cautions = runCautions(run);
+    box.setContent(content);
+    EXPECT_FALSE(words().contains(QStringLiteral("514"))) << "nothing is compared yet";
+    content.comparison = made();
+    box.setContent(content);
+    EXPECT_TRUE(words().contains(QStringLiteral("514"))) << words().toStdString();
+    content.stale = true;
+    box.setContent(content);
+    EXPECT_FALSE(words().contains(QStringLiteral("514"))) << "of another run";
 }
 
 TEST_F(SurveyForm, FieldsAreTheSettings) {

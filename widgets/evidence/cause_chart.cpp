@@ -73,8 +73,11 @@ private:
             m_painter.setPen(QPen(m_tints.hairline, 1.0));
             m_painter.drawLine(QPointF(x(tick), m_field.top()), QPointF(x(tick), m_field.bottom()));
             m_painter.setPen(m_tints.muted);
-            m_painter.drawText(QRectF(x(tick) - 4.0 * line, m_field.bottom() + 0.3 * line, 8.0 * line, line), Qt::AlignHCenter,
-                               shownNumber(std::abs(tick) < 1e-9 * m_step ? 0.0 : tick, figures::digitsOfMark(tick, m_step)));
+            const QString figure = shownNumber(std::abs(tick) < 1e-9 * m_step ? 0.0 : tick, figures::digitsOfMark(tick, m_step));
+            // The last one stands within the chart.
+            const double half = 0.5 * m_metrics.horizontalAdvance(figure) + 1.0;
+            const double middle = std::min(x(tick), m_field.right() + line - half);
+            m_painter.drawText(QRectF(middle - half, m_field.bottom() + 0.3 * line, 2.0 * half, line), Qt::AlignHCenter, figure);
         }
         const QString words = tr("departure from the evidence, in units of its scatter; less is closer");
         m_painter.drawText(QRectF(m_field.left() - m_names, m_field.bottom() + 1.7 * line, m_field.width() + m_names, 2.2 * line),

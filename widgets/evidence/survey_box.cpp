@@ -23,6 +23,7 @@
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/evidence/surveys/removal_box.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble::widgets {
 
@@ -358,7 +359,9 @@ void SurveyBox::showResults() {
     } else if (made != nullptr && m_content.stale) {
         m_notice->set(Notice::Kind::Finding, tr("Of another run or other settings: compare again."));
     } else {
-        m_notice->set(Notice::Kind::Note, {});
+        // As below the map of the run: what must be known beside the figures.
+        const QString cautions = made != nullptr ? cautionWords(m_content.cautions) : QString();
+        m_notice->set(cautions.isEmpty() ? Notice::Kind::Note : Notice::Kind::Finding, cautions);
     }
     if (made == nullptr) {
         return;

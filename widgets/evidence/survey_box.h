@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/evidence/cautions.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/removal.h"
 #include "widgets/evidence/survey_place.h"
@@ -52,6 +53,7 @@ public:
         bool comparing = false;
         bool stale = false;  ///< the comparison is of another run or of other settings
         Findings findings;
+        std::vector<Caution> cautions;  ///< of the run that was compared
         std::shared_ptr<const SurveyComparison> comparison;
     };
     void setContent(const Content& content);

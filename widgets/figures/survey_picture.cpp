@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
+#include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/map_edges.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
@@ -163,8 +164,13 @@ private:
         m_cut = sizes.back() > m_reach;
     }
 
+    /// Room of cautions and provenance, pixels.
+    double belowCaption() const {
+        return (m_style.cautions.empty() ? 0.0 : cautionHeight(m_text)) + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+    }
+
     void layOut() {
-        const double foot = (m_style.caption ? 2.2 * m_line : 0.4 * m_line) + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+        const double foot = (m_style.caption ? 2.2 * m_line : 0.4 * m_line) + belowCaption();
         const double width = m_style.pixels.width();
         const double height = m_style.pixels.height();
         m_foot = QRectF(0.0, height - foot, width, foot);
@@ -374,6 +380,10 @@ private:
                          m_made.settings.withFallen ? tr("counted") : tr("left out"));
             write(painter, QRectF(0.0, m_foot.top() + 0.4 * m_line, m_foot.width(), 1.5 * m_line), caption,
                   static_cast<int>(Qt::AlignCenter), m_text, true);
+        }
+        if (!m_style.cautions.empty()) {
+            paintCautions(painter, QRectF(0.0, m_foot.bottom() - belowCaption(), m_foot.width(), cautionHeight(m_text)),
+                          QString::fromStdString(m_style.cautions), m_text, m_style.theme);
         }
         if (!m_style.provenance.empty()) {
             const QString system =

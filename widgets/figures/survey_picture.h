@@ -22,6 +22,7 @@ struct SurveyPictureStyle {
     SiteFit place;           ///< of the local frame: gives the coordinates along the edges and north
     std::string system;      ///< coordinate system, for people; empty: local
     std::string provenance;  ///< one line at the foot, empty for none
+    std::string cautions{};  ///< what must be known beside it, above that; empty for none
     bool caption = true;
     bool scope = true;  ///< the polygons of what is compared are drawn
 };

@@ -17,6 +17,7 @@
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
@@ -24,6 +25,7 @@
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/input_files.h"
 #include "io/site/site_place.h"
@@ -352,6 +354,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     style.place = io::SitePlace(input.frame, input.site).transform();
     style.system = input.frame.crs;
     style.provenance = "survey " + input.sha256.substr(0, 16) + ", " + io::footLine(run.origin());
+    style.cautions = pictureCautions(runCautions(io::standingOf(run)));
     figures::writePng(path, figures::surveyPicture(made, style));
     io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
 }

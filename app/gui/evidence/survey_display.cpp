@@ -18,6 +18,7 @@
 #include "io/case/terrain_reader.h"
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
+#include "io/run/run_cautions.h"
 #include "io/site/input_files.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/survey_registration.h"
@@ -30,6 +31,7 @@
 #include "widgets/evidence/surveys/removal_box.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble {
 
@@ -461,7 +463,20 @@ void SurveyDisplay::cancel() {
     m_work.cancel();
 }
 
+/// Whether what would be saved is there; says so where it is not.
+bool SurveyDisplay::savable() {
+    const RunRecord* record = m_computation.currentRun();
+    const bool there = m_work.answer.result() != nullptr && record != nullptr && record->reader != nullptr && !stale();
+    if (!there) {
+        m_session.tell(tr("The comparison is of another run or other settings.") + u' ' + tr("Compare again, then save."));
+    }
+    return there;
+}
+
 void SurveyDisplay::save() {
+    if (!savable()) {
+        return;
+    }
     const QString path = QFileDialog::getSaveFileName(m_page.window(), tr("Difference map"),
                                                       QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/survey.tif"),
                                                       tr("GeoTIFF (*.tif);;Images (*.png)"));
@@ -473,8 +488,7 @@ void SurveyDisplay::save() {
 void SurveyDisplay::saveTo(const QString& path) {
     const RunRecord* record = m_computation.currentRun();
     const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
-    if (made == nullptr || record == nullptr || record->reader == nullptr || stale()) {
-        m_session.tell(tr("The comparison is of another run or other settings.") + u' ' + tr("Compare again, then save."));
+    if (!savable()) {
         return;
     }
     m_session.writeNow(path, [&] {
@@ -484,6 +498,7 @@ void SurveyDisplay::saveTo(const QString& path) {
             style.place = io::SitePlace(origin.frame, origin.site).transform();
             style.system = origin.frame.crs;
             style.provenance = "survey " + made->input.sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
+            style.cautions = widgets::cautionWords(runCautions(io::standingOf(*record->reader))).toStdString();
             figures::writePng(path.toStdString(), figures::surveyPicture(made->comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {
@@ -516,6 +531,9 @@ void SurveyDisplay::refresh() {
     if (made != nullptr && current() != nullptr && current()->id == compared.id) {
         content.comparison = comparison();
         content.stale = !busy() && stale();
+        if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
+            content.cautions = runCautions(io::standingOf(*record->reader));
+        }
         content.findings = made->input.findings;
         content.findings.append(made->comparison.findings);
         if (!compared.sha256.empty() && !io::InputDigest{made->input.sha256, made->input.fileSha256}.is(compared.sha256)) {

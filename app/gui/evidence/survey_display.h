@@ -133,6 +133,7 @@ private:
     /// Changes what the case says of the current survey, as one undoable command.
     void edit(const std::function<void(CaseInput&)>& change, const widgets::Wording& what);
     void save();
+    bool savable();
 
     Session& m_session;
     Document& m_document;

@@ -172,7 +172,7 @@ Message healthMeasure(HealthCheck check, double value) {
             [[fallthrough]];
         case HealthCheck::Speed:
         case HealthCheck::Bulking:
-            return {"health.measure.times", "{0} times", {value}};
+            return {"health.measure.times", "{0}×", {value}};
         case HealthCheck::BelowGround:
         case HealthCheck::OutsideSite:
             return {"health.measure.length", "{0}", {Argument(value, "m")}};

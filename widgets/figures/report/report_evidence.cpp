@@ -149,6 +149,11 @@ void ReportSections::addSurveys() {
         return;
     }
     heading(tr("Surveys"), 2);
+    for (const Caution& caution : m_facts.cautions) {
+        if (caution.inPictures()) {
+            notice(said(caution.what));
+        }
+    }
     text(tr(
         "A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the "
         "voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that."));

@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
+#include "io/fe/d3plot/d3plot_header.h"
+#include "io/fe/fe_format.h"
 #include "io/fe/fe_reader.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/io/fe/d3plot/d3plot_builder.h"
@@ -55,6 +57,17 @@ D3plotBuilder everyKind() {
     builder.deaths = {{1, 2}, {5, 3}, {8, 1}, {10, 4}, {11, 3}};
     builder.particleDeaths = {{1, 2}};
     return builder;
+}
+
+// A d3plot begins with its title, and words behind that are all that it is known by: those of files of OpenSees came to one.
+TEST_F(D3plotReader, WhatBeginsAsAnotherContainerIsNone) {
+    const std::string path = m_folder / "d3plot";
+    everyKind().write(path);
+    ASSERT_TRUE(recognisesD3plot(readHead(path)));
+    for (const std::string& begins : {std::string("\x89HDF\r\n\x1a\n"), std::string("CDF\x01"), std::string("PK\x03\x04")}) {
+        std::fstream(path, std::ios::in | std::ios::out | std::ios::binary) << begins;
+        EXPECT_FALSE(recognisesD3plot(readHead(path))) << begins;
+    }
 }
 
 TEST_F(D3plotReader, EveryKindOfElementInEveryWordFormat) {

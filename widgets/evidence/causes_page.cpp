@@ -211,8 +211,13 @@ void CausesPage::showTelling() {
     QStringList parts;
     if (made != nullptr && made->ranking.causes.size() > 1) {
         const Superiority& best = made->ranking.causes[1].bestOverEvidence[made->telling];
-        parts << tr("%1 tells most: there the closest cause is closer than the next in %2 of the pairs of members.")
-                     .arg(fileOf(made->evidence[made->telling]), shownShare(best.share));
+        // Half of the pairs is what chance gives.
+        parts << (best.share > 0.5
+                      ? tr("%1 tells most: there the closest cause is closer than the next in %2 of the pairs of members.")
+                            .arg(fileOf(made->evidence[made->telling]), shownShare(best.share))
+                      : tr("No evidence tells the first two apart: at best the closest cause is closer than the next in %1 of the "
+                           "pairs of members.")
+                            .arg(shownShare(best.share)));
         if (made->place) {
             parts << tr("On the ground %1 of what speaks for it lies around x = %2, y = %3, on %4 (ringed).")
                          .arg(shownShare(made->place->share, 0), shownLength(made->place->middle.x()),

@@ -9,6 +9,7 @@
 #include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/ensembles/evidence_noise.h"
 
 namespace rubble {
@@ -247,6 +248,17 @@ Message verdictOf(const CauseComparison& made) {
             {name, listOf(made.alike)}};
 }
 
+/// What the program says against resting a conclusion on a photograph counts here too.
+void findDoubtful(Findings& findings, const PhotoEvidence& photo) {
+    for (const Caution& caution : photographCautions(photo.photograph, &photo.match, nullptr)) {
+        findings.add(caution.what,
+                     {"causes.doubtful_photograph.remedy",
+                      "Take more pairs of points until the match of its camera is good, or compare without it.",
+                      {}},
+                     photo.name);
+    }
+}
+
 void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {
     const RankedCause& best = made.ranking.causes.front();
     made.fit = unknown;
@@ -271,8 +283,20 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
                            {}},
                           '"' + made.hypotheses[best.hypothesis] + '"');
     }
+    if (best.score.count < membersToJudge) {
+        made.findings.add({"causes.few_members",
+                           "With {0} members it cannot be told whether the evidence lies outside of what a cause does",
+                           {static_cast<std::int64_t>(best.score.count)}},
+                          {"causes.few_members.remedy",
+                           "Simulate at least {0} members of each cause.",
+                           {static_cast<std::int64_t>(membersToJudge)}},
+                          '"' + made.hypotheses[best.hypothesis] + '"');
+    }
     for (const SurfaceEvidence& surface : evidence.surfaces) {
         findApart(made.findings, surface, hypotheses);
+    }
+    for (const PhotoEvidence& photo : evidence.photographs) {
+        findDoubtful(made.findings, photo);
     }
     for (std::size_t k = 1; k < made.ranking.causes.size(); ++k) {
         if (!made.ranking.causes[k].apart) {

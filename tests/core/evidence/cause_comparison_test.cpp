@@ -289,6 +289,33 @@ TEST(CauseComparison, SaysWhenNoneOfThemFits) {
     EXPECT_FALSE(made.ranking.decided());
 }
 
+TEST(CauseComparison, SaysThatFewMembersCannotJudge) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1, 2), scattering("east", 30, 1, 2, 2)};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(evidenceOf(patch(80, 80, 10, 1.0F), EvidenceKind::Footprint));
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_FALSE(made.unexplained);
+    EXPECT_EQ(made.findings.count("causes.few_members"), 1);
+}
+
+TEST(CauseComparison, WhatIsSaidAgainstAPhotographIsSaidHere) {
+    std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2)};
+    for (Hypothesis& hypothesis : hypotheses) {
+        EnsembleReport looked = *hypothesis.ensemble;
+        for (EnsembleMember& member : looked.members) {
+            member.looked = {hypothesis.name == "west" ? 0.2 : 0.6};
+        }
+        hypothesis.ensemble = std::make_shared<const EnsembleReport>(std::move(looked));
+    }
+    CauseEvidence evidence;
+    PhotoEvidence& photo = evidence.photographs.emplace_back();
+    photo.name = "north.jpg";
+    photo.match.verdict = MatchVerdict::Good;
+    EXPECT_TRUE(compareCauses(hypotheses, evidence).findings.empty());
+    photo.match.verdict = MatchVerdict::Poor;
+    EXPECT_EQ(compareCauses(hypotheses, evidence).findings.count("caution.poor_camera"), 1);
+}
+
 TEST(CauseComparison, TheClosestOfWrongCausesIsNotNamed) {
     const std::vector<Hypothesis> hypotheses{scattering("near", 0, 1, 1), scattering("far", 30, 1, 2)};
     CauseEvidence evidence;

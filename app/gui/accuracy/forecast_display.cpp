@@ -75,6 +75,7 @@ void ForecastDisplay::runEnded(const Measured& measured) {
     content.state = PredictionContent::State::Afterwards;
     content.bodies = m_kept.beforeRun->bodies;
     content.figures = m_kept.beforeRun->figures;
+    bool learnt = false;
     for (widgets::PredictedFigure& figure : content.figures) {
         const double value = figure.what == Predicted::WallSeconds ? measured.wallSeconds
                              : figure.what == Predicted::Fps       ? measured.liveFps
@@ -82,10 +83,14 @@ void ForecastDisplay::runEnded(const Measured& measured) {
         figure.measured = std::isfinite(value) ? std::optional(value) : std::nullopt;
         if (figure.what == Predicted::WallSeconds && figure.prediction.fromSpeed && figure.measured) {
             m_forecast.learn(figure.prediction.value, value);
+            learnt = true;
         }
     }
     m_kept.afterRun = std::move(content);
     show();
+    if (learnt) {
+        ask();
+    }
 }
 
 void ForecastDisplay::pointsAdded() {

@@ -11895,6 +11895,18 @@
         <source>{0}: the heading &quot;{1}&quot; names a unit of time, but the result does not count in seconds</source>
         <translation>{0}：表头“{1}”写了时间单位，但结果不以秒计</translation>
     </message>
+    <message>
+        <source>Simulate at least {0} members of each cause.</source>
+        <translation>请为每个原因至少模拟 {0} 个成员。</translation>
+    </message>
+    <message>
+        <source>Take more pairs of points until the match of its camera is good, or compare without it.</source>
+        <translation>请取更多点对，直到其相机匹配良好，或不用它进行比较。</translation>
+    </message>
+    <message>
+        <source>With {0} members it cannot be told whether the evidence lies outside of what a cause does</source>
+        <translation>只有 {0} 个成员，无法判断证据是否落在某个原因所及之外</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -18167,6 +18179,10 @@ What the file fits: %2.</source>
     <message>
         <source>and %1</source>
         <translation>另加%1</translation>
+    </message>
+    <message>
+        <source>No evidence tells the first two apart: at best the closest cause is closer than the next in %1 of the pairs of members.</source>
+        <translation>没有证据能区分前两个原因：最多在 %1 的成员配对中，最接近的原因比下一个更接近。</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,9 @@
 #include "core/evidence/cautions.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/evidence/photographs/match_doubts.h"
 
 namespace rubble {
 
@@ -74,18 +77,10 @@ std::vector<Caution> runCautions(const RunStanding& run) {
 
 std::vector<Caution> photographCautions(const Photograph& photograph, const CameraMatch* match, const RunStanding* run) {
     std::vector<Caution> list;
-    if (match != nullptr && match->verdict == MatchVerdict::Poor) {
-        list.push_back({"poor_camera",
-                        HealthGrade::Finding,
-                        {"caution.poor_camera", "poor match of the camera: do not rest a conclusion on it", {}}});
-    }
-    if (match != nullptr && cameraStated(photograph)) {
-        list.push_back({"stated_camera",
-                        HealthGrade::Finding,
-                        {"caution.stated_camera",
-                         "the camera is the one that the cloud states for its picture: how well it is known nobody said, and no "
-                         "spread here holds it",
-                         {}}});
+    if (match != nullptr) {
+        for (MatchDoubt& doubt : matchDoubts(photograph, *match)) {
+            list.push_back({doubt.key, HealthGrade::Finding, std::move(doubt.what)});
+        }
     }
     if (run != nullptr && !photograph.time && (run->moving > 0 || !run->complete)) {
         list.push_back(

@@ -182,7 +182,7 @@ TEST(HealthList, ALimitThatWasPassedTwiceCountsOnce) {
     const auto entries = list.findChildren<QLabel*>(QStringLiteral("breach"));
     ASSERT_EQ(entries.size(), 2) << "one entry with its times";
     EXPECT_TRUE(entries[0]->text().contains(QString::fromUtf8("3.20–4.10 s, 7.50–8.25 s"))) << entries[0]->text().toStdString();
-    EXPECT_TRUE(entries[0]->text().contains(QStringLiteral("4.742 times"))) << entries[0]->text().toStdString();
+    EXPECT_TRUE(entries[0]->text().contains(QStringLiteral("4.742×"))) << entries[0]->text().toStdString();
     EXPECT_TRUE(entries[0]->text().contains(QStringLiteral("finding")));
     std::vector<std::size_t> chosen;
     QObject::connect(&list, &HealthList::breachChosen, [&](std::size_t breach) { chosen.push_back(breach); });

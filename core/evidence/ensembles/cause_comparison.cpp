@@ -9,8 +9,8 @@
 #include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
-#include "core/evidence/cautions.h"
 #include "core/evidence/ensembles/evidence_noise.h"
+#include "core/evidence/photographs/match_doubts.h"
 
 namespace rubble {
 
@@ -250,8 +250,8 @@ Message verdictOf(const CauseComparison& made) {
 
 /// What the program says against resting a conclusion on a photograph counts here too.
 void findDoubtful(Findings& findings, const PhotoEvidence& photo) {
-    for (const Caution& caution : photographCautions(photo.photograph, &photo.match, nullptr)) {
-        findings.add(caution.what,
+    for (const MatchDoubt& doubt : matchDoubts(photo.photograph, photo.match)) {
+        findings.add(doubt.what,
                      {"causes.doubtful_photograph.remedy",
                       "Take more pairs of points until the match of its camera is good, or compare without it.",
                       {}},

@@ -87,7 +87,7 @@ TEST(PassedLimits, TheLeastShareAtRestIsTheWorst) {
 
 TEST(HealthMeasure, SaysAShareAboveOneInTimes) {
     EXPECT_EQ(englishText(healthMeasure(HealthCheck::Penetration, 0.474)), "47.4 %");
-    EXPECT_EQ(englishText(healthMeasure(HealthCheck::Penetration, 4.742)), "4.742 times");
+    EXPECT_EQ(englishText(healthMeasure(HealthCheck::Penetration, 4.742)), "4.742×");
     EXPECT_EQ(englishText(healthMeasure(HealthCheck::BelowGround, 0.25)), "0.25 m");
     EXPECT_EQ(englishText(healthMeasure(HealthCheck::NotANumber, 0.0)), "no number");
 }

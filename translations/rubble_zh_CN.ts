@@ -11900,8 +11900,8 @@
         <translation>请为每个原因至少模拟 {0} 个成员。</translation>
     </message>
     <message>
-        <source>Take more pairs of points until the match of its camera is good, or compare without it.</source>
-        <translation>请取更多点对，直到其相机匹配良好，或不用它进行比较。</translation>
+        <source>Place its camera by pairs of points until the match is good, or compare without it.</source>
+        <translation>请以点对确定其相机位置，直到匹配良好，或不用它进行比较。</translation>
     </message>
     <message>
         <source>With {0} members it cannot be told whether the evidence lies outside of what a cause does</source>

@@ -253,7 +253,7 @@ void findDoubtful(Findings& findings, const PhotoEvidence& photo) {
     for (const MatchDoubt& doubt : matchDoubts(photo.photograph, photo.match)) {
         findings.add(doubt.what,
                      {"causes.doubtful_photograph.remedy",
-                      "Take more pairs of points until the match of its camera is good, or compare without it.",
+                      "Place its camera by pairs of points until the match is good, or compare without it.",
                       {}},
                      photo.name);
     }
@@ -283,7 +283,8 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
                            {}},
                           '"' + made.hypotheses[best.hypothesis] + '"');
     }
-    if (best.score.count < membersToJudge) {
+    // Photographs are not judged by.
+    if (pieces > 0.0 && best.score.count < membersToJudge) {
         made.findings.add({"causes.few_members",
                            "With {0} members it cannot be told whether the evidence lies outside of what a cause does",
                            {static_cast<std::int64_t>(best.score.count)}},

@@ -312,6 +312,12 @@ TEST(CauseComparison, WhatIsSaidAgainstAPhotographIsSaidHere) {
     photo.name = "north.jpg";
     photo.match.verdict = MatchVerdict::Good;
     EXPECT_TRUE(compareCauses(hypotheses, evidence).findings.empty());
+    for (Hypothesis& hypothesis : hypotheses) {
+        EnsembleReport few = *hypothesis.ensemble;
+        few.members.resize(3);
+        hypothesis.ensemble = std::make_shared<const EnsembleReport>(std::move(few));
+    }
+    EXPECT_TRUE(compareCauses(hypotheses, evidence).findings.empty()) << "photographs are not judged by, whatever the members";
     photo.match.verdict = MatchVerdict::Poor;
     EXPECT_EQ(compareCauses(hypotheses, evidence).findings.count("caution.poor_camera"), 1);
 }

@@ -220,7 +220,8 @@ std::vector<Measurement> longOnes() {
              "auto,1,1.5,2,3 --vary birth_window=0,0.1 --json")}},
         {"reference-bullet",
          "The reference beside plain Bullet",
-         "Every fragment its own body, no pieces, to 2 s after the FE end; what came loose is moved by the engine.",
+         "Every fragment its own body, no pieces, to 2 s after the FE end; what came loose is moved by the FE result "
+         "(`loose_structure=fe`).",
          12.0,
          true,
          {benchmarks("reference without pieces", {{"ms/step", "ms a step"},

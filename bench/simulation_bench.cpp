@@ -101,7 +101,7 @@ void referenceCollapse(benchmark::State& state, PieceKind pieces) {
     RunDescription description = clusteredArch(pieces, true);
     description.scenario.simulation.settleTime = 2.0;
     // Boxes of fragments, by which the pile is judged, are then what the engine has, and not bricks of their volume.
-    description.scenario.simulation.looseStructure = LooseStructurePolicy::Fe;
+    description.scenario.effects.loose = LooseStructurePolicy::Fe;
     const Execution execution;
     for (auto _ : state) {
         DebrisRecorder pile, plainPile;

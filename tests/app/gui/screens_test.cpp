@@ -26,16 +26,15 @@ namespace {
 /// RUBBLE_TAKE_SCREENS names a folder for pictures of all of them, in both themes, to be looked at.
 class Screens : public FreshWorkbench {
 protected:
-    /// Looks at one screen at every size, in every language and theme.
-    void look(const QString& name, const std::function<QWidget*()>& screen) {
+    /// Does the same in each language. The window is another one in another language.
+    void inEachLanguage(const std::function<void()>& walk) {
         for (const char* language : {"en", "zh_CN"}) {
             renewed->speak(QLatin1String(language));
-            lookNow(name, screen);
+            walk();
         }
-        renewed->speak(QStringLiteral("en"));
     }
-    /// The same in the language that is spoken: dialogs go with their window.
-    void lookNow(const QString& name, const std::function<QWidget*()>& screen) {
+    /// Looks at one screen in the language that is spoken, at every size and in every theme.
+    void look(const QString& name, const std::function<QWidget*()>& screen) {
         static const std::array sizes{QSize(1280, 800), QSize(1920, 1080), QSize(3840, 2160)};
         static const QString folder = qEnvironmentVariable("RUBBLE_TAKE_SCREENS");
         const QString language = widgets::currentLanguage();
@@ -96,6 +95,26 @@ protected:
         simulateToEnd();
         window->rooms().playback->showInstant(0.6 * window->rooms().playback->clock().last());
     }
+    void lookAtRun() {
+        lookAtPanels({});
+        window->rooms().inspection->selection().select({window->area().views().data().fragments->list.front().element});
+        look(QStringLiteral("inspector"), [this]() -> QWidget* {
+            auto* inspector = window->findChild<QDockWidget*>(QStringLiteral("inspectorDock"));
+            if (inspector->isFloating()) {
+                return inspector;
+            }
+            return window;
+        });
+        window->actions()[ActionId::SelectNone].trigger();
+        for (const ActionId id :
+             {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::FragmentTable, ActionId::HistoryCurves,
+              ActionId::DebrisMap, ActionId::Clip, ActionId::Four, ActionId::Overlay, ActionId::Presentation}) {
+            QAction& action = window->actions()[id];
+            action.trigger();
+            look(action.objectName(), [this] { return window; });
+            action.trigger();
+        }
+    }
     /// Triggers an action, looks at the dialog that it opens, which may hold the action up, and closes that.
     void lookAtDialogOf(ActionId id) {
         QAction& action = window->actions()[id];
@@ -111,7 +130,7 @@ protected:
             }
             seen = true;
             ASSERT_NE(dialog, nullptr) << name.toStdString();
-            lookNow(QStringLiteral("dialog-") + name, [dialog] { return dialog; });
+            look(QStringLiteral("dialog-") + name, [dialog] { return dialog; });
             dialog->close();
         });
         action.trigger();
@@ -120,77 +139,59 @@ protected:
 };
 
 TEST_F(Screens, CanBeReadWholeWithoutACase) {
-    look(QStringLiteral("start"), [this] { return window; });
-    lookAtPanels(QStringLiteral("empty-"));
+    inEachLanguage([this] {
+        look(QStringLiteral("start"), [this] { return window; });
+        lookAtPanels(QStringLiteral("empty-"));
+    });
 }
 
 TEST_F(Screens, CanBeReadWholeWithARun) {
     simulated();
-    lookAtPanels({});
-    window->rooms().inspection->selection().select({window->area().views().data().fragments->list.front().element});
-    look(QStringLiteral("inspector"), [this]() -> QWidget* {
-        auto* inspector = window->findChild<QDockWidget*>(QStringLiteral("inspectorDock"));
-        if (inspector->isFloating()) {
-            return inspector;
-        }
-        return window;
-    });
-    window->actions()[ActionId::SelectNone].trigger();
-    for (const ActionId id :
-         {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::FragmentTable, ActionId::HistoryCurves,
-          ActionId::DebrisMap, ActionId::Clip, ActionId::Four, ActionId::Overlay, ActionId::Presentation}) {
-        window->actions()[id].trigger();
-        look(window->actions()[id].objectName(), [this] { return window; });
-        // The window is another one by now.
-        window->actions()[id].trigger();
-    }
+    inEachLanguage([this] { lookAtRun(); });
 }
 
 TEST_F(Screens, TheTourCanBeReadWhole) {
     openArch();
-    for (int stop = 0; stop < 7; ++stop) {
-        look(QStringLiteral("tour-%1").arg(stop), [this, stop] {
-            auto* tour = window->findChild<widgets::Tour*>();
-            if (!tour->isVisible()) {
-                // The window is another one in another language.
-                tour->start();
-            }
-            while (tour->current() < stop) {
-                QTest::keyClick(tour, Qt::Key_Right);
-            }
-            return window;
-        });
-    }
+    inEachLanguage([this] {
+        auto* tour = window->findChild<widgets::Tour*>();
+        tour->start();
+        for (int stop = 0; stop < 7; ++stop) {
+            look(QStringLiteral("tour-%1").arg(stop), [&] {
+                while (tour->current() < stop) {
+                    QTest::keyClick(tour, Qt::Key_Right);
+                }
+                return window;
+            });
+        }
+    });
 }
 
 TEST_F(Screens, WholeDialogsCanBeReadWhole) {
     simulated();
     window->actions()[ActionId::DuplicateScenario].trigger();
-    for (const char* language : {"en", "zh_CN"}) {
-        renewed->speak(QLatin1String(language));
+    inEachLanguage([this] {
         for (const ActionId id : {ActionId::Preferences, ActionId::KeptRuns, ActionId::Manual, ActionId::CompareScenarios,
                                   ActionId::ExportFigure, ActionId::ExportMovie, ActionId::Site, ActionId::About}) {
             lookAtDialogOf(id);
         }
-    }
+    });
 }
 
 TEST_F(Screens, WholeTheWizardCanBeReadWhole) {
     static const std::array steps{"units", "ground", "components", "deaths", "case"};
-    for (const char* language : {"en", "zh_CN"}) {
-        renewed->speak(QLatin1String(language));
+    inEachLanguage([this] {
         window->rooms().opening->newCase(arch());
         NewCase& making = *window->rooms().opening->caseInTheMaking();
         for (int step = 0; step < widgets::NewCaseWizard::StepCount; ++step) {
             making.wizard().go(static_cast<widgets::NewCaseWizard::Step>(step));
             ASSERT_TRUE(
                 QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
-            lookNow(QStringLiteral("wizard-%1").arg(QLatin1String(steps[static_cast<std::size_t>(step)])),
-                    [&] { return &making.wizard(); });
+            look(QStringLiteral("wizard-%1").arg(QLatin1String(steps[static_cast<std::size_t>(step)])),
+                 [&] { return &making.wizard(); });
         }
         making.wizard().reject();
         ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
-    }
+    });
 }
 
 }  // namespace

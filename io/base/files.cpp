@@ -249,8 +249,14 @@ std::optional<std::string> contentOf(const std::string& path) {
         return {};
     }
     std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        return {};
+    }
     std::string content(static_cast<std::size_t>(size), '\0');
     stream.read(content.data(), static_cast<std::streamsize>(size));
+    if (stream.bad()) {
+        return {};
+    }
     content.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
     return content;
 }

@@ -9,9 +9,8 @@
 #include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
 #include "io/base/sha256.h"
+#include "io/base/trimmed.h"
 #include "io/case/case_file.h"
-#include "io/case/journal.h"
-#include "io/json/json_cursor.h"
 #include "io/seal/bag.h"
 #include "io/seal/seal_payload.h"
 #include "io/seal/time_stamp.h"
@@ -94,10 +93,6 @@ private:
     std::vector<PayloadFile> m_added;
 };
 
-bool isPathOfInput(const JournalChange& change) {
-    return change.place.starts_with("inputs/") && change.place.ends_with("/path");
-}
-
 /// Builds the addendum of another expert: differences, and the files that the bundle does not have yet.
 class AddendumPacking {
 public:
@@ -130,10 +125,7 @@ public:
 private:
     void compare(const std::string& text) {
         const std::string sealed = m_bag.text(m_statement.casePlace).value_or("");
-        m_addendum.differences =
-            placeChanges(casePlaces(parseJson(sealed, m_statement.casePlace)), casePlaces(parseJson(text, m_addition.casePath)));
-        // Where a file lies is no assumption.
-        std::erase_if(m_addendum.differences, &isPathOfInput);
+        m_addendum.differences = assumptionChanges(sealed, m_statement.casePlace, text, m_addition.casePath);
         if (m_addendum.differences.empty() && m_addition.runs.empty()) {
             throw UsageError(
                 Message{"io.seal.nothing_changed", "{0} says the same as the sealed case", {m_addition.casePath}},
@@ -166,7 +158,7 @@ private:
         };
         for (std::size_t i = 0; i < m_addition.runs.size(); ++i) {
             const std::string& path = m_addition.runs[i];
-            SealedRun run = describeRun(path, isInput, m_execution);
+            SealedRun run = describeRun(path, theirs, isInput, m_execution);
             run.place = m_folder + "runs/" + std::to_string(i + 1) + "-" + bagName(std::filesystem::path(path).filename().string());
             m_files.push_back({run.place, path, {}, 0, {}});
             m_addendum.runs.push_back(std::move(run));
@@ -181,6 +173,17 @@ private:
     SealAddendum m_addendum;
     std::vector<PayloadFile> m_files;
 };
+
+void requireNames(const SealAddition& addition) {
+    const Message remedy{"io.seal.no_name.remedy", "Say who it was.", {}};
+    if (!addition.custody && trimmed(addition.by).empty()) {
+        throw UsageError(Message{"io.seal.no_author", "An addendum must name who makes it", {}}, remedy);
+    }
+    if (addition.custody && (trimmed(addition.custody->to).empty() || trimmed(addition.custody->from).empty())) {
+        throw UsageError(Message{"io.seal.no_name", "An entry of custody must name who received the bundle, and from whom", {}},
+                         remedy);
+    }
+}
 
 SealRecord newRecord(const std::string& path, const SealCheck& check, const SealAddition& addition) {
     SealRecord record;
@@ -208,6 +211,7 @@ AddedRecord addRecord(const std::string& path, const std::string& out, const Sea
         throw UsageError(Message{"io.seal.addendum_unsigned", "An addendum must be signed by whoever makes it", {}},
                          Message{"io.seal.addendum_unsigned.remedy", "Name your key.", {}});
     }
+    requireNames(addition);
     std::optional<Signer> signer;
     if (addition.signer) {
         signer.emplace(*addition.signer);

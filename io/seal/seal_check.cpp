@@ -9,9 +9,12 @@
 #include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
 #include "io/base/sha256.h"
+#include "io/base/trimmed.h"
 #include "io/case/journal_check.h"
 #include "io/exports/report_notes.h"
 #include "io/seal/bag.h"
+#include "io/seal/earlier_bundle.h"
+#include "io/seal/time_stamp.h"
 
 namespace rubble::io {
 
@@ -31,6 +34,7 @@ public:
         readEverything();
         readStatement();
         checkManifests();
+        checkPlaces();
         if (m_stated) {
             checkStatement();
             checkSignature();
@@ -52,6 +56,7 @@ private:
     std::optional<Manifest> readManifest(const char* place);
     void checkManifests();
     void checkListed(const Manifest& manifest, bool payload);
+    void checkPlaces();
     void checkStatement();
     void checkSignature();
     void checkStamp(const std::string& signature);
@@ -59,8 +64,11 @@ private:
     void checkJournal();
     void checkNotes();
     void checkRuns();
+    void checkSettings(const SealedRun& run);
     void checkRecords();
     void checkRecord(const std::string& place, std::int64_t number);
+    void checkCustody(const SealRecord& record, const std::string& place, const std::string& folder);
+    void checkAddendum(const SealRecord& record, const std::string& place);
     void checkSignatureOf(CheckedRecord& checked, const std::string& folder, const std::string& text);
     void checkKnown();
     std::string textOr(const std::string& place);
@@ -88,26 +96,37 @@ void BundleCheck::readEverything() {
             m_damaged.insert(entry.name);
             continue;
         }
+        // Behind what is damaged the container cannot be laid out, but the files can be read.
+        const bool laidOut = m_damaged.empty();
         Sha256 digest;
-        layout.open(entry.name, entry.bytes);
         try {
+            if (laidOut) {
+                layout.open(entry.name, entry.bytes);
+            }
             m_bag.zip().read(entry, [&](const char* data, std::size_t size) {
                 digest.add(data, size);
-                layout.write(data, size);
+                if (laidOut) {
+                    layout.write(data, size);
+                }
                 done += static_cast<double>(size);
                 m_execution.report({"io.seal.checking", "Checking the bundle", {}}, std::min(1.0, done / all));
             });
-            layout.close();
+            if (laidOut) {
+                layout.close();
+            }
         } catch (const ParseError&) {
             fault(place, {"io.seal.damaged", "damaged: it cannot be unpacked", {}});
             m_damaged.insert(place);
-            return;
+            continue;
         }
         if (!m_found.emplace(place, digest.hex()).second) {
             fault(place, {"io.seal.twice", "put in: it lies in the container twice", {}});
         }
     }
-    if (const std::optional<std::uint64_t> byte = layout.firstDifference(m_bag.path()); byte && m_damaged.empty()) {
+    if (!m_damaged.empty()) {
+        return;
+    }
+    if (const std::optional<std::uint64_t> byte = layout.firstDifference(m_bag.path())) {
         fault({}, {"io.seal.container",
                    "the container was packed anew or altered, first at byte {0}; what lies in it is told of by the rest",
                    {static_cast<std::int64_t>(*byte)}});
@@ -126,7 +145,9 @@ void BundleCheck::readStatement() {
     const std::string text = textOr(bag::statement);
     m_check.sealSha256 = sha256OfText(text);
     if (text.empty()) {
-        fault(bag::statement, {"io.seal.no_statement", "the statement of the signer is missing", {}});
+        if (!m_damaged.contains(bag::statement)) {
+            fault(bag::statement, {"io.seal.no_statement", "the statement of the signer is missing", {}});
+        }
         return;
     }
     try {
@@ -140,6 +161,9 @@ void BundleCheck::readStatement() {
 std::optional<Manifest> BundleCheck::readManifest(const char* place) {
     const std::string text = textOr(place);
     const std::optional<Manifest> manifest = manifestOf(text);
+    if (m_damaged.contains(place)) {
+        return {};
+    }
     if (!manifest || manifest->empty() || manifestText(*manifest) != text) {
         fault(place, {"io.seal.no_list", "it is missing, or no list of files as it was written", {}});
         return {};
@@ -155,7 +179,7 @@ void BundleCheck::checkManifests() {
     if (tags) {
         checkListed(*tags, false);
     }
-    if (textOr(bag::declaration) != bagDeclaration()) {
+    if (!m_damaged.contains(bag::declaration) && textOr(bag::declaration) != bagDeclaration()) {
         fault(bag::declaration, {"io.seal.declaration", "it is not what BagIt asks for", {}});
     }
 }
@@ -178,10 +202,28 @@ void BundleCheck::checkListed(const Manifest& manifest, bool payload) {
     }
 }
 
+/// Whoever lists a file about the bag anew can put one in: only these belong there.
+void BundleCheck::checkPlaces() {
+    std::set<std::string> known{bag::declaration,  bag::about,        bag::manifest,   bag::tagManifest,
+                                bag::readme,       bag::statement,    bag::signature,  bag::publicKey,
+                                bag::certificates, bag::stampRequest, bag::stampAnswer};
+    for (const auto& [place, digest] : m_check.statement.tags) {
+        known.insert(place);
+    }
+    for (const auto& [place, digest] : m_found) {
+        if (!place.starts_with(bag::payload) && !place.starts_with(bag::records) && !known.contains(place)) {
+            fault(place, {"io.seal.unknown_place", "put in: nothing of a sealed bundle lies there", {}});
+        }
+    }
+}
+
 void BundleCheck::checkStatement() {
     const SealStatement& statement = m_check.statement;
     const auto sealed = [&](const std::string& place, const std::string& digest) {
         const auto found = m_found.find(place);
+        if (m_damaged.contains(place)) {
+            return;  // said already
+        }
         if (found == m_found.end() || found->second != digest) {
             fault(place, {"io.seal.not_as_signed", "not what was signed: the statement names the SHA-256 {0}", {digest}});
         }
@@ -198,6 +240,8 @@ void BundleCheck::checkStatement() {
     for (const auto& [place, digest] : m_found) {
         files += place.starts_with(bag::payload) ? 1 : 0;
     }
+    files +=
+        std::count_if(m_damaged.begin(), m_damaged.end(), [](const std::string& place) { return place.starts_with(bag::payload); });
     if (files != statement.files) {
         fault(bag::payload, {"io.seal.count", "{0} files lie in it, and {1} were sealed", {files, statement.files}});
     }
@@ -227,7 +271,12 @@ void BundleCheck::checkSignature() {
 }
 
 void BundleCheck::checkStamp(const std::string& signature) {
-    const std::string answer = textOr(bag::stampAnswer);
+    const std::string answer = textOr(bag::stampAnswer), request = textOr(bag::stampRequest);
+    if (m_check.statement.stampAsked && request.empty() && !m_damaged.contains(bag::stampRequest)) {
+        fault(bag::stampRequest, {"io.seal.request_missing", "left out: the request for the time stamp was sealed with it", {}});
+    } else if (!request.empty() && !isRequestFor(request, signature)) {
+        fault(bag::stampRequest, {"io.seal.request_of_another", "it asks for a time stamp of something else", {}});
+    }
     if (answer.empty()) {
         if (m_check.statement.stampAsked) {
             doubt(bag::stampAnswer,
@@ -235,7 +284,7 @@ void BundleCheck::checkStamp(const std::string& signature) {
         }
         return;
     }
-    m_check.stamp = checkTimeStamp(answer, textOr(bag::stampRequest), signature, m_trust.stampRoots);
+    m_check.stamp = checkTimeStamp(answer, request, signature, m_trust.stampRoots);
     if (!m_check.stamp->fault.empty()) {
         fault(bag::stampAnswer, m_check.stamp->fault);
     }
@@ -321,8 +370,17 @@ void BundleCheck::checkNotes() {
     }
 }
 
+void BundleCheck::checkSettings(const SealedRun& run) {
+    for (const OtherSetting& setting : run.otherSettings) {
+        doubt(run.place, {"io.seal.other_setting",
+                          "made with {0} = {1}, where the case has {2}",
+                          {setting.key, setting.run, setting.ofCase.empty() ? "-" : setting.ofCase}});
+    }
+}
+
 void BundleCheck::checkRuns() {
     for (const SealedRun& run : m_check.statement.runs) {
+        checkSettings(run);
         if (run.build != buildText()) {
             doubt(run.place, {"io.seal.other_build",
                               "made by another build than this program, so its bits need not repeat here: {0}",
@@ -350,8 +408,12 @@ void BundleCheck::checkRecords() {
                                        {checked.record.number, digest}});
             }
         }
-        for (const char* own : {"record.json", "record.sig", "public-key.pem", "signer.pem"}) {
-            told.insert(folder + own);
+        told.insert(folder + "record.json");
+        if (!checked.record.signer.empty()) {
+            told.insert({folder + "record.sig", folder + "public-key.pem"});
+        }
+        if (checked.signature && !checked.signature->signer.subject.empty()) {
+            told.insert(folder + "signer.pem");
         }
     }
     for (const auto& [place, digest] : m_found) {
@@ -385,8 +447,57 @@ void BundleCheck::checkRecord(const std::string& place, std::int64_t number) {
     if (record.when < earlier) {
         fault(place, {"io.seal.record_clock", "it is of {0}, before what it follows, {1}", {record.when, earlier}});
     }
+    if (record.when > utcNow()) {
+        doubt(place, {"io.seal.record_future", "it is of {0}, which the clock of this machine has not reached", {record.when}});
+    }
+    if (record.isAddendum) {
+        checkAddendum(record, place);
+    } else {
+        checkCustody(record, place, folder);
+    }
     checkSignatureOf(checked, folder, text);
     m_check.records.push_back(std::move(checked));
+}
+
+/// Equal files make equal containers, so the one that was received is made again, and its digest with it.
+void BundleCheck::checkCustody(const SealRecord& record, const std::string& place, const std::string& folder) {
+    const CustodyEntry& entry = record.custody;
+    if (trimmed(entry.from).empty() || trimmed(entry.to).empty()) {
+        fault(place, {"io.seal.nobody", "it does not name who received the bundle, and from whom", {}});
+    }
+    // What is altered already would be told once more by each entry.
+    if (!m_check.faults.empty()) {
+        return;
+    }
+    const EarlierBundle earlier = bundleBefore(m_bag, folder, m_execution);
+    if (earlier.sha256 == entry.bundleSha256) {
+        return;
+    }
+    if (earlier.stampedLater) {
+        doubt(place, {"io.seal.custody_stamped",
+                      "the SHA-256 of what was received, {0}, cannot be proven: a time stamp was put in afterwards",
+                      {entry.bundleSha256}});
+    } else {
+        fault(place, {"io.seal.custody_digest",
+                      "what was received had the SHA-256 {0}, and not {1}, which it names",
+                      {earlier.sha256, entry.bundleSha256}});
+    }
+}
+
+/// What an expert changed is seen in both cases, whatever a record says.
+void BundleCheck::checkAddendum(const SealRecord& record, const std::string& place) {
+    const SealAddendum& addendum = record.addendum;
+    const std::string& sealed = m_check.statement.casePlace;
+    try {
+        if (assumptionChanges(textOr(sealed), sealed, textOr(addendum.casePlace), addendum.casePlace) != addendum.differences) {
+            fault(place, {"io.seal.differences", "it does not list what its case assumes otherwise than the sealed one", {}});
+        }
+    } catch (const ParseError& error) {
+        fault(addendum.casePlace, error.message());
+    }
+    for (const SealedRun& run : addendum.runs) {
+        checkSettings(run);
+    }
 }
 
 void BundleCheck::checkSignatureOf(CheckedRecord& checked, const std::string& folder, const std::string& text) {

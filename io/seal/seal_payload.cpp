@@ -6,6 +6,7 @@
 
 #include "core/base/build.h"
 #include "core/base/error.h"
+#include "core/scenario/differences.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
 #include "io/base/sha256.h"
@@ -36,6 +37,24 @@ fs::path commonFolder(const std::vector<std::string>& files) {
         }
     }
     return common;
+}
+
+/// Settings in which a run is not what the case says under the name of its scenario.
+std::vector<OtherSetting> otherSettings(const RunOrigin& origin, const Case& theCase) {
+    const auto scenario = std::find_if(theCase.scenarios.begin(), theCase.scenarios.end(),
+                                       [&](const CaseScenario& each) { return each.name == origin.scenarioName; });
+    if (scenario == theCase.scenarios.end()) {
+        return {{"scenario", origin.scenarioName, {}}};
+    }
+    std::vector<OtherSetting> other;
+    for (const SharedDifference& difference : sharedDifferences(differencesBetween(origin.scenario, scenario->scenario))) {
+        other.push_back({difference.key(), valueText(difference.change.first), valueText(difference.change.second)});
+    }
+    if (!(origin.scenario.regrouping == scenario->scenario.regrouping)) {
+        other.push_back({"regrouping", std::to_string(origin.scenario.regrouping.size()),
+                         std::to_string(scenario->scenario.regrouping.size())});
+    }
+    return other;
 }
 
 [[noreturn]] void refuseInput(const std::string& id, const Message& what) {
@@ -125,7 +144,8 @@ void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, 
     }
 }
 
-SealedRun describeRun(const std::string& path, const std::function<bool(const std::string&)>& isInput, const Execution& execution) {
+SealedRun describeRun(const std::string& path, const Case& theCase, const std::function<bool(const std::string&)>& isInput,
+                      const Execution& execution) {
     const std::shared_ptr<RunReader> run = openRun(path);
     if (!run->complete()) {
         throw UsageError(Message{"io.seal.run_incomplete", "The run {0} was stopped before its end", {path}},
@@ -148,7 +168,13 @@ SealedRun describeRun(const std::string& path, const std::function<bool(const st
                              Message{"io.seal.run_of_another.remedy", "Seal it with the case that it was made from.", {}});
         }
     }
-    return {{}, {}, origin.scenarioName, origin.fingerprint.hex(), run->result()->trajectoryHash.hex(), origin.build};
+    return {{},
+            {},
+            origin.scenarioName,
+            origin.fingerprint.hex(),
+            run->result()->trajectoryHash.hex(),
+            origin.build,
+            otherSettings(origin, theCase)};
 }
 
 bool isInputOfCase(const std::string& casePath, const Case& theCase, const std::string& sha256, const Execution& execution) {
@@ -291,7 +317,14 @@ void SealPayload::addRuns() {
             return std::any_of(m_statement.inputs.begin(), m_statement.inputs.end(), sealed) ||
                    isInputOfCase(m_request.casePath, theCase, sha256, m_execution);
         };
-        SealedRun run = describeRun(path, isInput, m_execution);
+        SealedRun run = describeRun(path, theCase, isInput, m_execution);
+        if (!run.otherSettings.empty()) {
+            m_findings.add({"io.seal.run_settings", "runs were made under other settings than those of the case", {}},
+                           {"io.seal.run_settings.remedy",
+                            "run the case as it is, or save it as it was run; the bundle says which settings these are",
+                            {}},
+                           path);
+        }
         if (run.build != buildText()) {
             m_findings.add({"io.seal.run_build", "runs were made by another build than this program", {}},
                            {"io.seal.run_build.remedy", "only that build repeats them bit for bit; run them again, or keep it", {}},

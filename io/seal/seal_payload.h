@@ -32,9 +32,10 @@ Manifest othersOfInput(const std::string& path, InputRole role, const Execution&
 void takeDigests(std::vector<PayloadFile>& files, const Execution& execution);
 /// Packs a file. @param advance  called with the bytes of each block. Throws WorldError if it is not what its digest was taken of.
 void packFile(ZipWriter& zip, const std::string& name, const PayloadFile& file, const std::function<void(std::size_t)>& advance);
-/// What is said of a complete and sound run. Throws UsageError if it stands on a file that is no input.
+/// What is said of a complete and sound run of a case. Throws UsageError if it stands on a file that is no input.
 /// @param isInput  whether an input has this digest
-SealedRun describeRun(const std::string& path, const std::function<bool(const std::string&)>& isInput, const Execution& execution);
+SealedRun describeRun(const std::string& path, const Case& theCase, const std::function<bool(const std::string&)>& isInput,
+                      const Execution& execution);
 /// Whether an input of a case, unchanged since it was saved, has a digest, be it of the file alone or with what lies beside it:
 /// case and run may keep one each (InputDigest). Looks at the files of site and evidence. Throws WorldError, Cancelled.
 bool isInputOfCase(const std::string& casePath, const Case& theCase, const std::string& sha256, const Execution& execution);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/case/journal.h"
 #include "io/json/json_cursor.h"
 #include "io/json/json_text.h"
 #include "io/seal/seal_json.h"
@@ -66,6 +67,21 @@ std::string recordFolder(std::int64_t number, bool isAddendum) {
     std::string figures = std::to_string(number);
     figures.insert(0, figures.size() < 4 ? 4 - figures.size() : 0, '0');
     return bag::records + figures + (isAddendum ? "-addendum/" : "-custody/");
+}
+
+std::vector<JournalChange> assumptionChanges(const std::string& sealed, const std::string& sealedName, const std::string& theirs,
+                                             const std::string& theirsName) {
+    std::vector<JournalChange> changes =
+        placeChanges(casePlaces(parseJson(sealed, sealedName)), casePlaces(parseJson(theirs, theirsName)));
+    std::erase_if(changes, [](const JournalChange& change) {
+        return change.place.starts_with("inputs/") && change.place.ends_with("/path");
+    });
+    for (JournalChange& change : changes) {
+        for (std::string* value : {&change.before, &change.after}) {
+            *value = *value == "null" ? "" : *value;
+        }
+    }
+    return changes;
 }
 
 std::string recordText(const SealRecord& record) {

@@ -43,6 +43,11 @@ struct SealRecord {
 
 /// The folder of a record in the bag, with its slash.
 std::string recordFolder(std::int64_t number, bool isAddendum);
+/// What the case of an addendum assumes otherwise than the sealed one, as a record has it. Where a file lies is no assumption.
+/// @param sealed  text of the sealed case @param theirs  of the other one @param sealedName, theirsName  for errors
+/// Throws ParseError.
+std::vector<JournalChange> assumptionChanges(const std::string& sealed, const std::string& sealedName, const std::string& theirs,
+                                             const std::string& theirsName);
 /// JSON, sorted.
 std::string recordText(const SealRecord& record);
 /// Throws ParseError naming file and place.

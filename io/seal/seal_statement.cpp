@@ -48,18 +48,28 @@ SealedInput sealedInputFrom(const JsonCursor& row) {
 }
 
 json sealedRunJson(const SealedRun& run) {
-    return {{"file", run.place},
-            {"sha256", run.sha256},
-            {"scenario", run.scenario},
-            {"fingerprint", run.fingerprint},
-            {"trajectory_hash", run.trajectoryHash},
-            {"build", run.build}};
+    json row = {{"file", run.place},
+                {"sha256", run.sha256},
+                {"scenario", run.scenario},
+                {"fingerprint", run.fingerprint},
+                {"trajectory_hash", run.trajectoryHash},
+                {"build", run.build}};
+    for (const OtherSetting& setting : run.otherSettings) {
+        row["other_settings"].push_back({{"key", setting.key}, {"run", setting.run}, {"case", setting.ofCase}});
+    }
+    return row;
 }
 
 SealedRun sealedRunFrom(const JsonCursor& row) {
-    row.allowOnly({"file", "sha256", "scenario", "fingerprint", "trajectory_hash", "build"});
-    return {placeIn(row["file"]),      row["sha256"].text(),          row["scenario"].text(),
-            row["fingerprint"].text(), row["trajectory_hash"].text(), row["build"].text()};
+    row.allowOnly({"file", "sha256", "scenario", "fingerprint", "trajectory_hash", "build", "other_settings"});
+    SealedRun run{placeIn(row["file"]),      row["sha256"].text(),          row["scenario"].text(),
+                  row["fingerprint"].text(), row["trajectory_hash"].text(), row["build"].text()};
+    if (row.has("other_settings")) {
+        for (const JsonCursor& setting : row["other_settings"].elements()) {
+            run.otherSettings.push_back({setting["key"].text(), setting["run"].text(), setting["case"].text()});
+        }
+    }
+    return run;
 }
 
 std::string statementText(const SealStatement& statement) {

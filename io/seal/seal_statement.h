@@ -17,6 +17,14 @@ struct SealedInput {
     Manifest others = {};            ///< of one that does not travel: digests of what is read with it, by path from its folder
 };
 
+/// A setting of a run that is not that of the case.
+struct OtherSetting {
+    std::string key;  ///< "friction"; "scenario": the case has none of that name
+    std::string run;
+    std::string ofCase;
+    friend bool operator==(const OtherSetting&, const OtherSetting&) = default;
+};
+
 /// A run as it was sealed.
 struct SealedRun {
     std::string place;
@@ -25,6 +33,7 @@ struct SealedRun {
     std::string fingerprint;
     std::string trajectoryHash;
     std::string build;
+    std::vector<OtherSetting> otherSettings = {};
 };
 
 /// What a signer states of a bundle: the one text that the signature is of.

@@ -132,6 +132,11 @@ std::string timeStampRequest(const std::string& content) {
     return bytes;
 }
 
+bool isRequestFor(const std::string& request, const std::string& content) {
+    const StampRequest asked(readDer<TS_REQ>(request, &d2i_TS_REQ));
+    return asked != nullptr && imprintOf(TS_REQ_get_msg_imprint(asked.get())) == sha256Bytes(content);
+}
+
 StampCheck checkTimeStamp(const std::string& answer, const std::string& request, const std::string& content,
                           const std::string& roots) {
     StampCheck check;

@@ -11,6 +11,9 @@ namespace rubble::io {
 /// the certificate of the service. Throws WorldError.
 std::string timeStampRequest(const std::string& content);
 
+/// Whether a request (DER) is for this content.
+bool isRequestFor(const std::string& request, const std::string& content);
+
 /// What is known of a time stamp.
 struct StampCheck {
     bool matches = false;  ///< it is of this content, answers this request, and its signature holds

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -201,9 +202,16 @@ void Manipulation::cutShort() {
 void Manipulation::filePutIn() {
     PackedFiles files = m_files;
     const std::string folder = files.front().first.substr(0, files.front().first.find('/') + 1);
-    const std::string place = below(2) == 0 ? "data/exports/more.csv" : "records/0001-custody/more.txt";
+    static const std::array<std::string, 5> places{"data/exports/more.csv", "records/0001-custody/more.txt", "OPINION.txt",
+                                                   "seal/opinion-of-the-signer.txt", "records/0001-custody/signer.pem"};
+    const std::string& place = places[below(places.size())];
     files.insert(files.begin() + 1 + static_cast<std::ptrdiff_t>(below(files.size())), {folder + place, "more"});
-    EXPECT_THAT(placesOf(files), testing::Contains(place));
+    const bool listed = below(2) == 1;
+    if (listed) {
+        listAnew(files);
+    }
+    // The list of the payload was signed; a file about the bag is named whoever lists it.
+    EXPECT_THAT(placesOf(files), testing::Contains(listed && place.starts_with(bag::payload) ? bag::manifest : place));
 }
 
 void Manipulation::alter(std::size_t kind) {
@@ -239,6 +247,16 @@ TEST_F(Manipulation, OfAThousandEveryOneIsNamed) {
         if (HasFailure()) {
             break;
         }
+    }
+}
+
+// What lies behind a damaged byte was not touched, and is not accused.
+TEST_F(Manipulation, ADamagedFileIsNamedAlone) {
+    for (const char* place : {m_north, m_south, m_run, m_case, m_notes}) {
+        std::string bytes = m_bytes;
+        char& byte = bytes[bytes.find(contentAt(m_files, place)) + 5];
+        byte = otherByte(byte);
+        EXPECT_THAT(placesOfBytes(bytes), testing::Each(place)) << place;
     }
 }
 

@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::IsEmpty;
 
 std::vector<std::string> idsOf(const std::vector<SealFault>& faults) {
@@ -208,6 +209,24 @@ TEST_F(Seal, ATimeStampIsOfThisBundleAndNoOther) {
     EXPECT_THAT(idsOf(check(m_bundle).doubts), Contains("io.seal.stamp_no_roots"));
     const std::string stranger = makeCertificate(m_sealed.key(), m_folder / "stranger.pem", "Stranger", -60, 3600);
     EXPECT_THAT(idsOf(check(m_bundle, {{}, stranger, {}}).faults), Contains("io.seal.stamp_not_vouched"));
+    PackedFiles asked = packedFiles(m_bundle);
+    contentAt(asked, bag::stampRequest) = timeStampRequest("another file");
+    listAnew(asked);
+    packFiles(m_folder / "asked.rubblecase", asked);
+    EXPECT_THAT(idsOf(check(m_folder / "asked.rubblecase").faults), Contains("io.seal.request_of_another"));
+    std::erase_if(asked, [](const auto& file) { return file.first.ends_with(bag::stampRequest); });
+    listAnew(asked);
+    packFiles(m_folder / "asked.rubblecase", asked);
+    EXPECT_THAT(idsOf(check(m_folder / "asked.rubblecase").faults), ElementsAre("io.seal.request_missing"));
+    // A stamp that came in between two entries of custody leaves both their digests true.
+    const SealAddition entry{"B. Clerk", std::nullopt, CustodyEntry{"A. Engineer", "B. Clerk", {}, {}, {}}, {}, {}, {}};
+    sealCase(m_folder / "between.rubblecase", request, Execution());
+    const std::string between = m_folder / "between.rubblecase";
+    addRecord(between, between, entry, Execution());
+    addTimeStamp(between, between, answerOf(timeStampRequestOf(between)), Execution());
+    addRecord(between, between, entry, Execution());
+    EXPECT_THAT(idsOf(check(between).faults), IsEmpty());
+    EXPECT_THAT(idsOf(check(between).doubts), testing::Not(Contains("io.seal.custody_stamped")));
     // Another's time stamp in its place, and a signature that was made anew under it.
     PackedFiles files = packedFiles(m_bundle);
     contentAt(files, bag::stampAnswer) = another;
@@ -279,6 +298,32 @@ TEST_F(Seal, CustodyIsAChain) {
     EXPECT_EQ(failureOf([&] { addRecord(m_bundle, m_bundle, first, Execution()); }), "io.seal.unsound");
 }
 
+// An entry that nobody signed is written by anybody: what can be known of it is held against the bundle.
+TEST_F(Seal, CustodyIsHeldAgainstWhatWasReceived) {
+    copyOfBundle();
+    SealAddition entry{"B. Clerk", std::nullopt, CustodyEntry{"A. Engineer", "B. Clerk", {}, {}, {}}, {}, {}, {}};
+    for (int i = 0; i < 3; ++i) {
+        addRecord(m_bundle, m_bundle, entry, Execution());
+    }
+    EXPECT_THAT(idsOf(check(m_bundle).faults), IsEmpty());
+    const auto altered = [&](const std::string& from, const std::string& to) {
+        PackedFiles files = packedFiles(m_bundle);
+        std::string& text = contentAt(files, "records/0003-custody/record.json");
+        text.replace(text.find(from), from.size(), to);
+        listAnew(files);
+        packFiles(m_folder / "altered.rubblecase", files);
+        return check(m_folder / "altered.rubblecase");
+    };
+    const SealRecord record = check(m_bundle).records.at(2).record;
+    EXPECT_THAT(idsOf(altered(record.custody.bundleSha256, std::string(64, '0')).faults), ElementsAre("io.seal.custody_digest"));
+    EXPECT_THAT(idsOf(altered("\"A. Engineer\"", "\" \"").faults), ElementsAre("io.seal.nobody"));
+    const SealCheck later = altered(record.when, "2199" + record.when.substr(4));
+    EXPECT_THAT(idsOf(later.faults), IsEmpty());
+    EXPECT_THAT(idsOf(later.doubts), Contains("io.seal.record_future"));
+    entry.custody->from = " ";
+    EXPECT_EQ(failureOf([&] { addRecord(m_bundle, m_bundle, entry, Execution()); }), "io.seal.no_name");
+}
+
 TEST_F(Seal, AnAddendumListsWhatAnotherAssumes) {
     copyOfBundle();
     const SealCheck found = check(m_bundle);
@@ -307,10 +352,41 @@ TEST_F(Seal, AnAddendumListsWhatAnotherAssumes) {
     ASSERT_EQ(both.runs().size(), 2u);
     EXPECT_TRUE(both.repeat(both.runs()[1], Execution()).equal);
     PackedFiles files = packedFiles(m_bundle);
+    // The list of differences is not believed.
+    json record = json::parse(contentAt(files, "records/0001-addendum/record.json"));
+    record["addendum"]["differences"] = json::array();
+    const std::string silent = record.dump(1) + "\n";
+    contentAt(files, "records/0001-addendum/record.json") = silent;
+    contentAt(files, "records/0001-addendum/record.sig") = Signer(*addition.signer).sign(silent);
+    listAnew(files);
+    packFiles(m_folder / "silent.rubblecase", files);
+    EXPECT_THAT(idsOf(check(m_folder / "silent.rubblecase").faults), ElementsAre("io.seal.differences"));
+    files = packedFiles(m_bundle);
     contentAt(files, addendum.casePlace)[40] ^= 1;
     listAnew(files);
     packFiles(m_bundle, files);
     EXPECT_THAT(idsOf(check(m_bundle).faults), Contains("io.seal.record_file"));
+}
+
+TEST_F(Seal, ARunUnderOtherSettingsThanItsCaseIsSaidWithThem) {
+    const std::string theirs = m_folder / "small.rubble";
+    for (const char* name : {"small.rubble", "small.exo", "north.jpg", "south.jpg"}) {
+        fs::copy_file(m_sealed.path(name), m_folder / name);
+    }
+    Case wet = loadCase(theirs);
+    wet.scenarios[0].scenario.simulation.friction = 0.3;
+    saveCase(theirs, wet);
+    runSmallCase(theirs, m_folder / "wet.run.h5");
+    SealRequest request = m_sealed.request();
+    request.runs = {m_folder / "wet.run.h5"};
+    const SealReport report = sealCase(m_bundle, request, Execution());
+    ASSERT_EQ(report.statement.runs.size(), 1u);
+    EXPECT_THAT(report.statement.runs[0].otherSettings, ElementsAre(OtherSetting{"friction", "0.3", "0.5"}));
+    EXPECT_EQ(report.findings.count("io.seal.run_settings"), 1);
+    const SealCheck found = check(m_bundle);
+    EXPECT_THAT(idsOf(found.faults), IsEmpty());
+    EXPECT_THAT(idsOf(found.doubts), Contains("io.seal.other_setting"));
+    EXPECT_THAT(idsOf(check(m_sealed.bundle()).doubts), testing::Not(Contains("io.seal.other_setting")));
 }
 
 TEST_F(Seal, KeysThatCannotBeUsedAreRefusedWithARemedy) {

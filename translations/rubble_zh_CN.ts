@@ -11907,6 +11907,62 @@
         <source>With {0} members it cannot be told whether the evidence lies outside of what a cause does</source>
         <translation>只有 {0} 个成员，无法判断证据是否落在某个原因所及之外</translation>
     </message>
+    <message>
+        <source>An addendum must name who makes it</source>
+        <translation>附录必须写明由谁制作</translation>
+    </message>
+    <message>
+        <source>An entry of custody must name who received the bundle, and from whom</source>
+        <translation>保管条目必须写明由谁接收封存包，以及从何人处接收</translation>
+    </message>
+    <message>
+        <source>Say who it was.</source>
+        <translation>请写明是谁。</translation>
+    </message>
+    <message>
+        <source>it asks for a time stamp of something else</source>
+        <translation>它请求的是其他内容的时间戳</translation>
+    </message>
+    <message>
+        <source>it does not list what its case assumes otherwise than the sealed one</source>
+        <translation>它没有列出其案例与封存案例的不同假设</translation>
+    </message>
+    <message>
+        <source>it does not name who received the bundle, and from whom</source>
+        <translation>它没有写明由谁接收封存包，以及从何人处接收</translation>
+    </message>
+    <message>
+        <source>it is of {0}, which the clock of this machine has not reached</source>
+        <translation>其时间为 {0}，本机时钟尚未到达</translation>
+    </message>
+    <message>
+        <source>left out: the request for the time stamp was sealed with it</source>
+        <translation>被去掉：时间戳的请求曾一同封存</translation>
+    </message>
+    <message>
+        <source>made with {0} = {1}, where the case has {2}</source>
+        <translation>计算所用 {0} = {1}，而案例中为 {2}</translation>
+    </message>
+    <message>
+        <source>put in: nothing of a sealed bundle lies there</source>
+        <translation>被放入：封存包在此处没有内容</translation>
+    </message>
+    <message>
+        <source>run the case as it is, or save it as it was run; the bundle says which settings these are</source>
+        <translation>按案例现状计算，或按计算时的设置保存案例；封存包写明是哪些设置</translation>
+    </message>
+    <message>
+        <source>runs were made under other settings than those of the case</source>
+        <translation>计算所用的设置与案例不同</translation>
+    </message>
+    <message>
+        <source>the SHA-256 of what was received, {0}, cannot be proven: a time stamp was put in afterwards</source>
+        <translation>所接收内容的 SHA-256 {0} 无法证明：此后放入了时间戳</translation>
+    </message>
+    <message>
+        <source>what was received had the SHA-256 {0}, and not {1}, which it names</source>
+        <translation>所接收内容的 SHA-256 为 {0}，而不是所写的 {1}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

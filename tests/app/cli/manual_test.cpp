@@ -131,7 +131,7 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"report", run, "--check"},
         {"time-stamp", bundle, "--request", folder / "request.tsq"},
         {"custody", bundle, "--received-by", "B", "--received-from", "A"},
-        {"addendum", bundle, caseFile, "--key", pem, "--runs", run},
+        {"addendum", bundle, caseFile, "--key", pem, "--by", "C. Expert", "--runs", run},
         {"open-sealed", bundle},
         {"inspect", folder / "missing.exo"}};
     for (std::vector<std::string> words : commandLines) {

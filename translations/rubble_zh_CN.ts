@@ -11384,10 +11384,6 @@
         <translation>{0}：第一行没有写明测量点的各列</translation>
     </message>
     <message>
-        <source>Begin each part once, with text below: # custody, # alternatives, # change, # summary.</source>
-        <translation>每部分只开始一次，其下有文字：# custody、# alternatives、# change、# summary。</translation>
-    </message>
-    <message>
         <source>Give several cases or FE results, or a case with several scenarios.</source>
         <translation>给出几个案例或有限元结果，或一个含几个方案的案例。</translation>
     </message>
@@ -11962,6 +11958,14 @@
     <message>
         <source>what was received had the SHA-256 {0}, and not {1}, which it names</source>
         <translation>所接收内容的 SHA-256 为 {0}，而不是所写的 {1}</translation>
+    </message>
+    <message>
+        <source>Begin each part once, with text below: # custody, # alternatives, # change, # summary, # qualification.</source>
+        <translation>每部分只开始一次，其下有文字：# custody、# alternatives、# change、# summary、# qualification。</translation>
+    </message>
+    <message>
+        <source>what qualifies its author, and what binds them to a party</source>
+        <translation>作者有何资质，与哪一方有何关系</translation>
     </message>
 </context>
 <context>
@@ -16649,6 +16653,22 @@
     <message>
         <source>net volume below the level of detection, not counted</source>
         <translation>低于检测限的净体积，未计入</translation>
+    </message>
+    <message>
+        <source>Who answers for this report</source>
+        <translation>本报告由谁负责</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>姓名：%1</translation>
+    </message>
+    <message>
+        <source>Place and date: %1</source>
+        <translation>地点和日期：%1</translation>
+    </message>
+    <message>
+        <source>Signature: %1</source>
+        <translation>签名：%1</translation>
     </message>
 </context>
 <context>
@@ -22659,6 +22679,14 @@ What the file fits: %2.</source>
     <message>
         <source>For you to say:</source>
         <translation>需由您说明：</translation>
+    </message>
+    <message>
+        <source>Qualification</source>
+        <translation>资质</translation>
+    </message>
+    <message>
+        <source>What qualifies you for this report, and what binds you to a party; stands above the signature</source>
+        <translation>您编写本报告的资质，以及与哪一方的关系；位于签名之上</translation>
     </message>
 </context>
 <context>

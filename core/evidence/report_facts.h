@@ -63,10 +63,11 @@ struct ReportCheck {
 /// What standards for the reports of experts ask for and no program can say, in the words of who answers for the report. Plain
 /// text; a blank line ends a paragraph, a line that begins with "- " is a point of a list. Empty: not said.
 struct OwnWords {
-    std::string custody;       ///< who held the material before, and what was done to it
-    std::string alternatives;  ///< other causes that were considered, and how each was excluded
-    std::string change;        ///< what would change the opinion
-    std::string summary;       ///< on one page, for readers who are no engineers
+    std::string custody;             ///< who held the material before, and what was done to it
+    std::string alternatives;        ///< other causes that were considered, and how each was excluded
+    std::string change;              ///< what would change the opinion
+    std::string summary;             ///< on one page, for readers who are no engineers
+    std::string qualification = {};  ///< what qualifies the author, and what binds them to a party
 };
 
 /// A supposed cause, held against the evidence among others.

@@ -135,6 +135,7 @@ std::vector<Message> reportOwnWords(const ReportFacts& facts) {
          {}});
     ask(said.change, {"report.own.change", "what would change the opinion", {}});
     ask(said.summary, {"report.own.summary", "a summary of one page in plain language", {}});
+    ask(said.qualification, {"report.own.qualification", "what qualifies its author, and what binds them to a party", {}});
     return missing;
 }
 

@@ -12,10 +12,11 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string OwnWords::*>, 4> parts{{{"custody", &OwnWords::custody},
+constexpr std::array<std::pair<std::string_view, std::string OwnWords::*>, 5> parts{{{"custody", &OwnWords::custody},
                                                                                      {"alternatives", &OwnWords::alternatives},
                                                                                      {"change", &OwnWords::change},
-                                                                                     {"summary", &OwnWords::summary}}};
+                                                                                     {"summary", &OwnWords::summary},
+                                                                                     {"qualification", &OwnWords::qualification}}};
 
 std::string trimmedEnds(const std::string& text) {
     const auto first = text.find_first_not_of(" \t\r\n");
@@ -23,9 +24,10 @@ std::string trimmedEnds(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const std::string& path, std::size_t line, const std::string& found) {
-    throw ParseError(
-        {"report.words", "{0}, line {1}: {2} is no part of what a report lets its author say", {path, line, found}},
-        {"report.words.remedy", "Begin each part once, with text below: # custody, # alternatives, # change, # summary.", {}});
+    throw ParseError({"report.words", "{0}, line {1}: {2} is no part of what a report lets its author say", {path, line, found}},
+                     {"report.words.remedy",
+                      "Begin each part once, with text below: # custody, # alternatives, # change, # summary, # qualification.",
+                      {}});
 }
 
 }  // namespace

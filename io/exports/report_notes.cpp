@@ -20,7 +20,7 @@ constexpr JsonKind notesKind{"rubble-report-notes", 1, std::uintmax_t{16} << 20}
 
 bool ReportNotes::empty() const {
     return question.empty() && author.empty() && causes.empty() && words.custody.empty() && words.alternatives.empty() &&
-           words.change.empty() && words.summary.empty();
+           words.change.empty() && words.summary.empty() && words.qualification.empty();
 }
 
 std::string reportNotesPath(const std::string& casePath) {
@@ -36,6 +36,10 @@ ReportNotes notesOf(const nlohmann::json& document, const std::string& file) {
     notes.author = top["author"].text();
     notes.causes = top["causes"].text();
     notes.words = {top["custody"].text(), top["alternatives"].text(), top["change"].text(), top["summary"].text()};
+    // Notes of earlier versions have none.
+    if (top.has("qualification")) {
+        notes.words.qualification = top["qualification"].text();
+    }
     return notes;
 }
 
@@ -67,7 +71,8 @@ void writeReportNotes(const std::string& file, const ReportNotes& notes) {
                                      {"custody", notes.words.custody},
                                      {"alternatives", notes.words.alternatives},
                                      {"change", notes.words.change},
-                                     {"summary", notes.words.summary}};
+                                     {"summary", notes.words.summary},
+                                     {"qualification", notes.words.qualification}};
     fs::create_directories(fs::path(file).parent_path(), failed);
     // Whatever is wrong with the folder is told by the writing.
     writeAtomically(file, [&](std::ostream& out) { out << jsonText(document) << '\n'; });

@@ -28,10 +28,11 @@ struct OwnPart {
     std::string OwnWords::* words;
     const char* name;
 };
-constexpr std::array<OwnPart, 4> ownParts{{{&OwnWords::summary, "reportSummary"},
+constexpr std::array<OwnPart, 5> ownParts{{{&OwnWords::summary, "reportSummary"},
                                            {&OwnWords::custody, "reportCustody"},
                                            {&OwnWords::alternatives, "reportAlternatives"},
-                                           {&OwnWords::change, "reportChange"}}};
+                                           {&OwnWords::change, "reportChange"},
+                                           {&OwnWords::qualification, "reportQualification"}}};
 
 }  // namespace
 
@@ -98,7 +99,9 @@ void ReportPanel::addOwnWords() {
         {{tr("Summary in plain language"), tr("On one page, for readers who are no engineers; a chapter of the report")},
          {tr("Custody"), tr("Who held the material before it came here, and what was done to it")},
          {tr("Other causes"), tr("Which other causes were considered, and how each was excluded")},
-         {tr("What would change the opinion"), tr("Findings that would make you say something else")}}};
+         {tr("What would change the opinion"), tr("Findings that would make you say something else")},
+         {tr("Qualification"),
+          tr("What qualifies you for this report, and what binds you to a party; stands above the signature")}}};
     for (std::size_t part = 0; part < partCount; ++part) {
         own->addNote(said[part].first);
         m_words[part] = addText(*own, ownParts[part].name, said[part].first, said[part].second, wordsHeight);

@@ -64,7 +64,7 @@ signals:
 
 private:
     /// The four parts of what only the author can say.
-    static constexpr std::size_t partCount = 4;
+    static constexpr std::size_t partCount = 5;
 
     QPlainTextEdit* addText(PanelGroup& group, const char* name, const QString& label, const QString& tip, int height);
     void addOwnWords();

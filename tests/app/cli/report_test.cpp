@@ -129,13 +129,16 @@ TEST_F(ReportCommand, CheckListsWhatItLacksAndWritesNothing) {
 TEST_F(ReportCommand, SaysWhatItsAuthorSays) {
     const std::string words = m_folder / "words.txt";
     std::ofstream(words) << "# summary\nThe deck fell <east>.\nNobody stood there.\n\n- first\n- second\n  goes on\n"
-                         << "# custody\nHeld by the county.\n# change\nA survey of the north bank.\n";
+                         << "# custody\nHeld by the county.\n# change\nA survey of the north bank.\n"
+                         << "# qualification\nEngineer since 1998, paid by the county.\n";
     ASSERT_EQ(report({m_out, "--words", words, "--self-test", "none", "--repeats", "0"}).exitCode, 0);
     const std::string page = html();
     EXPECT_THAT(page, HasSubstr("1  Summary in plain language</h2>\n<p>The deck fell &lt;east&gt;. Nobody stood there.</p>"));
     EXPECT_THAT(page, HasSubstr("<li>first</li>\n<li>second goes on</li>"));
     EXPECT_THAT(page, HasSubstr("<p>Held by the county.</p>"));
     EXPECT_THAT(page, HasSubstr("<p>A survey of the north bank.</p>"));
+    EXPECT_THAT(page, HasSubstr("<p>Engineer since 1998, paid by the county.</p>\n<p>Name: "));
+    EXPECT_THAT(page, HasSubstr("<p>Signature: ."));
     EXPECT_THAT(page, HasSubstr("It does not say which other causes were considered"));
     EXPECT_THAT(page, HasSubstr(io::sha256OfFile(words))) << "it is one of the files that the report rests on";
     const Outcome check = cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--words", words, "--json"});

@@ -46,9 +46,9 @@ TEST(ReportGaps, OwnWordsAreAskedForUntilTheyAreSaid) {
         return ids;
     };
     OwnWords words;
-    EXPECT_THAT(idsOfWords(words),
-                testing::ElementsAre("report.own.custody", "report.own.alternatives", "report.own.change", "report.own.summary"));
-    words.custody = words.change = "a";
+    EXPECT_THAT(idsOfWords(words), testing::ElementsAre("report.own.custody", "report.own.alternatives", "report.own.change",
+                                                        "report.own.summary", "report.own.qualification"));
+    words.custody = words.change = words.qualification = "a";
     EXPECT_THAT(idsOfWords(words), testing::ElementsAre("report.own.alternatives", "report.own.summary"));
     words.alternatives = words.summary = "b";
     EXPECT_THAT(idsOfWords(words), testing::IsEmpty());

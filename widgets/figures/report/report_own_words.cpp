@@ -149,4 +149,14 @@ void ReportSections::addChange() {
     }
 }
 
+void ReportSections::addSignature() {
+    heading(tr("Who answers for this report"));
+    ownWords(m_facts.words.qualification);
+    const QString line = QString(40, u'.');
+    const QString author = escaped(m_facts.author);
+    text(tr("Name: %1").arg(author.isEmpty() ? line : author));
+    text(tr("Place and date: %1").arg(line));
+    text(tr("Signature: %1").arg(line));
+}
+
 }  // namespace rubble::figures

@@ -17,6 +17,7 @@ public:
     void addEvidence();
     void addAlternatives();
     void addChange();
+    void addSignature();
     void addMethod();
     void addCautions();
     void addInputs();

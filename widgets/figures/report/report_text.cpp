@@ -115,6 +115,7 @@ ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pic
     sections.addSelfTest();
     sections.addLimits();
     sections.addChange();
+    sections.addSignature();
     sections.addParameters();
     sections.addJournal();
     document.blocks = sections.take();

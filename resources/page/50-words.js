@@ -51,7 +51,7 @@ const words = {
     fragments: ['fragments', '碎块'],
     theirMass: ['their mass', '其质量'],
     bodies: ['rigid bodies of fragments', '碎块的刚体'],
-    islands: ['loose parts of live structure', '松脱的存活结构部分'],
+    islands: ['loose parts of live structure', '松脱的未失效结构部分'],
     endsAt: ['simulated until', '模拟至'],
     atRest: ['at rest at the end', '结束时静止的份额'],
     stillMoving: ['still moving', '仍在运动'],
@@ -165,7 +165,7 @@ const words = {
     noSettings: ['All settings are those delivered.', '全部设置为默认值。'],
     download: ['Provenance as JSON', '来源信息 (JSON)'],
     roles: [{ fe: 'FE result', terrain: 'terrain', surroundings: 'surroundings', photograph: 'photograph', survey: 'survey' },
-        { fe: '有限元结果', terrain: '地形', surroundings: '周边', photograph: '照片', survey: '测量' }],
+        { fe: '有限元结果', terrain: '地形', surroundings: '周边', photograph: '照片', survey: '测绘' }],
     playing: ['Playing', '正在播放'],
     stopped: ['Stopped at {0} s', '停在 {0} s']
 };

@@ -23,11 +23,11 @@ bool fillsAPage(const std::string& text) {
 void addPerson(Findings& gaps, const ReportFacts& facts) {
     if (facts.question.empty()) {
         gaps.add({"report.gap.question", "the report states no question that it answers", {}},
-                 {"report.gap.question.remedy", "state it in the words of whoever asked: --question, or in the panel", {}});
+                 {"report.gap.question.remedy", "state it in the words of whoever asked (--question)", {}});
     }
     if (facts.author.empty()) {
         gaps.add({"report.gap.author", "the report does not say who makes it", {}},
-                 {"report.gap.author.remedy", "name who answers for it: --by, or in the panel", {}});
+                 {"report.gap.author.remedy", "name who answers for it (--by)", {}});
     }
     if (fillsAPage(facts.words.summary)) {
         gaps.add({"report.gap.summary", "the summary in plain language is longer than a page", {}},
@@ -38,9 +38,7 @@ void addPerson(Findings& gaps, const ReportFacts& facts) {
 void addMaterial(Findings& gaps, const ReportFacts& facts) {
     if (facts.casePath.empty()) {
         gaps.add({"report.gap.case", "the run stands alone: no case tells what was received and assumed", {}},
-                 {"report.gap.case.remedy",
-                  "make a case of the FE result and report the run with it: --case, or save it in the window",
-                  {}});
+                 {"report.gap.case.remedy", "make a case of the FE result and report the run with it (--case)", {}});
     } else if (facts.journal.empty()) {
         gaps.add({"report.gap.journal", "the case has no journal, so who changed what in it cannot be told", {}},
                  {"report.gap.journal.remedy", "save the case once with this version", {}});
@@ -76,11 +74,11 @@ void addMaterial(Findings& gaps, const ReportFacts& facts) {
 void addReliability(Findings& gaps, const ReportFacts& facts, const ReportPlan& plan) {
     if (plan.repeats == 0 && !facts.floor) {
         gaps.add({"report.gap.intervals", "the results have no intervals: nothing was repeated", {}},
-                 {"report.gap.intervals.remedy", "let at least two repeats be simulated: --repeats 2, or in the panel", {}});
+                 {"report.gap.intervals.remedy", "let at least two repeats be simulated (--repeats)", {}});
     }
     if (!plan.selfTest && facts.selfTest.empty()) {
         gaps.add({"report.gap.self_test", "the program was not tested on this machine", {}},
-                 {"report.gap.self_test.remedy", "let the self-test run: --self-test closed-form, or in the panel", {}});
+                 {"report.gap.self_test.remedy", "let the self-test run (--self-test)", {}});
     }
     if (facts.validation.empty()) {
         gaps.add({"report.gap.validation",

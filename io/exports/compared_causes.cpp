@@ -78,7 +78,7 @@ ReportCauses readComparedCauses(const std::string& path) {
     } catch (const json::exception& error) {
         throw ParseError(
             {"report.causes", "{0} is not what rubble-cli compare --json prints of causes and evidence: {1}", {path, error.what()}},
-            {"report.causes.remedy", "Make it anew: rubble-cli compare CAUSES --against KIND=FILE --json > FILE.", {}});
+            {"report.causes.remedy", "Make it anew: rubble-cli compare --json.", {}});
     }
 }
 

@@ -24,7 +24,8 @@ ProgramOutcome outcomeOf(const std::vector<std::string>& words) {
     if (!outcome) {
         throw WorldError({"io.no_slurm", "Slurm is not installed here: there is no program {0}.", {words.front()}},
                          {"io.no_slurm.remedy",
-                          "Install Slurm's client programs (Debian: slurm-client) and its slurm.conf, or use --executor commands.",
+                          "Install Slurm's client programs (Debian: slurm-client) and its slurm.conf, or compute elsewhere "
+                          "(--executor commands).",
                           {}});
     }
     return std::move(*outcome);

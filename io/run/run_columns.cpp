@@ -74,8 +74,9 @@ void RunColumns::openFile() {
 
 void RunColumns::checkFormat() const {
     if (rootText(m_file.get(), "format") != runFormatName) {
-        throw ParseError(Message{"io.run.not_a_run", "{0} is an HDF5 file, but not a run of Rubble", {m_path}},
-                         Message{"io.run.not_a_run.remedy", "Open a *.run.h5 file that `rubble-cli run --out` wrote.", {}});
+        throw ParseError(
+            Message{"io.run.not_a_run", "{0} is an HDF5 file, but not a run of Rubble", {m_path}},
+            Message{"io.run.not_a_run.remedy", "Open a *.run.h5 file that the window saved, or rubble-cli run --out.", {}});
     }
     const std::string version = rootText(m_file.get(), "version");
     if (version != std::to_string(runVersion)) {

@@ -58,9 +58,11 @@ std::vector<OtherSetting> otherSettings(const RunOrigin& origin, const Case& the
 }
 
 [[noreturn]] void refuseInput(const std::string& id, const Message& what) {
-    throw UsageError(what, Message{"io.seal.input.remedy",
-                                   "Find the file and save the case anew, or seal without it: --leave-out {0}; its digest stays.",
-                                   {id}});
+    throw UsageError(
+        what,
+        Message{"io.seal.input.remedy",
+                "Find the file and save the case anew, or seal without it: rubble-cli seal --leave-out {0}; its digest stays.",
+                {id}});
 }
 
 }  // namespace
@@ -266,7 +268,7 @@ void SealPayload::addNotes() {
     addFile(reportNotesPath(m_statement.casePlace), path);
     if (!notes.causes.empty()) {
         m_findings.add({"io.seal.causes_home", "the comparison of causes that the report names does not travel by itself", {}},
-                       {"io.seal.causes_home.remedy", "add it: --report FILE", {}}, notes.causes);
+                       {"io.seal.causes_home.remedy", "add it: rubble-cli seal --add FILE", {}}, notes.causes);
     }
 }
 

@@ -198,10 +198,12 @@ RunRepeat UnpackedBundle::repeat(const SealedRun& run, const Execution& executio
     const auto located = [&](const std::string& sha256, const std::string& then) {
         std::string now = inputOfRun(sha256, execution);
         if (now.empty()) {
-            throw WorldError(Message{"io.seal.not_here",
-                                     "The run {0} stands on {1}, which did not travel: SHA-256 {2}",
-                                     {run.place, fs::path(then).filename().string(), sha256}},
-                             Message{"io.seal.not_here.remedy", "Get the file, and say where it is: --input ID=FILE.", {}});
+            throw WorldError(
+                Message{"io.seal.not_here",
+                        "The run {0} stands on {1}, which did not travel: SHA-256 {2}",
+                        {run.place, fs::path(then).filename().string(), sha256}},
+                Message{
+                    "io.seal.not_here.remedy", "Get the file, and say where it is: rubble-cli open-sealed --input ID=FILE.", {}});
         }
         return now;
     };

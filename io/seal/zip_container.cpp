@@ -114,10 +114,11 @@ ZipWriter::~ZipWriter() {
 
 void ZipWriter::open(const std::string& name, std::uint64_t bytes) {
     if (++m_entries > zipEntriesMost) {
-        throw UsageError(Message{"io.seal.too_many", "A bundle holds at most {0} files", {zipEntriesMost}},
-                         Message{"io.seal.too_many.remedy",
-                                 "Join an input of many files first (rubble-cli convert), or seal without it: --leave-out ID.",
-                                 {}});
+        throw UsageError(
+            Message{"io.seal.too_many", "A bundle holds at most {0} files", {zipEntriesMost}},
+            Message{"io.seal.too_many.remedy",
+                    "Join an input of many files first (rubble-cli convert), or seal without it: rubble-cli seal --leave-out ID.",
+                    {}});
     }
     errno = 0;
     if (!openEntry(m_zip, name, bytes)) {

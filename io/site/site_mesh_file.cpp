@@ -278,8 +278,8 @@ private:
               {within.max().x(), "m"},
               within.min().y(),
               {within.max().y(), "m"}}},
-            "Give the offset that was taken off its coordinates (Site… in the Case menu, or --mesh-offset), put the offset "
-            "file beside it, or check system and control points of the case.");
+            "Give the offset that was taken off its coordinates (--mesh-offset), put the offset file beside it, or check "
+            "system and control points of the case.");
     }
 
     void find(Message what, std::string_view remedy) { addFinding(m_result.findings, m_path, std::move(what), remedy); }

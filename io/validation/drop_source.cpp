@@ -27,16 +27,17 @@ void checkDropPlaces(DropSource& source) {
             {"drop.outside.remedy", "Give a terrain that covers them, in the same coordinates, or correct their x and y.", {}});
     }
     if (check.below.count > 0) {
-        throw ParseError({"drop.below",
-                          "{0}: {1} bodies begin with their centre below the surface, {2} by {3}",
-                          {path, check.below.count, nameIn(source, check.below.worst), {check.below.measure, "m"}}},
-                         {"drop.below.remedy", "Correct z, or the datum of one of the two, or lift them out with --lift.", {}});
+        throw ParseError(
+            {"drop.below",
+             "{0}: {1} bodies begin with their centre below the surface, {2} by {3}",
+             {path, check.below.count, nameIn(source, check.below.worst), {check.below.measure, "m"}}},
+            {"drop.below.remedy", "Correct z, or the datum of one of the two, or lift them out: rubble-cli drop --lift.", {}});
     }
     if (check.touching.count > 0) {
         source.findings.add({"drop.touching",
                              "{0} bodies begin with a corner in the surface, at most {1} deep; it pushes them out",
                              {check.touching.count, {check.touching.measure, "m"}}},
-                            {"drop.touching.remedy", "correct z, or lift them out with --lift", {}},
+                            {"drop.touching.remedy", "correct z, or lift them out: rubble-cli drop --lift", {}},
                             nameIn(source, check.touching.worst), check.touching.count);
     }
 }
@@ -44,11 +45,12 @@ void checkDropPlaces(DropSource& source) {
 void checkCrowd(const DropSource& source) {
     const ReleaseCount crowd = crowded(source.series.bodies, overlapsMax);
     if (crowd.count > 0) {
-        throw ParseError(
-            {"drop.crowded",
-             "{0}: {1} bodies begin within more than {2} others each; one is {3}",
-             {source.opened.fePath, crowd.count, overlapsMax, nameIn(source, crowd.worst)}},
-            {"drop.crowded.remedy", "Give them places or times of their own, or let them fall without meeting: --apart.", {}});
+        throw ParseError({"drop.crowded",
+                          "{0}: {1} bodies begin within more than {2} others each; one is {3}",
+                          {source.opened.fePath, crowd.count, overlapsMax, nameIn(source, crowd.worst)}},
+                         {"drop.crowded.remedy",
+                          "Give them places or times of their own, or let them fall without meeting: rubble-cli drop --apart.",
+                          {}});
     }
 }
 

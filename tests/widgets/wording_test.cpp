@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QFile>
+#include <QHash>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTranslator>
+#include <QXmlStreamReader>
 #include <cmath>
 #include <limits>
 
+#include "tests/support/places.h"
 #include "widgets/basics/fixed_number.h"
 #include "widgets/figures/report/spoken_text.h"
 
@@ -23,6 +28,44 @@ public:
     }
     bool isEmpty() const override { return false; }
 };
+
+/// All that the window can say, by the source of its catalogue: context and text, with the translation.
+class WholeCatalogue : public QTranslator {
+public:
+    WholeCatalogue() {
+        QFile file(QString::fromStdString(sourcePath("translations/rubble_zh_CN.ts")));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml(&file);
+        QString context, source;
+        while (!xml.atEnd()) {
+            if (xml.readNext() != QXmlStreamReader::StartElement) {
+                continue;
+            }
+            if (xml.name() == QLatin1String("name")) {
+                context = xml.readElementText();
+            } else if (xml.name() == QLatin1String("source")) {
+                source = xml.readElementText();
+            } else if (xml.name() == QLatin1String("translation")) {
+                m_texts[context][source] = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+            }
+        }
+    }
+    const QHash<QString, QString>& of(const char* context) const { return m_texts.find(QLatin1String(context)).value(); }
+    QString translate(const char* context, const char* source, const char*, int) const override {
+        const auto texts = m_texts.find(QString::fromUtf8(context));
+        return texts == m_texts.end() ? QString() : texts->value(QString::fromUtf8(source));
+    }
+    bool isEmpty() const override { return false; }
+
+private:
+    QHash<QString, QHash<QString, QString>> m_texts;
+};
+
+/// Options of other programs, which are typed as they are: of sbatch in a field of the window, of projsync in a shell.
+QString withoutOptionsOfOthers(QString text) {
+    static const QRegularExpression others(QStringLiteral("--(?:partition|account|file)\\b"));
+    return text.remove(others);
+}
 
 const Message sentence{"test.sentence", "{0} has {1}", {Argument("pier 2"), Argument(1234567)}};
 
@@ -46,6 +89,51 @@ TEST(Wording, WhatStandsInQuotationMarksIsAName) {
     EXPECT_FALSE(figures::isVerbatim("{0}: no component \"{1}\"", 0));
     EXPECT_TRUE(figures::isVerbatim("Set component[{0}].density", 0));
     EXPECT_FALSE(figures::isVerbatim("\"{1}\", \"{10}\" and {0}", 0));
+}
+
+TEST(Wording, OptionsOfTheCommandLineAreFieldsInTheWindow) {
+    const auto said = [](const std::string& pattern) { return worded(Message{"x", pattern, {Argument("fe-1")}}); };
+    EXPECT_EQ(said("count it (--live)"), QStringLiteral("count it (“Fallen structure counts as debris” under “Evidence”)"));
+    EXPECT_EQ(said("leave it out (--area, --leave-out)"),
+              QStringLiteral("leave it out (“Draw an area of interest”, “Draw what is left out” under “Evidence”)"));
+    EXPECT_EQ(said("seal without it: rubble-cli seal --leave-out {0}; its digest stays"),
+              QStringLiteral("seal without it: rubble-cli seal; its digest stays"));
+    EXPECT_EQ(said("Frames mostly have y up: --set up_axis=y."),
+              QStringLiteral("Frames mostly have y up: “Up axis of the file” = y."));
+    EXPECT_EQ(said("options of sbatch (--partition)"), QStringLiteral("options of sbatch (--partition)"));
+}
+
+TEST(Wording, TipsOfSettingsNameOthersAsTheirFieldsDo) {
+    for (const Parameter& row : parameterTable()) {
+        for (const Parameter& other : parameterTable()) {
+            const bool isKey = other.key.find('_') != std::string_view::npos && !other.keyed();
+            EXPECT_FALSE(isKey &&
+                         shownHelp(row).split(QRegularExpression(QStringLiteral("\\W+"))).contains(QLatin1String(other.key)))
+                << row.key << ": " << other.key;
+        }
+    }
+}
+
+TEST(Wording, NoMessageNamesAnOptionInTheWindow) {
+    WholeCatalogue chinese;
+    const QStringList sources = chinese.of("messages").keys();
+    ASSERT_GT(sources.size(), 1000);
+    for (const bool translated : {false, true}) {
+        if (translated) {
+            QCoreApplication::installTranslator(&chinese);
+        }
+        for (const QString& source : sources) {
+            const QString words = worded(Message{"x", source.toStdString(), {}});
+            EXPECT_FALSE(withoutOptionsOfOthers(words).contains(QLatin1String("--"))) << words.toStdString();
+        }
+    }
+    // What stands for an option is what its field is called: its words are in the catalogue.
+    for (const QString& source : sources) {
+        const QString words = worded(Message{"x", source.toStdString(), {}});
+        static const QRegularExpression name(QStringLiteral("“[A-Z]"));
+        EXPECT_FALSE(source.contains(QLatin1String(" (--")) && words.contains(name)) << words.toStdString();
+    }
+    QCoreApplication::removeTranslator(&chinese);
 }
 
 TEST(Wording, NumbersShowWhatTheyDeserve) {

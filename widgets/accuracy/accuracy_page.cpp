@@ -136,7 +136,7 @@ QWidget* AccuracyPage::buildTable() {
     column->addLayout(heading);
     column->addWidget(m_table, 1);
     auto* buttons = new QHBoxLayout;
-    m_saveTable->setToolTip(tr("Save all settings that are done as CSV, with the columns of rubble-cli accuracy --csv"));
+    m_saveTable->setToolTip(tr("Save all settings that are done as CSV, with the columns of rubble-cli accuracy"));
     m_saveChart->setToolTip(tr("Save the chart as SVG or PNG"));
     buttons->addWidget(m_saveTable);
     buttons->addWidget(m_saveChart);

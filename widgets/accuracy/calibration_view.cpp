@@ -70,7 +70,7 @@ QWidget* CalibrationView::buildButtons() {
     m_cancel->setToolTip(tr("Stop measuring; what was kept before stays"));
     m_use->setObjectName(QStringLiteral("useBodies"));
     m_use->setToolTip(tr("The case allows as many bodies as a typical pile may have at the target rate; one step of undo"));
-    m_saveTable->setToolTip(tr("Save the measured points as CSV, with the columns of rubble-cli calibrate --csv"));
+    m_saveTable->setToolTip(tr("Save the measured points as CSV, with the columns of rubble-cli calibrate"));
     m_saveChart->setToolTip(tr("Save the chart as SVG or PNG"));
     row->addWidget(m_calibrate);
     row->addWidget(m_cancel);

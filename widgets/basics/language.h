@@ -49,7 +49,7 @@ QString currentLanguage();
 void speak(const QString& language);
 
 /// A text of core in the language of the window. Its context is one of those that the catalogue collects: "messages", "parameters",
-/// "choices".
+/// "choices"; or that of the widget that says it too.
 QString said(const char* context, std::string_view english);
 
 }  // namespace rubble::widgets

@@ -93,7 +93,7 @@ bool ParameterEditor::event(QEvent* event) {
 }
 
 QString ParameterEditor::tip() const {
-    QString text = QStringLiteral("<p>") + said("parameters", m_row.help).toHtmlEscaped() + QStringLiteral("</p>");
+    QString text = QStringLiteral("<p>") + shownHelp(m_row).toHtmlEscaped() + QStringLiteral("</p>");
     if (std::isfinite(m_row.low) || std::isfinite(m_row.high)) {
         const QString low = std::isfinite(m_row.low) ? withUnit(m_row.low) : QStringLiteral("−∞");
         const QString high = std::isfinite(m_row.high) ? withUnit(m_row.high) : QStringLiteral("∞");

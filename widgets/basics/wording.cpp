@@ -39,6 +39,78 @@ QString patternOf(const std::string& english) {
     return whole;
 }
 
+/// A text of a widget, with the context that it is translated in.
+struct WidgetText {
+    const char* context;
+    const char* text;
+};
+
+/// What stands in the window for an option of the command line: the words of its field or button, and of what that stands under.
+struct OptionName {
+    QLatin1String option;
+    WidgetText name;
+    WidgetText under;
+};
+
+constexpr WidgetText evidencePanel{"rubble::PanelDeck", "Evidence"};
+constexpr WidgetText reportPanel{"rubble::PanelDeck", "Report"};
+constexpr WidgetText caseMenu{"actions", "Case"};
+const std::array optionNames{
+    OptionName{QLatin1String("--live"), {"rubble::widgets::SurveyBox", "Fallen structure counts as debris"}, evidencePanel},
+    OptionName{QLatin1String("--survey-live"), {"rubble::widgets::SurveyBox", "Fallen structure in it"}, evidencePanel},
+    OptionName{QLatin1String("--area"), {"rubble::widgets::SurveyBox", "Draw an area of interest"}, evidencePanel},
+    OptionName{QLatin1String("--leave-out"), {"rubble::widgets::SurveyBox", "Draw what is left out"}, evidencePanel},
+    OptionName{QLatin1String("--registration-error"), {"rubble::widgets::PointBox", "Registration error"}, evidencePanel},
+    OptionName{
+        QLatin1String("--mesh-offset"), {"rubble::widgets::SiteDialog", "Offsets of the surroundings"}, {"actions", "Site…"}},
+    OptionName{QLatin1String("--case"), {"actions", "Save case"}, caseMenu},
+    OptionName{QLatin1String("--question"), {"rubble::widgets::ReportPanel", "Question"}, reportPanel},
+    OptionName{QLatin1String("--by"), {"rubble::widgets::ReportPanel", "Made by"}, reportPanel},
+    OptionName{QLatin1String("--repeats"), {"rubble::widgets::ReportPanel", "Repeats"}, reportPanel},
+    OptionName{QLatin1String("--self-test"), {"rubble::widgets::ReportPanel", "Self-test"}, reportPanel},
+    OptionName{
+        QLatin1String("--retime"), {"rubble::widgets::AccuracyPanel", "Measure times again"}, {"rubble::PanelDeck", "Accuracy"}},
+    OptionName{QLatin1String("--executor commands"), {"rubble::widgets::PlaceChoice", "Run on"}, {"rubble::PanelDeck", "Accuracy"}},
+};
+
+/// "--area, --leave-out" by the words of the window; nothing where one of them is an option of another program.
+QString namesOf(const QString& options, const QString& separator) {
+    QStringList names;
+    QString under;
+    for (const QString& option : options.split(separator)) {
+        const auto row =
+            std::find_if(optionNames.begin(), optionNames.end(), [&](const OptionName& each) { return each.option == option; });
+        if (row == optionNames.end()) {
+            return {};
+        }
+        names << QStringLiteral("“%1”").arg(said(row->name.context, row->name.text));
+        under = said(row->under.context, row->under.text);
+    }
+    return QCoreApplication::translate("rubble", "%1 under “%2”", "fields, and the panel or menu that they stand under")
+        .arg(names.join(separator), under);
+}
+
+/// Options are words of the command line; on screen their fields are named. A command that the window lacks keeps its name, and its
+/// help tells the options.
+QString withNamesOfOptions(QString text) {
+    if (!text.contains(QLatin1String("--"))) {
+        return text;
+    }
+    static const QRegularExpression called(QStringLiteral("(rubble-cli [a-z-]+)(?: --[a-z-]+(?: [A-Z{][\\w={}]*)?)+"));
+    static const QRegularExpression set(QStringLiteral("--set (\\w+)="));
+    static const QRegularExpression listed(QStringLiteral("--[a-z-]+(?: commands)?(?:(, |、)--[a-z-]+)*"));
+    text.replace(called, QStringLiteral("\\1")).replace(set, QStringLiteral("\\1 = "));
+    qsizetype from = 0;
+    for (auto found = listed.match(text); found.hasMatch(); found = listed.match(text, from)) {
+        const QString names = namesOf(found.captured(), found.hasCaptured(1) ? found.captured(1) : QStringLiteral(", "));
+        from = found.capturedStart() + (names.isEmpty() ? found.capturedLength() : names.size());
+        if (!names.isEmpty()) {
+            text.replace(found.capturedStart(), found.capturedLength(), names);
+        }
+    }
+    return text;
+}
+
 /// Settings have their keys in files and on the command line; on screen they have the names that stand beside their fields.
 QString withNamesOfSettings(QString text) {
     if (!text.contains(u'_') && !text.contains(QStringLiteral(" = "))) {
@@ -50,7 +122,7 @@ QString withNamesOfSettings(QString text) {
             continue;
         }
         const QString name = QStringLiteral("“%1”").arg(said("parameters", row.label));
-        static const QString valued = QStringLiteral("\\b%1 = (\\w[\\w.-]*\\w|\\w)");
+        static const QString valued = QStringLiteral("\\b%1 ?= ?(\\w[\\w.-]*\\w|\\w)");
         const QRegularExpression setting(valued.arg(key));
         for (auto found = setting.match(text); found.hasMatch(); found = setting.match(text)) {
             const QString value = found.captured(1);
@@ -84,7 +156,7 @@ QString shownArgument(const Argument& argument, bool asItIs) {
 }  // namespace
 
 QString worded(const Message& message) {
-    const QString pattern = withNamesOfSettings(patternOf(message.pattern));
+    const QString pattern = withNamesOfSettings(withNamesOfOptions(patternOf(message.pattern)));
     QString text;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
         const qsizetype close = pattern[i] == u'{' ? pattern.indexOf(u'}', i) : -1;
@@ -261,6 +333,10 @@ QString shownName(std::string_view name) {
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     return said("choices", words);
+}
+
+QString shownHelp(const Parameter& row) {
+    return withNamesOfSettings(said("parameters", row.help));
 }
 
 QString shownValue(const ParameterValue& value) {

@@ -44,6 +44,8 @@ QString shownShare(double share, int decimals = 1);
 QString shownDuration(double seconds);
 /// What is being done and how long it still takes: "Simulating · about 12 s left". @param secondsLeft  NaN: not known yet
 QString shownProgress(const QString& what, double secondsLeft);
+/// What a setting does, for its tip; other settings in it have their names.
+QString shownHelp(const Parameter& row);
 /// A value of a parameter for people: choices without underscores, "auto", "on", "off".
 QString shownValue(const ParameterValue& value);
 /// Parts of a line, one after another: "a; b".

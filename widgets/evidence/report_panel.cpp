@@ -113,8 +113,8 @@ void ReportPanel::addOwnWords() {
     // The name of a file may be long.
     m_causes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     own->addField(tr("Comparison"), m_causes, {},
-                  tr("A comparison of causes that becomes a table of the report: that of the page Causes, or what rubble-cli "
-                     "compare --json printed into a file"));
+                  tr("A comparison of causes that becomes a table of the report: that of the page Causes, or what "
+                     "rubble-cli compare printed into a file"));
     connect(m_causes, &QComboBox::activated, this, [this] {
         m_causesFrom = static_cast<ReportedCauses>(m_causes->currentData().toInt());
         if (m_causesFrom == ReportedCauses::File) {

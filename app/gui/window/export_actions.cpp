@@ -78,7 +78,7 @@ const std::array exportTable = {
               "export_view",
               "Export",
               QT_TRANSLATE_NOOP("actions", "View…"),
-              QT_TRANSLATE_NOOP("actions", "Save what the views show and how, for rubble-cli figure --view and for later"),
+              QT_TRANSLATE_NOOP("actions", "Save what the views show and how, for rubble-cli figure and for later"),
               "",
               {}},
     ActionRow{ActionId::ImportView,

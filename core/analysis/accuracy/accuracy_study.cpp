@@ -199,9 +199,7 @@ public:
             guarded(*world.point, [&] { measureCost(world, from, before / all); });
             if (world.point->cost.disturbed()) {
                 report.findings.add({"accuracy.disturbed", "Other programs worked on this machine while settings were timed.", {}},
-                                    {"accuracy.disturbed.remedy",
-                                     "Time them again on a quiet machine: --retime, or Measure times again in the Accuracy panel.",
-                                     {}},
+                                    {"accuracy.disturbed.remedy", "Time them again on a quiet machine (--retime).", {}},
                                     world.point->setting + ": " + englishNumber(100.0 * world.point->cost.othersShare) +
                                         " % of the processors' time");
             }

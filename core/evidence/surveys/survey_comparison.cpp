@@ -217,8 +217,7 @@ void compareFallen(SurveyComparison& made, const std::string& survey) {
         made.findings.add(
             {"survey.fallen_unknown",
              "live structure fell, {0} elements of {1}, and it is not known whether the survey shows such structure", amount},
-            {"survey.fallen_unknown.remedy", "say what the survey shows (--survey-live, or beside the survey in the window)", {}},
-            survey, fallen.elements);
+            {"survey.fallen_unknown.remedy", "say what the survey shows (--survey-live)", {}}, survey, fallen.elements);
     } else if (fallen.elements > 0 && *made.surveyShowsFallen != made.settings.withFallen) {
         made.findings.add(
             made.settings.withFallen

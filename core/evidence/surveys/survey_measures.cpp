@@ -233,8 +233,7 @@ void findInMeasures(SurveyComparison& made, const std::string& survey) {
              "around x = {4}, y = {5}",
              all},
             {"survey.apart.remedy",
-             "if that is no debris (vehicles, trees, houses), give an area of interest or leave it out (--area, "
-             "--leave-out, or beside the survey in the window)",
+             "if that is no debris (vehicles, trees, houses), give an area of interest or leave it out (--area, --leave-out)",
              {}},
             survey, apart.patches);
     }

@@ -47,7 +47,7 @@ void requireFree(const std::string& path, ConversionTarget target) {
     for (const std::string& there : {path, folder}) {
         if ((there == path || target == ConversionTarget::GridSeries) && fs::exists(there, ignored)) {
             throw UsageError({"convert.exists", "{0} is there already", {there}},
-                             {"convert.exists.remedy", "Give --force to replace it, or another name.", {}});
+                             {"convert.exists.remedy", "Give another name, or replace it: rubble-cli convert --force.", {}});
         }
     }
 }

@@ -106,10 +106,10 @@ private:
                  {"distance.mixed_units",
                   "a unit of x and y is {0}, one of z {1}: distances in the numbers of the file are lengths of neither",
                   {{units.metres, "m"}, {units.heightMetres, "m"}}},
-                 "ask for metres (--metres), and give all lengths in them");
+                 "ask for metres (rubble-cli cloud --metres), and give all lengths in them");
         } else if (units.metres != 1.0) {
             find(m_request.first, {"distance.in_units", "all lengths are in units of the file, each {0}", {{units.metres, "m"}}},
-                 "ask for metres (--metres), and give all lengths in them");
+                 "ask for metres (rubble-cli cloud --metres), and give all lengths in them");
         }
     }
 

@@ -42,7 +42,7 @@ void CloudPlace::findWay(const PointCloud& cloud, const Frame& frame, const Site
     if (!ownKnown && otherKnown) {
         addFinding(findings, cloud.path(),
                    {"cloud.unplaced", "the cloud names no coordinate system; it is taken to be that of the case", {}},
-                   "make sure that both are in the same one, or name that of the cloud (--crs)");
+                   "make sure that both are in the same one, or name that of the cloud (rubble-cli cloud --crs)");
     }
     if (!ownKnown) {
         return;

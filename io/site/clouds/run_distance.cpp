@@ -149,7 +149,7 @@ private:
             find({"distance.from_above",
                   "the cloud does not say where its scanners stood: the run is seen straight from above, as from an aircraft",
                   {}},
-                 "name the places of the scanners (--scanner) if it was taken from the ground", 1);
+                 "name the places of the scanners (rubble-cli cloud --scanner) if it was taken from the ground", 1);
         } else if (scans.empty() && scanners.size() > 1) {
             find({"distance.nearest_scanner",
                   "which of {0} scanners saw a point is not known: the nearest one is taken",

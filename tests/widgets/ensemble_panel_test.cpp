@@ -171,6 +171,21 @@ TEST(EnsemblePage, ShowsTheSpreadOfTheMembersThatAreDone) {
     EXPECT_EQ(page.spread().item(0, 0)->text(), QStringLiteral("Covered area, m²"));
     EXPECT_EQ(page.spread().item(0, 1)->text(), QStringLiteral("105.0")) << "of the two that are done";
     EXPECT_EQ(page.spread().item(0, 2)->text(), QStringLiteral("5.0"));
+    const auto head = [&](int column) { return page.spread().horizontalHeaderItem(column)->text(); };
+    EXPECT_EQ(head(4), QStringLiteral("least")) << "two members have no one in twenty";
+    EXPECT_EQ(page.spread().item(0, 4)->text(), QStringLiteral("100.0"));
+    EXPECT_EQ(head(6), QStringLiteral("most"));
+    EXPECT_EQ(page.spread().item(0, 6)->text(), QStringLiteral("110.0"));
+    auto many = std::make_shared<EnsembleReport>(*report);
+    many->members.resize(20, report->members.front());
+    for (EnsembleMember& member : many->members) {
+        member.done = true;
+    }
+    EnsemblePage::Content more = content;
+    more.report = many;
+    page.setContent(more);
+    EXPECT_EQ(head(4), QStringLiteral("5 %"));
+    page.setContent(content);
     QSignalSpy layers(&page, &EnsemblePage::layerChanged);
     page.setLayer(MapLayer::HeightMiddle);
     EXPECT_EQ(page.layer(), MapLayer::HeightMiddle);

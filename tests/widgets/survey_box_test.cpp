@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
+#include <QTranslator>
 #include <map>
 
 #include "widgets/basics/number_field.h"
@@ -116,6 +117,32 @@ TEST_F(SurveyForm, WhatMustBeKnownOfTheRunStandsAboveTheFigures) {
     content.stale = true;
     box.setContent(content);
     EXPECT_FALSE(words().contains(QStringLiteral("514"))) << "of another run";
+}
+
+TEST_F(SurveyForm, DirectionsAreWordsOfTheWindow) {
+    struct East : QTranslator {
+        QString translate(const char* context, const char* source, const char*, int) const override {
+            return QLatin1String(context) == QLatin1String("compass") && QLatin1String(source) == QLatin1String("E")
+                       ? QStringLiteral("Ost")
+                       : QString();
+        }
+        bool isEmpty() const override { return false; }
+    } east;
+    const auto first = [&] {
+        content.comparison = made();
+        box.setContent({});
+        box.setContent(content);
+        for (const QTableWidget* table : box.findChildren<QTableWidget*>()) {
+            if (table->accessibleName() == QLatin1String("Run-out by direction")) {
+                return table->item(0, 0)->text();
+            }
+        }
+        return QString();
+    };
+    EXPECT_EQ(first(), QStringLiteral("E"));
+    QCoreApplication::installTranslator(&east);
+    EXPECT_EQ(first(), QStringLiteral("Ost"));
+    QCoreApplication::removeTranslator(&east);
 }
 
 TEST_F(SurveyForm, FieldsAreTheSettings) {

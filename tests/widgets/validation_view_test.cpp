@@ -41,6 +41,7 @@ TEST(ValidationView, ShowsWhatWasMeasuredBesideWhatWasSimulated) {
     EXPECT_EQ(cell(1, 7), QStringLiteral("at least 0.8: does not hold"));
     EXPECT_EQ(cell(2, 7), QStringLiteral("error at least -0.5: holds"));
     EXPECT_EQ(view.parameters().rowCount(), 2);
+    EXPECT_EQ(view.parameters().item(0, 1)->text(), QStringLiteral("Friction = 0.6")) << "its name, not its key";
     EXPECT_EQ(view.parameters().item(0, 2)->text(), QStringLiteral("assumed: concrete"));
     EXPECT_TRUE(
         textsOf(view).contains(QStringLiteral("64 falls simulated, of which 2 still moved at the end, 4 left the terrain")));

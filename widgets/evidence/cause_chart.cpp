@@ -105,9 +105,9 @@ private:
         m_painter.drawText(QRectF(left, middle, m_names + 6.0 * line, line), Qt::AlignLeft | Qt::AlignVCenter,
                            m_metrics.elidedText(standingWords(m_made, rank), Qt::ElideRight, m_names + 0.6 * line));
         m_painter.setPen(QPen(colour, 1.5));
-        m_painter.drawLine(QPointF(x(cause.score.low), middle), QPointF(x(cause.score.high), middle));
+        m_painter.drawLine(QPointF(x(cause.score.lower()), middle), QPointF(x(cause.score.upper()), middle));
         const double tall = std::min(0.32 * m_row, 0.8 * line);
-        for (const double end : {cause.score.low, cause.score.high}) {
+        for (const double end : {cause.score.lower(), cause.score.upper()}) {
             m_painter.drawLine(QPointF(x(end), middle - 0.5 * tall), QPointF(x(end), middle + 0.5 * tall));
         }
         QColor dots = colour;

@@ -234,11 +234,14 @@ void CausesPage::showRanking() {
     if (made == nullptr) {
         return;
     }
+    const bool many =
+        std::ranges::all_of(made->ranking.causes, [](const RankedCause& cause) { return cause.score.hasTwentieths(); });
     std::vector<std::pair<QString, QString>> heads{
         {tr("cause"), tr("The closest first")},
         {tr("members"), tr("Members that could be held against the evidence")},
         {tr("score"), tr("Median over the members of the mean departure, in units of its scatter; less is closer")},
-        {tr("5 to 95 %"), tr("All but one member in ten lie in between")},
+        many ? std::pair{tr("5 to 95 %"), tr("All but one member in ten lie in between")}
+             : std::pair{tr("least to most"), tr("All members lie in between")},
         {tr("closest over it"), tr("How often a member of the closest cause is closer than one of this, over all pairs")},
         {tr("at least"), tr("The lower end of its interval, 95 % for all comparisons together. Above 70 % they are told apart")},
         {tr("told apart"), tr("Whether the evidence tells it from the closest cause")}};
@@ -256,7 +259,9 @@ void CausesPage::showRanking() {
         QStringList texts{QString::fromStdString(made->hypotheses[cause.hypothesis]),
                           shownCount(static_cast<std::int64_t>(cause.score.count)),
                           shownNumber(cause.score.middle),
-                          tr("%1 to %2").arg(shownNumber(cause.score.low), shownNumber(cause.score.high)),
+                          tr("%1 to %2")
+                              .arg(shownNumber(many ? cause.score.low : cause.score.least),
+                                   shownNumber(many ? cause.score.high : cause.score.most)),
                           r == 0 ? dash : shownShare(cause.bestOver.share, 0),
                           r == 0 ? dash : shownShare(cause.bestOver.low, 0),
                           standingWords(*made, r)};

@@ -215,14 +215,17 @@ void EnsemblePage::showMap() {
 }
 
 void EnsemblePage::setHeads() {
+    const bool many = m_content.report == nullptr || spreadOf(*m_content.report, MemberMeasure::RunOut).hasTwentieths();
     const std::array<std::pair<QString, QString>, 7> heads{
         {{tr("figure"), tr("What is measured on every member")},
          {tr("mean"), tr("Mean of the members")},
          {tr("± mean"), tr("Standard error of the mean: how far it may be off for so few members")},
          {tr("± members"), tr("Standard deviation of the members: how far one differs from another")},
-         {tr("5 %"), tr("One member in twenty lies below")},
+         many ? std::pair{tr("5 %"), tr("One member in twenty lies below")}
+              : std::pair{tr("least"), tr("Of all members, which are few")},
          {tr("median"), tr("Half of the members lie below")},
-         {tr("95 %"), tr("One member in twenty lies above")}}};
+         many ? std::pair{tr("95 %"), tr("One member in twenty lies above")}
+              : std::pair{tr("most"), tr("Of all members, which are few")}}};
     for (int i = 0; i < static_cast<int>(heads.size()); ++i) {
         m_spread->setHorizontalHeaderItem(
             i, tableCell(heads[static_cast<std::size_t>(i)].first, i == 0, heads[static_cast<std::size_t>(i)].second));
@@ -249,9 +252,9 @@ void EnsemblePage::showSpread() {
                                            shown(spread.mean),
                                            shownIn(spread.standardError, row.unit, 2),
                                            shownIn(spread.deviation, row.unit, 2),
-                                           shown(spread.low),
+                                           shown(spread.lower()),
                                            shown(spread.middle),
-                                           shown(spread.high)};
+                                           shown(spread.upper())};
         for (int i = 0; i < static_cast<int>(texts.size()); ++i) {
             const QString& text = texts[static_cast<std::size_t>(i)];
             m_spread->setItem(line, i, tableCell(text, i == 0, QStringLiteral("%1: %2").arg(name, text)));

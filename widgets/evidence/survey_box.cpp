@@ -13,9 +13,12 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "widgets/basics/fixed_number.h"
+#include "widgets/basics/language.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/table_cell.h"
@@ -28,6 +31,17 @@
 namespace rubble::widgets {
 
 namespace {
+
+/// "NE" in the language of the window; "22°" of more than eight directions.
+QString directionShown(const std::string& direction) {
+    static constexpr std::array named{QT_TRANSLATE_NOOP("compass", "E"), QT_TRANSLATE_NOOP("compass", "NE"),
+                                      QT_TRANSLATE_NOOP("compass", "N"), QT_TRANSLATE_NOOP("compass", "NW"),
+                                      QT_TRANSLATE_NOOP("compass", "W"), QT_TRANSLATE_NOOP("compass", "SW"),
+                                      QT_TRANSLATE_NOOP("compass", "S"), QT_TRANSLATE_NOOP("compass", "SE")};
+    const auto* known = std::find_if(named.begin(), named.end(), [&](const char* each) { return direction == each; });
+    return known != named.end() ? said("compass", *known)
+                                : QString::fromStdString(direction).replace(QStringLiteral(" deg"), QStringLiteral("°"));
+}
 
 QString shown(double value, int decimals) {
     return shownFixed(value, decimals);
@@ -381,7 +395,7 @@ void SurveyBox::showResults() {
     m_runOut->setRowCount(0);
     for (int s = 0; s < made->settings.sectors; ++s) {
         const auto at = static_cast<std::size_t>(s);
-        addRow(*m_runOut, {QString::fromStdString(sectorName(s, made->settings.sectors)), shown(made->survey.runOut[at], 1),
+        addRow(*m_runOut, {directionShown(sectorName(s, made->settings.sectors)), shown(made->survey.runOut[at], 1),
                            shown(made->simulated.runOut[at], 1)});
     }
     fitHeight(*m_runOut);

@@ -16,6 +16,7 @@
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -117,12 +118,7 @@ VariedTable::VariedTable(QWidget* parent)
 }
 
 QString VariedTable::nameOf(const std::string& key) {
-    if (key == scenarioKey) {
-        return tr("Scenario");
-    }
-    const auto [row, subject] = findParameter(key);
-    const QString label = said("parameters", row->label);
-    return subject.empty() ? label : QStringLiteral("%1, %2").arg(label, QString::fromStdString(subject));
+    return key == scenarioKey ? tr("Scenario") : figures::spokenSetting(key);
 }
 
 void VariedTable::setContent(const std::vector<VariedSetting>& varied, const std::vector<Choice>& scenarios) {
@@ -168,7 +164,7 @@ void VariedTable::fillAdditions() {
         if (mayVary(row) && !known(row.key)) {
             const std::string key(row.key);
             m_add->addItem(nameOf(key), QString::fromStdString(key));
-            m_add->setItemData(m_add->count() - 1, said("parameters", row.help), Qt::ToolTipRole);
+            m_add->setItemData(m_add->count() - 1, shownHelp(row), Qt::ToolTipRole);
         }
     }
 }

@@ -259,7 +259,7 @@ std::vector<const EnsembleMember*> EnsembleReport::done() const {
 
 FigureSpread spreadOf(std::vector<double> values) {
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    FigureSpread spread{values.size(), unknown, unknown, unknown, unknown, unknown, unknown};
+    FigureSpread spread{values.size(), unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
     if (values.empty()) {
         return spread;
     }
@@ -281,6 +281,8 @@ FigureSpread spreadOf(std::vector<double> values) {
     spread.low = quantile(values, 0.05);
     spread.middle = quantile(values, 0.5);
     spread.high = quantile(values, 0.95);
+    spread.least = values.front();
+    spread.most = values.back();
     return spread;
 }
 

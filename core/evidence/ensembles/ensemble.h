@@ -90,6 +90,13 @@ struct FigureSpread {
     double low = 0.0;            ///< 5 % of the members lie below
     double middle = 0.0;
     double high = 0.0;  ///< 5 % lie above
+    double least = 0.0;
+    double most = 0.0;
+
+    /// Among fewer there is no one in twenty: quantiles lie between two members, and the least and the most tell more.
+    bool hasTwentieths() const { return count >= 20; }
+    double lower() const { return hasTwentieths() ? low : least; }
+    double upper() const { return hasTwentieths() ? high : most; }
 };
 FigureSpread spreadOf(std::vector<double> values);
 /// @param first  only the first so many members that are done

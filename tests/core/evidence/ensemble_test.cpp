@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/evidence/ensembles/probability_map.h"
@@ -219,6 +220,12 @@ TEST_F(EnsembleStudy, MembersHaveNoSpreadWhereNothingVaries) {
     EXPECT_NEAR(spread.standardError, 2.0 / std::sqrt(3.0), 1e-12);
     EXPECT_EQ(spread.middle, 4.0);
     EXPECT_NEAR(spread.low, 2.2, 1e-12);
+    EXPECT_EQ(spread.lower(), 2.0) << "of three members the least is told, no quantile";
+    EXPECT_EQ(spread.upper(), 6.0);
+    std::vector<double> twenty(20);
+    std::iota(twenty.begin(), twenty.end(), 0.0);
+    EXPECT_NEAR(spreadOf(twenty).lower(), 0.95, 1e-12);
+    EXPECT_NEAR(spreadOf(twenty).upper(), 18.05, 1e-12);
     EXPECT_EQ(spreadOf(std::vector<double>{}).count, 0u);
     EXPECT_TRUE(std::isnan(spreadOf({1.0}).deviation));
 }

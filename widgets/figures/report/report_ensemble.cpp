@@ -3,6 +3,7 @@
 #include "core/evidence/ensembles/probability_map.h"
 #include "core/scenario/parameters.h"
 #include "widgets/figures/report/report_sections.h"
+#include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::figures {
 
@@ -20,7 +21,7 @@ QString distributionWords(const VariedSetting& varied) {
     }
     QStringList choices;
     for (const std::string& choice : varied.choices) {
-        choices << escaped(choice);
+        choices << spokenValue(varied.key, choice).toHtmlEscaped();
     }
     return ReportSections::tr("one of %1").arg(choices.join(QStringLiteral(", ")));
 }
@@ -53,8 +54,8 @@ void ReportSections::addEnsemble() {
     drawn.words = {true, true, true};
     for (const VariedSetting& varied : ensemble.settings.varied) {
         const Parameter* row = varied.key == scenarioKey ? nullptr : findParameter(varied.key).first;
-        drawn.rows.push_back(
-            {escaped(varied.key), row != nullptr ? escaped(std::string(row->unit)) : QString(), distributionWords(varied)});
+        drawn.rows.push_back({(varied.key == scenarioKey ? tr("Scenario") : spokenSetting(varied.key)).toHtmlEscaped(),
+                              row != nullptr ? escaped(std::string(row->unit)) : QString(), distributionWords(varied)});
     }
     drawn.source = source();
     m_blocks.push_back(std::move(drawn));
@@ -66,17 +67,39 @@ QString ReportSections::memberSpread(MemberMeasure measure) const {
         return QStringLiteral("–");
     }
     const FigureSpread spread = spreadOf(*m_facts.ensemble, measure);
-    return tr("%1 to %2").arg(reportNumber(spread.low), reportNumber(spread.high));
+    return tr("%1 to %2").arg(reportNumber(spread.lower()), reportNumber(spread.upper()));
+}
+
+/// The run is laid on cells of 1 m without live structure, members as the ensemble says: two highest cells are two figures.
+QString ReportSections::ensembleSurface() const {
+    const SurfaceSettings& surface = m_facts.ensemble->surface;
+    return surface.withFallen ? tr("laid on cells of %1 m with fallen live structure").arg(reportNumber(surface.cell, 2))
+                              : tr("laid on cells of %1 m without fallen live structure").arg(reportNumber(surface.cell, 2));
+}
+
+QString ReportSections::ensembleWords() const {
+    const bool many = spreadOf(*m_facts.ensemble, MemberMeasure::RunOut).hasTwentieths();
+    const QString members = many ? tr("nine of ten among %1 members") : tr("all %1 members");
+    return tr("With what is not known drawn anew, %1 have a run-out of %2 m. Their debris, %3, covers %4 m², and its highest cell "
+              "is "
+              "%5 m high in the mean (see section What is not known).")
+        .arg(members.arg(m_facts.ensemble->done().size()), memberSpread(MemberMeasure::RunOut), ensembleSurface(),
+             memberSpread(MemberMeasure::Footprint), memberSpread(MemberMeasure::PileHeight));
 }
 
 void ReportSections::addEnsembleSpread() {
     const EnsembleReport& ensemble = *m_facts.ensemble;
     ReportTable table;
-    table.caption =
-        tr("Spread over %1 members: mean with its standard error, standard deviation of the members, and the values that "
-           "one member in twenty lies below and above")
-            .arg(ensemble.done().size());
-    table.columns = QStringList{tr("figure"), tr("mean"), tr("± mean"), tr("± members"), tr("5 %"), tr("95 %")};
+    const bool many = spreadOf(ensemble, MemberMeasure::RunOut).hasTwentieths();
+    const QString caption =
+        many
+            ? tr("Spread over %1 members, %2: mean with its standard error, standard deviation of the members, and the values that "
+                 "one member in twenty lies below and above")
+            : tr("Spread over %1 members, %2: mean with its standard error, standard deviation of the members, and the least and "
+                 "the most of them, for they are too few for quantiles");
+    table.caption = caption.arg(QString::number(ensemble.done().size()), ensembleSurface());
+    table.columns = QStringList{
+        tr("figure"), tr("mean"), tr("± mean"), tr("± members"), many ? tr("5 %") : tr("least"), many ? tr("95 %") : tr("most")};
     table.words = {true, false, false, false, false, false};
     table.shares = {0.4, 0.12, 0.12, 0.12, 0.12, 0.12};
     for (std::size_t k = 0; k < memberMeasureCount; ++k) {
@@ -87,8 +110,8 @@ void ReportSections::addEnsembleSpread() {
         unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
         const Message name{"", std::string(row.name), {}};
         table.rows.push_back({QStringLiteral("%1 [%2]").arg(said(name), unit), reportNumber(spread.mean),
-                              reportNumber(spread.standardError, 2), reportNumber(spread.deviation, 2), reportNumber(spread.low),
-                              reportNumber(spread.high)});
+                              reportNumber(spread.standardError, 2), reportNumber(spread.deviation, 2),
+                              reportNumber(spread.lower()), reportNumber(spread.upper())});
     }
     QStringList members;
     for (const EnsembleMember* member : ensemble.done()) {

@@ -51,7 +51,9 @@ void ReportSections::addMeasures() {
     table.words = {true, true, false, false};
     table.shares = {0.4, 0.1, 0.32, 0.18};
     if (varied) {
-        table.columns << tr("over the ensemble, 5 to 95 %");
+        table.columns << (spreadOf(*m_facts.ensemble, MemberMeasure::RunOut).hasTwentieths()
+                              ? tr("over the ensemble, 5 to 95 %")
+                              : tr("over the ensemble, least to most"));
         table.words.push_back(false);
         table.shares = {0.34, 0.08, 0.26, 0.12, 0.2};
     }

@@ -130,11 +130,7 @@ void ReportSections::addSummary() {
     const SimulationResult& run = *m_facts.result;
     const bool varied = m_facts.ensemble != nullptr && m_facts.ensemble->done().size() > 1;
     const QString unknowns =
-        varied ? tr("With what is not known drawn anew %1 times, nine of ten members have a run-out of %2 m, cover %3 m² and reach "
-                    "%4 m at the highest cell (see section What is not known).")
-                     .arg(m_facts.ensemble->done().size())
-                     .arg(memberSpread(MemberMeasure::RunOut), memberSpread(MemberMeasure::Footprint),
-                          memberSpread(MemberMeasure::PileHeight))
+        varied ? ensembleWords()
                : tr("What is not known of friction, restitution and births was not varied: what it does to these figures is not "
                     "known.");
     const QString spread = m_facts.floor

@@ -57,7 +57,10 @@ private:
     void addContacts();
     void addAssumptions();
     void addEnsembleSpread();
-    /// "12 to 19", between which nine of ten members of the ensemble lie; a dash where there are fewer than two.
+    /// What the members of the ensemble come to, for the summary, and how they lie on the ground.
+    QString ensembleWords() const;
+    QString ensembleSurface() const;
+    /// "12 to 19", between which nine of ten members of the ensemble lie, or all where they are few; a dash with fewer than two.
     QString memberSpread(MemberMeasure measure) const;
     void addMeasures();
     void addComponentDebris();

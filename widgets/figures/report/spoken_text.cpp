@@ -2,9 +2,13 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
+
+#include "core/base/error.h"
+#include "core/scenario/parameters.h"
 
 namespace rubble::figures {
 
@@ -92,6 +96,15 @@ const std::vector<MadeForm>& madeForms() {
     return forms;
 }
 
+/// The row of a key and what it is of; null where there is no such setting.
+std::pair<const Parameter*, std::string> settingOf(const std::string& key) {
+    try {
+        return findParameter(key);
+    } catch (const UsageError&) {
+        return {nullptr, std::string()};
+    }
+}
+
 /// "element 12 (deck)"
 bool namesComponent(std::string_view text) {
     return text.starts_with("element {0} ({1})");
@@ -130,6 +143,28 @@ void sayArguments(Message& message, const std::function<std::string(const std::s
             *words = say(*words);
         }
     }
+}
+
+QString spokenSetting(const std::string& key) {
+    const auto [row, subject] = settingOf(key);
+    if (row == nullptr) {
+        return QString::fromStdString(key);
+    }
+    const QString name = QCoreApplication::translate("parameters", std::string(row->label).c_str());
+    return subject.empty() ? name : QStringLiteral("%1, %2").arg(name, QString::fromStdString(subject));
+}
+
+QString spokenValue(const std::string& key, const std::string& value) {
+    const Parameter* row = settingOf(key).first;
+    if (row != nullptr && row->kind == ParameterKind::Switch && (value == "true" || value == "false")) {
+        return value == "true" ? QCoreApplication::translate("rubble", "on") : QCoreApplication::translate("rubble", "off");
+    }
+    if (row != nullptr && row->kind == ParameterKind::Choice) {
+        std::string words = value;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        return QCoreApplication::translate("choices", words.c_str());
+    }
+    return QString::fromStdString(value);
 }
 
 QString spokenText(const std::string& english) {

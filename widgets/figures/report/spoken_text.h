@@ -13,6 +13,10 @@ QString spokenText(const std::string& english);
 /// Whether an argument of a message is a name or a key: it stands in quotation marks or brackets in the English pattern, and is
 /// said as it is in every language. A component may be called "beam", which is a word of the catalogue as well.
 bool isVerbatim(const std::string& pattern, std::size_t argument);
+/// The name of a setting as it stands beside its field, "Density, pier"; its key where there is no such setting.
+QString spokenSetting(const std::string& key);
+/// A value of a setting as its field has it: switches and choices are words of the language, numbers and texts stay as they are.
+QString spokenValue(const std::string& key, const std::string& value);
 /// The arguments of a message that are words of core, each by how it is said in another language.
 void sayArguments(Message& message, const std::function<std::string(const std::string&)>& say);
 

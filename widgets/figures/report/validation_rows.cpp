@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "widgets/figures/report/report_sections.h"
+#include "widgets/figures/report/spoken_text.h"
 #include "widgets/figures/report/validation_words.h"
 
 namespace rubble::figures {
@@ -167,7 +168,10 @@ std::vector<ValidationParameterRow> validationParameters(const ValidationRecord&
     std::vector<ValidationParameterRow> rows;
     for (const VariantRecord& variant : record.variants) {
         for (const SetParameter& parameter : variant.parameters) {
-            rows.push_back({setName(record, variant), plain(parameter.key + " = " + parameter.value),
+            rows.push_back({setName(record, variant),
+                            QStringLiteral("%1 = %2")
+                                .arg(spokenSetting(parameter.key), spokenValue(parameter.key, parameter.value))
+                                .toHtmlEscaped(),
                             validationWords(parameter.source).toHtmlEscaped()});
         }
     }

@@ -44,7 +44,7 @@ protected:
         cli::PhotoOfCase::SetUp();
         m_case.scenarios[0].scenario = io::openRun(m_out)->origin().scenario;
         m_case.title = "Title";
-        m_case.ensemble = {{variationFrom("friction", "uniform:0.3:0.7")}, 3, 7};
+        m_case.ensemble = {{variationFrom("friction", "uniform:0.3:0.7"), variationFrom("friction_level", "uniform:0:1")}, 3, 7};
         ASSERT_EQ(cli::cli({"map", m_out, "--out", m_folder / "real.gpkg"}).exitCode, 0);
         m_case.inputs.push_back({"survey-1", InputRole::Survey, "real.gpkg", io::sha256OfFile(m_folder / "real.gpkg")});
         m_file = save();
@@ -86,6 +86,8 @@ TEST_F(ChineseReport, HoldsNoEnglishButNamesAndKeys) {
     for (const QString& part : parts(html)) {
         const QString plain = QTextDocumentFragment::fromHtml(part).toPlainText();
         looked += plain.trimmed().isEmpty() ? 0 : 1;
+        static const QRegularExpression key(QStringLiteral("<code>.*?</code>"));
+        EXPECT_FALSE(QString(part).remove(key).contains(QLatin1String("friction_level"))) << "what is drawn has its name";
         for (const QString& word : strangeWords(plain, names)) {
             EXPECT_TRUE(allowed().contains(word)) << qPrintable(word) << " in: " << qPrintable(plain.simplified().left(300));
         }

@@ -70,6 +70,7 @@ std::optional<RunEntry> entryOfRunFile(const QString& path) {
         entry.breaches = static_cast<std::int64_t>(passedLimits(run->breaches()).size());
         if (const auto result = run->result()) {
             entry.complete = true;
+            entry.bodies = result->bodiesPeak;
             entry.endTime = result->endTime;
             entry.trajectoryHash = result->trajectoryHash;
         }

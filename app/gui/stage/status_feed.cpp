@@ -96,11 +96,16 @@ void StatusFeed::showBodies() {
     }
     try {
         const auto frame = record->reader->frame(record->reader->frameAt(m_playback.clock().time()));
+        const std::vector<BodyRecord> bodies = record->reader->bodies();
         std::int64_t present = 0;
         std::int64_t awake = 0;
-        for (const BodyState state : frame->states) {
-            present += state != BodyState::Removed ? 1 : 0;
-            awake += state == BodyState::Awake ? 1 : 0;
+        // As everywhere else: those that carry fragments, without the loose structure.
+        for (std::size_t b = 0; b < frame->states.size(); ++b) {
+            if (b < bodies.size() && bodies[b].isIsland()) {
+                continue;
+            }
+            present += frame->states[b] != BodyState::Removed ? 1 : 0;
+            awake += frame->states[b] == BodyState::Awake ? 1 : 0;
         }
         m_line.setFigure(Figure::Bodies, tr("Bodies"), widgets::shownCount(present),
                          tr("%1 awake").arg(widgets::shownCount(awake)));

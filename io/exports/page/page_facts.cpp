@@ -83,6 +83,7 @@ json outcomeFacts(const RunReader& run, const FeResult& fe) {
                   {"frames", run.frameCount()},
                   {"complete", run.complete()}};
     if (const auto result = run.result()) {
+        facts["bodies"] = result->bodiesPeak;
         facts["atRest"] = result->asleepAtEnd;
         facts["stillMoving"] = result->stillMoving;
         facts["maxSpeed"] = result->maxSpeed;

@@ -23,6 +23,7 @@
 #include "tests/support/small_collapse.h"
 #include "widgets/views/bookmark_editor.h"
 #include "widgets/views/inspector.h"
+#include "widgets/views/status_line.h"
 #include "widgets/views/view_widget.h"
 
 namespace rubble {
@@ -154,6 +155,11 @@ TEST_F(TimelineKeys, AnIslandThatTheEngineCarriesIsSeen) {
     const std::vector<IslandRecord> islands = session->computation().currentRun()->reader->islands();
     ASSERT_EQ(islands.size(), 1u) << "one cube of a falling block lives on";
     const double since = session->computation().currentRun()->reader->bodies()[rubble::at(islands[0].body)].from;
+    window->rooms().playback->showInstant(session->computation().currentRun()->outcome->endTime);
+    const std::int64_t peak = session->computation().currentRun()->outcome->bodiesPeak;
+    const QString bodies = window->findChild<widgets::StatusLine*>()->figureText(widgets::StatusLine::Figure::Bodies);
+    EXPECT_TRUE(bodies.contains(QStringLiteral(">%1<").arg(peak)) || bodies.contains(QStringLiteral(" %1").arg(peak)))
+        << qPrintable(bodies) << ": as the Run panel counts, without the island";
     auto* timeline = window->findChild<widgets::Timeline*>();
     ASSERT_TRUE(timeline->handOverAt(QPointF(at(since)) + QPointF(0, timeline->tickOf(0).y() - 24.0)));
     QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->tickOf(0).toPoint());

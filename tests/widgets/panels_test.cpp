@@ -17,6 +17,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/case/fragments_panel.h"
+#include "widgets/evidence/report_panel.h"
 #include "widgets/run/effects_panel.h"
 #include "widgets/run/run_panel.h"
 #include "widgets/views/stage_rail.h"
@@ -74,6 +75,35 @@ TEST(Themes, WordsThatWereSetBeforeTakeTheTintsOfNow) {
     EXPECT_FALSE(notice.text().contains(light));
     applyTheme(render::Theme::Light);
     EXPECT_TRUE(notice.text().contains(light));
+}
+
+TEST(Themes, LinksThatAreShownTakeTheColourOfNow) {
+    applyTheme(render::Theme::Light);
+    ReportPanel panel;
+    panel.setWritten(QStringLiteral("/somewhere"));
+    panel.show();
+    const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+    QLabel* link = *std::find_if(labels.begin(), labels.end(),
+                                 [](const QLabel* label) { return label->text().contains(QLatin1String("<a ")); });
+    // The document of a label is its own affair: what it paints is asked.
+    const auto holds = [&](const QColor& colour) {
+        const QImage picture = link->grab().toImage();
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (picture.pixelColor(x, y) == colour) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    const QColor light = tints().accent;
+    EXPECT_TRUE(holds(light));
+    applyTheme(render::Theme::Dark);
+    EXPECT_TRUE(holds(tints().accent));
+    EXPECT_FALSE(holds(light));
+    applyTheme(render::Theme::Light);
+    EXPECT_TRUE(holds(light));
 }
 
 TEST(Panels, EveryUnkeyedParameterHasExactlyOneEditor) {

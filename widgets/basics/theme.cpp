@@ -209,7 +209,7 @@ QTextBrowser { background: %panel%; border: none; color: %text%; }
 
 namespace {
 
-/// Texts that were set before name tints of then.
+/// Texts that were set before name tints of then, and links got the colour of the palette when they were read.
 void recolourTexts(const figures::Palette& before, const figures::Palette& now) {
     if (&before == &now) {
         return;
@@ -221,7 +221,8 @@ void recolourTexts(const figures::Palette& before, const figures::Palette& now) 
     static const QRegularExpression named(QStringLiteral("(?<=color:)#[0-9a-f]{6}"));
     for (QWidget* widget : QApplication::allWidgets()) {
         auto* label = qobject_cast<QLabel*>(widget);
-        if (label == nullptr || !label->text().contains(QLatin1String("color:#"))) {
+        if (label == nullptr ||
+            !(label->text().contains(QLatin1String("color:#")) || label->text().contains(QLatin1String("<a ")))) {
             continue;
         }
         QString text = label->text();
@@ -233,6 +234,8 @@ void recolourTexts(const figures::Palette& before, const figures::Palette& now) 
                 text.replace(match.capturedStart(), match.capturedLength(), tint->second);
             }
         }
+        // The same text would not be read again.
+        label->clear();
         label->setText(text);
     }
 }

@@ -59,6 +59,9 @@ public:
     /// The words that are pointed at, as they stand in the text; empty where there are none.
     QStringList pointedAt() const;
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void search(const QString& words);
     void openFind(int row);
@@ -68,6 +71,8 @@ private:
     void follow(const QUrl& link);
     void pointAt(const QString& words, bool go);
     void loadPages();
+    /// Links and marks take the colours of now; where somebody reads stays.
+    void recolour();
 
     std::vector<ManualPage> m_pages;
     std::vector<ManualFind> m_finds;

@@ -1,3 +1,4 @@
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/help/manual.h"
 #include "widgets/basics/language.h"
@@ -92,6 +94,15 @@ public:
     }
 };
 
+/// Of words that are pointed at.
+QTextCharFormat markFormat() {
+    QTextCharFormat format;
+    format.setBackground(widgets::tints().findingTint);
+    format.setForeground(widgets::tints().text);
+    format.setFontWeight(QFont::Bold);
+    return format;
+}
+
 }  // namespace
 
 ManualWindow::ManualWindow(QWidget* parent)
@@ -157,6 +168,37 @@ void ManualWindow::open(int page) {
     }
 }
 
+void ManualWindow::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        recolour();
+    }
+}
+
+void ManualWindow::recolour() {
+    QTextCursor cursor(m_text->document());
+    QTextCharFormat link;
+    link.setForeground(palette().link());
+    std::vector<std::pair<int, int>> links;
+    for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next()) {
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            if (part.fragment().charFormat().isAnchor()) {
+                links.emplace_back(part.fragment().position(), part.fragment().length());
+            }
+        }
+    }
+    for (const auto& [from, length] : links) {
+        cursor.setPosition(from);
+        cursor.setPosition(from + length, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(link);
+    }
+    QList<QTextEdit::ExtraSelection> marks = m_text->extraSelections();
+    for (QTextEdit::ExtraSelection& mark : marks) {
+        mark.format = markFormat();
+    }
+    m_text->setExtraSelections(marks);
+}
+
 void ManualWindow::showPage(const QString& title) {
     for (std::size_t i = 0; i < m_pages.size(); ++i) {
         if (m_pages[i].name.contains(title, Qt::CaseInsensitive)) {
@@ -219,9 +261,7 @@ void ManualWindow::pointAt(const QString& words, bool go) {
         for (QTextCursor at = m_text->document()->find(word); !at.isNull(); at = m_text->document()->find(word, at)) {
             QTextEdit::ExtraSelection mark;
             mark.cursor = at;
-            mark.format.setBackground(widgets::tints().findingTint);
-            mark.format.setForeground(widgets::tints().text);
-            mark.format.setFontWeight(QFont::Bold);
+            mark.format = markFormat();
             marks << mark;
         }
     }

@@ -282,7 +282,7 @@ void printRunDistance(std::ostream& out, const io::RunDistance& made, const Clou
 }
 
 void writeDistances(std::ostream& out, const io::CloudComparison& made) {
-    out << "x,y,z,state,distance,level_of_detection,significant,roughness_first,roughness_second,points_first,points_second,"
+    out << "x,y,z,state,distance,level_of_detection,significant,roughness_first,roughness_second,points_first,points_second,pairs,"
            "mean_first,mean_second,normal_x,normal_y,normal_z\n";
     std::string line;
     for (std::size_t k = 0; k < made.cores.size(); ++k) {
@@ -297,7 +297,8 @@ void writeDistances(std::ostream& out, const io::CloudComparison& made) {
             line += core.significant() ? '1' : '0';
         }
         line += ',' + exactNumber(core.first.roughness) + ',' + exactNumber(core.second.roughness);
-        line += ',' + std::to_string(core.first.points) + ',' + std::to_string(core.second.points);
+        line +=
+            ',' + std::to_string(core.first.points) + ',' + std::to_string(core.second.points) + ',' + std::to_string(core.pairs);
         line += ',' + exactNumber(core.first.mean) + ',' + exactNumber(core.second.mean);
         for (const double value : core.normal) {
             line += ',' + exactNumber(value);

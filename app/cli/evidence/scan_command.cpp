@@ -111,7 +111,7 @@ RunScan scanRun(const Arguments& arguments, const MapSubject& subject, const io:
     io::addCoarseGround(made.findings, addGround(site.shape, site.ground, around, io::scannedTriangles));
     made.scan = scanSite(SurfaceTree(site.shape.points, site.shape.triangles), made.settings, execution);
     made.shape = std::move(site.shape);
-    made.debris = io::sightedDebris(made.shape, made.scan, site.volumes);
+    made.debris = io::sightedDebris(made.shape, made.scan.triangles, site.volumes);
     for (const std::uint32_t t : made.scan.triangles) {
         ++made.counts[static_cast<std::size_t>(made.shape.things[t])];
     }

@@ -112,6 +112,21 @@ double studentBelow(double t, double degrees) {
     return t > 0.0 ? 1.0 - tail : tail;
 }
 
+double studentQuantile(double normal, double degrees) {
+    assert(degrees >= 1.0);
+    const double x = normal;
+    const double squared = x * x;
+    const std::array<double, 4> terms{
+        (squared + 1.0) / 4.0, ((5.0 * squared + 16.0) * squared + 3.0) / 96.0,
+        (((3.0 * squared + 19.0) * squared + 17.0) * squared - 15.0) / 384.0,
+        ((((79.0 * squared + 776.0) * squared + 1482.0) * squared - 1920.0) * squared - 945.0) / 92160.0};
+    double series = 0.0;
+    for (std::size_t k = terms.size(); k > 0; --k) {
+        series = (series + terms[k - 1]) / degrees;
+    }
+    return x * (1.0 + series);
+}
+
 /// One reach and strength of the departure, held against the samples.
 struct IntervalFit::Model {
     Model(const IntervalFit& fit, double strength_, double reach_, Eigen::Index lines)

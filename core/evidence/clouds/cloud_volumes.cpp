@@ -10,11 +10,6 @@ namespace {
 
 constexpr double confidence = 1.96;
 
-/// Of the mean of a side, squared.
-double meanVariance(const CoreSide& side) {
-    return side.roughness * side.roughness / side.points;
-}
-
 }  // namespace
 
 CloudVolumes cloudVolumes(std::span<const CoreDistance> cells, double cell, const std::optional<double>& registrationError) {
@@ -35,7 +30,7 @@ CloudVolumes cloudVolumes(std::span<const CoreDistance> cells, double cell, cons
         }
         const bool above = at.distance > 0.0;
         (above ? made.fill : made.cut) += std::abs(at.distance) * area;
-        (above ? ofFill : ofCut) += meanVariance(at.first) + meanVariance(at.second);
+        (above ? ofFill : ofCut) += at.error * at.error;
         ++(above ? made.fillCells : made.cutCells);
     }
     const auto error = [&](double variance, std::int64_t count) {

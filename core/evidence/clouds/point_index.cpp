@@ -241,6 +241,7 @@ struct PointIndex::Tree {
     struct RunView {
         std::array<const double*, 3> axes;
         std::size_t count = 0;
+        std::uint32_t first = 0;  ///< number of the first of them
 
         Vec3 at(std::size_t i) const { return {axes[0][i], axes[1][i], axes[2][i]}; }
     };
@@ -290,7 +291,7 @@ struct PointIndex::Tree {
             }
             if (node.count > 0) {
                 const double* first = places[node.first].data();
-                visit(RunView{{first, first + node.count, first + 2 * std::size_t{node.count}}, node.count});
+                visit(RunView{{first, first + node.count, first + 2 * std::size_t{node.count}}, node.count, node.first});
             }
             ++n;
         }
@@ -473,11 +474,16 @@ BallMoments PointIndex::moments(const Vec3& centre, double radius) const {
 }
 
 void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength,
-                                std::vector<double>& offsets) const {
+                                std::vector<double>& offsets, std::vector<std::uint32_t>* numbers) const {
     offsets.clear();
     std::array<double, runPoints> heights, squares;
     const CylinderCull cull(centre - m_tree->middle, axis, widened(radius), widened(halfLength));
     std::size_t length = 0;
+    const auto isIn = [&](std::size_t i) {
+        const bool along = std::abs(heights[i]) <= halfLength;
+        const bool beside = squares[i] <= radius * radius;
+        return along && beside;
+    };
     m_tree->visitRuns(cull, [&](const Tree::RunView& run) {
         if (offsets.size() < length + run.count) {
             offsets.resize(2 * length + run.count);
@@ -487,14 +493,23 @@ void PointIndex::withinCylinder(const Vec3& centre, const Vec3& axis, double rad
             heights[i] = axis.x() * x + (axis.y() * y + axis.z() * z);
             squares[i] = x * x + (y * y + z * z) - heights[i] * heights[i];
         }
+        if (numbers != nullptr) {
+            numbers->resize(offsets.size());
+            std::size_t last = length;
+            for (std::size_t i = 0; i < run.count; ++i) {
+                (*numbers)[last] = run.first + static_cast<std::uint32_t>(i);
+                last += isIn(i) ? 1 : 0;
+            }
+        }
         for (std::size_t i = 0; i < run.count; ++i) {
             offsets[length] = heights[i];
-            const bool along = std::abs(heights[i]) <= halfLength;
-            const bool beside = squares[i] <= radius * radius;
-            length += along && beside ? 1 : 0;
+            length += isIn(i) ? 1 : 0;
         }
     });
     offsets.resize(length);
+    if (numbers != nullptr) {
+        numbers->resize(length);
+    }
 }
 
 }  // namespace rubble

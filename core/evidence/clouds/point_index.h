@@ -59,8 +59,11 @@ public:
     BallMoments moments(const Vec3& centre, double radius) const;
     /// How far along a line from a place the points within a cylinder about it lie, its ends and mantle included. Their order
     /// depends on which other points there are.
-    /// @param axis  of length 1; @param halfLength  to each side
-    void withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength, std::vector<double>& offsets) const;
+    /// @param axis     of length 1; @param halfLength  to each side
+    /// @param numbers  of these points in the list that the index was made of, which orderByCubes() put in order; null: not asked
+    /// for
+    void withinCylinder(const Vec3& centre, const Vec3& axis, double radius, double halfLength, std::vector<double>& offsets,
+                        std::vector<std::uint32_t>* numbers = nullptr) const;
 
 private:
     struct Tree;

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/sequence.h"
+#include "core/base/unknown.h"
 #include "core/engine/world/worker_pool.h"
 
 namespace rubble {
@@ -29,46 +30,39 @@ std::uint64_t seedOf(std::uint64_t scan, std::uint64_t scanner, std::uint64_t bl
     return mixed;
 }
 
-/// A ray with what it was sent for.
-struct SentRay {
-    Vec3 from = Vec3::Zero();
-    Vec3 direction = Vec3::UnitZ();
-    std::uint16_t scanner = 0;
-};
-
 /// Of a normal distribution with a deviation of 1 (Box & Muller 1958).
 double normalNumber(Sequence& numbers) {
     const double u = 1.0 - numbers.between(0.0, 1.0);
     return std::sqrt(-2.0 * std::log(u)) * std::cos(numbers.between(0.0, 2.0 * std::numbers::pi));
 }
 
-/// Sends rays block by block; what each block met is put together in order.
-/// @param seedFor  (block) gives the seed of a block; @param ray  (k, numbers) the ray with number k
-template <class Seed, class Ray>
-void send(const SurfaceTree& site, std::size_t rays, double range, double noise, SiteScan& scan, const Execution& execution,
-          const Seed& seedFor, const Ray& ray) {
+void reportRays(const Execution& execution, std::size_t sent, std::size_t all) {
+    execution.report({"scan.rays", "Sending rays", {}}, static_cast<double>(sent) / static_cast<double>(all));
+}
+
+/// Sends the rays of a scanner block by block; what each block met is put together in order.
+void send(const SurfaceTree& site, const ScanSettings& settings, std::size_t scanner, std::size_t rays, SiteScan& scan,
+          const Execution& execution) {
     struct Block {
         std::vector<Vec3> places;
         std::vector<std::uint32_t> triangles;
-        std::vector<std::uint16_t> scanners;
     };
     const std::size_t blocksAtOnce = 256;
     WorkerPool pool(execution.threads());
+    const Vec3& from = settings.scanners[scanner];
     const std::size_t blocks = (rays + raysAtOnce - 1) / raysAtOnce;
     for (std::size_t begin = 0; begin < blocks; begin += blocksAtOnce) {
         std::vector<Block> made(std::min(blocksAtOnce, blocks - begin));
-        pool.loop(made.size(), 1, [&](std::size_t from, std::size_t to) {
-            for (std::size_t b = from; b < to && !execution.cancelled(); ++b) {
-                Sequence numbers(seedFor(begin + b));
+        pool.loop(made.size(), 1, [&](std::size_t low, std::size_t high) {
+            for (std::size_t b = low; b < high && !execution.cancelled(); ++b) {
+                Sequence numbers(seedOf(settings.seed, scanner, begin + b));
                 const std::size_t first = (begin + b) * raysAtOnce;
                 for (std::size_t k = first; k < std::min(first + raysAtOnce, rays); ++k) {
-                    const SentRay sent = ray(k, numbers);
-                    const double error = noise > 0.0 ? noise * normalNumber(numbers) : 0.0;
-                    const std::optional<RayHit> hit = site.firstHit(sent.from, sent.direction, range);
-                    if (hit) {
-                        made[b].places.push_back(sent.from + (hit->range + error) * sent.direction);
+                    const Vec3 direction = numbers.direction();
+                    const double error = settings.noise > 0.0 ? settings.noise * normalNumber(numbers) : 0.0;
+                    if (const std::optional<RayHit> hit = site.firstHit(from, direction, settings.range)) {
+                        made[b].places.push_back(from + (hit->range + error) * direction);
                         made[b].triangles.push_back(hit->triangle);
-                        made[b].scanners.push_back(sent.scanner);
                     }
                 }
             }
@@ -76,9 +70,9 @@ void send(const SurfaceTree& site, std::size_t rays, double range, double noise,
         for (const Block& block : made) {
             scan.places.insert(scan.places.end(), block.places.begin(), block.places.end());
             scan.triangles.insert(scan.triangles.end(), block.triangles.begin(), block.triangles.end());
-            scan.scanners.insert(scan.scanners.end(), block.scanners.begin(), block.scanners.end());
         }
-        execution.report({"scan.rays", "Sending rays", {}}, static_cast<double>(begin) / static_cast<double>(blocks));
+        scan.scanners.resize(scan.places.size(), static_cast<std::uint16_t>(scanner));
+        reportRays(execution, begin, blocks);
         if (scan.places.size() > scanPointsMost) {
             throw UsageError({"scan.points", "The scan has more than {0} points", {scanPointsMost}},
                              {"scan.points.remedy", "Give a greater step, a shorter range or fewer scanners.", {}});
@@ -114,12 +108,7 @@ SiteScan scanSite(const SurfaceTree& site, const ScanSettings& settings, const E
     SiteScan scan;
     for (std::size_t s = 0; s < settings.scanners.size(); ++s) {
         const std::size_t before = scan.places.size();
-        send(
-            site, static_cast<std::size_t>(each), settings.range, settings.noise, scan, execution,
-            [&](std::uint64_t block) { return seedOf(settings.seed, s, block); },
-            [&](std::size_t /*k*/, Sequence& numbers) {
-                return SentRay{settings.scanners[s], numbers.direction(), static_cast<std::uint16_t>(s)};
-            });
+        send(site, settings, s, static_cast<std::size_t>(each), scan, execution);
         scan.rays.push_back(static_cast<std::uint64_t>(each));
         scan.echoes.push_back(scan.places.size() - before);
     }
@@ -127,8 +116,7 @@ SiteScan scanSite(const SurfaceTree& site, const ScanSettings& settings, const E
     return scan;
 }
 
-SiteScan seenAlike(const SurfaceTree& site, std::span<const Vec3> points, const PointSights& sights, double spread,
-                   const Execution& execution) {
+MetAlike seenAlike(const SurfaceTree& site, std::span<const Vec3> points, const PointSights& sights, const Execution& execution) {
     const auto nearest = [&](const Vec3& point) {
         std::size_t best = 0;
         for (std::size_t s = 1; s < sights.scanners.size(); ++s) {
@@ -139,37 +127,38 @@ SiteScan seenAlike(const SurfaceTree& site, std::span<const Vec3> points, const 
         return best;
     };
     const double top = site.box().isEmpty() ? 0.0 : site.box().max().z() + 1.0;
-    const auto rayTo = [&](std::size_t k, Sequence& numbers) {
+    const auto meet = [&](std::size_t k, MetAlike& met) {
         const Vec3& point = points[k];
-        SentRay ray;
-        Vec3 axis = -Vec3::UnitZ();
+        Vec3 from(point.x(), point.y(), std::max(top, point.z()));
+        Vec3 direction = -Vec3::UnitZ();
         if (!sights.scanners.empty()) {
             const std::size_t which = k < sights.which.size() ? sights.which[k] : nearest(point);
-            ray.scanner = static_cast<std::uint16_t>(std::min(which, sights.scanners.size() - 1));
-            ray.from = sights.scanners[ray.scanner];
-            axis = (point - ray.from).normalized();
+            from = sights.scanners[std::min(which, sights.scanners.size() - 1)];
+            direction = (point - from).normalized();
         }
-        const Vec3 one = axis.unitOrthogonal();
-        const double angle = numbers.between(0.0, 2.0 * std::numbers::pi);
-        const double off = spread * std::sqrt(numbers.between(0.0, 1.0));
-        const Vec3 through = point + off * (std::cos(angle) * one + std::sin(angle) * axis.cross(one));
-        if (sights.scanners.empty()) {
-            ray.from = {through.x(), through.y(), std::max(top, through.z())};
-            ray.direction = axis;
-        } else {
-            ray.direction = (through - ray.from).normalized();
+        constexpr double everywhere = 1e9;  // m
+        if (const std::optional<RayHit> hit = site.firstHit(from, direction, everywhere)) {
+            met.places[k] = from + hit->range * direction;
+            met.triangles[k] = hit->triangle;
         }
-        return ray;
     };
-    SiteScan scan;
-    reserveLarge(scan.places, points.size());
-    reserveLarge(scan.triangles, points.size());
-    reserveLarge(scan.scanners, points.size());
-    constexpr double everywhere = 1e9;  // m
-    const auto seedFor = [](std::uint64_t block) { return seedOf(0, 0, block); };
-    send(site, points.size(), everywhere, 0.0, scan, execution, seedFor, rayTo);
+    MetAlike met;
+    reserveLarge(met.places, points.size());
+    reserveLarge(met.triangles, points.size());
+    met.places.resize(points.size(), Vec3::Constant(unknown));
+    met.triangles.resize(points.size(), noTriangle);
+    WorkerPool pool(execution.threads());
+    constexpr std::size_t atOnce = 256 * raysAtOnce;
+    for (std::size_t begin = 0; begin < points.size(); begin += atOnce) {
+        reportRays(execution, begin, points.size());
+        pool.loop(std::min(atOnce, points.size() - begin), raysAtOnce, [&](std::size_t from, std::size_t to) {
+            for (std::size_t k = begin + from; k < begin + to && !execution.cancelled(); ++k) {
+                meet(k, met);
+            }
+        });
+    }
     execution.check();
-    return scan;
+    return met;
 }
 
 }  // namespace rubble

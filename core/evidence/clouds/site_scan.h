@@ -43,12 +43,15 @@ struct PointSights {
     std::span<const std::uint16_t> which;  ///< [points] of the scanners; empty: all from the nearest one
 };
 
-/// A site as a scan would have seen it, without noise: for each point of the scan a ray from where that was seen, past the point by
-/// a random part of a radius. Both then have as many points to an area, and points that do not depend on each other. What no point
-/// of the scan looks at stays unseen here as well.
-/// @param spread  m, radius of the disc about each point that rays go through
-/// @return  points that were met; rays that meet nothing leave none
-SiteScan seenAlike(const SurfaceTree& site, std::span<const Vec3> points, const PointSights& sights, double spread,
-                   const Execution& execution);
+/// What the rays of a scan meet of a site, one ray to each point, without noise.
+struct MetAlike {
+    std::vector<Vec3> places;              ///< [points] m; not a number: the ray meets nothing
+    std::vector<std::uint32_t> triangles;  ///< [points] each met; noTriangle: none
+};
+inline constexpr std::uint32_t noTriangle = 0xFFFF'FFFF;
+
+/// A site as a scan would have seen it: a ray through each point of the scan, from where that was seen. What no point of the scan
+/// looks at stays unseen here as well. No result depends on the number of threads. Throws Cancelled.
+MetAlike seenAlike(const SurfaceTree& site, std::span<const Vec3> points, const PointSights& sights, const Execution& execution);
 
 }  // namespace rubble

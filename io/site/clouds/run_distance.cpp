@@ -208,8 +208,9 @@ CloudFit fitOf(const RunDistanceRequest& request, const SurfaceTree& tree, const
             }
         }
     }
-    const double radius = request.settings.projectionRadius;
-    const PointIndex site(seenAlike(tree, stable, {held.scanners, scans}, radius, execution).places, radius);
+    std::vector<Vec3> met = seenAlike(tree, stable, {held.scanners, scans}, execution).places;
+    std::erase_if(met, [](const Vec3& place) { return !place.allFinite(); });
+    const PointIndex site(std::move(met), request.settings.projectionRadius);
     CloudFitSettings settings;
     settings.radius = request.settings.normalRadius;
     return fitCloud(site, stable, settings, execution);
@@ -226,21 +227,16 @@ void addGroundAbout(const RunDistanceRequest& request, const HeldCloud& held, Si
     addCoarseGround(findings, addGround(site, ground, around, scannedTriangles));
 }
 
-/// A core at the middle of each cell in plan that either has points in, as high as those of the first are in the mean.
-std::vector<Vec3> middlesOfCells(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double side) {
-    CellMiddles middles(side);
-    middles.add(first, 0);
-    middles.add(second, 1);
-    return middles.places();
-}
-
-/// Straight up at each cell, in a cylinder of its area, as between two clouds.
-void takeVolumes(const RunDistanceRequest& request, const PointIndex& first, const PointIndex& second,
+/// Straight up at each cell that either has points in, in a cylinder of its area, as between two clouds.
+void takeVolumes(const RunDistanceRequest& request, const PointIndex& first, const SeenSite& second,
                  const CloudDistanceSettings& settings, CloudComparison& made, const Execution& execution) {
-    std::vector<Vec3> cores = middlesOfCells(first.places(), second.places(), request.cell);
+    CellMiddles middles(request.cell);
+    middles.add(first.places(), 0);
+    middles.add(second.others.places(), 1);
+    std::vector<Vec3> cores = middles.places();
     const CloudDistanceSettings upwards = volumeSettings(settings, request.cell);
     orderByCubes(cores, upwards.projectionRadius);
-    const std::vector<CoreDistance> cells = cloudDistances(cores, first, second, upwards, execution);
+    const std::vector<CoreDistance> cells = siteDistances(cores, first, second, upwards, execution);
     made.volumes = cloudVolumes(cells, request.cell, settings.registrationError);
     made.cubicMetres = 1.0;
     addCellsLeft(made);
@@ -272,7 +268,7 @@ void addCoarseGround(Findings& findings, std::size_t step) {
     }
 }
 
-SightedDebris sightedDebris(const SiteShape& site, const SiteScan& scan, std::span<const double> volumes) {
+SightedDebris sightedDebris(const SiteShape& site, std::span<const std::uint32_t> met, std::span<const double> volumes) {
     std::vector<bool> seen(volumes.size());
     std::vector<bool> there(volumes.size());
     for (std::size_t t = 0; t < site.things.size(); ++t) {
@@ -280,8 +276,8 @@ SightedDebris sightedDebris(const SiteShape& site, const SiteScan& scan, std::sp
             there[site.parts[t]] = true;
         }
     }
-    for (const std::uint32_t t : scan.triangles) {
-        if (site.things[t] == SiteThing::Debris) {
+    for (const std::uint32_t t : met) {
+        if (t != noTriangle && site.things[t] == SiteThing::Debris) {
             seen[site.parts[t]] = true;
         }
     }
@@ -339,20 +335,21 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
     }
     CloudComparison& compared = made.compared;
     compared.cores = firstOfCubes(held.points, radius);
-    SiteScan seen = seenAlike(tree, held.points, {held.scanners, scans}, radius, execution);
-    made.debris = sightedDebris(site, seen, volumes);
+    MetAlike met = seenAlike(tree, held.points, {held.scanners, scans}, execution);
+    made.debris = sightedDebris(site, met.triangles, volumes);
+    const auto seen =
+        met.triangles.size() - static_cast<std::size_t>(std::count(met.triangles.begin(), met.triangles.end(), noTriangle));
     compared.second.path = request.run;
     compared.second.head.format = "run";
-    compared.second.points = compared.second.near = seen.places.size();
+    compared.second.points = compared.second.near = seen;
     compared.unit = 1.0;
     compared.metresStated = true;
     compared.againstRun = true;
     compared.parts = 1;
     checkCores(compared.cores.size());
-    std::future<PointIndex> building = std::async(std::launch::async, [&] { return PointIndex(std::move(seen.places), radius); });
+    const SeenSite second(held.points, std::move(met.places), radius);
     const PointIndex first(std::move(held.points), radius);
-    const PointIndex second = building.get();
-    compared.distances = cloudDistances(compared.cores, first, second, settings, execution);
+    compared.distances = siteDistances(compared.cores, first, second, settings, execution);
     judgeDistances(compared, settings);
     if (request.cell > 0.0) {
         takeVolumes(request, first, second, settings, compared, execution);

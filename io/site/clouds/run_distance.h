@@ -60,8 +60,8 @@ struct RunDistance {
     SightedDebris debris;
 };
 
-/// Measures from a cloud to the surfaces of a site by M3C2: the second cloud is the site as the scanners would have seen it, one
-/// ray for each point. What no point looks at is not seen; it is neither debris nor its absence. Vegetation and wires are left out.
+/// Measures from a cloud to the surfaces of a site by M3C2: the second cloud is the site as the scanners would have seen it, by the
+/// ray of each point. What no point looks at is not seen; it is neither debris nor its absence. Vegetation and wires are left out.
 /// @param site     without ground, which is added here
 /// @param volumes  m3, [fragments]; empty: of no debris
 /// Throws ParseError (as CloudPlace; no point, elsewhere than the site), UsageError (too many cores), WorldError, Cancelled.
@@ -73,8 +73,8 @@ RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape si
 CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground, Findings& findings,
                         const Execution& execution);
 
-/// What a scan met of the debris of a site. @param volumes  m3, [fragments]
-SightedDebris sightedDebris(const SiteShape& site, const SiteScan& scan, std::span<const double> volumes);
+/// What a scan met of the debris of a site. @param met  triangles, or noTriangle; @param volumes  m3, [fragments]
+SightedDebris sightedDebris(const SiteShape& site, std::span<const std::uint32_t> met, std::span<const double> volumes);
 
 /// Triangles of a terrain that a site is scanned with at most; one with more is taken coarser, which is a finding.
 inline constexpr double scannedTriangles = 4e6;

@@ -21,6 +21,13 @@ TEST(IntervalFit, StudentAgreesWithClosedForms) {
     }
 }
 
+TEST(IntervalFit, StudentQuantilesHoldWhatTheNormalOnesDo) {
+    for (const double degrees : {3.0, 4.0, 5.5, 9.0, 30.0, 1e6}) {
+        EXPECT_NEAR(studentBelow(studentQuantile(1.959964, degrees), degrees), 0.975, 1e-4) << degrees;
+        EXPECT_NEAR(studentBelow(studentQuantile(-1.281552, degrees), degrees), 0.1, 1e-4) << degrees;
+    }
+}
+
 /// Share of further samples within the 80 % interval, over many fits to n samples of a curve with a known scatter.
 double coverage(const std::function<double(double)>& curve, std::size_t n, double scatter, std::uint64_t seed) {
     RandomNumbers random(seed);

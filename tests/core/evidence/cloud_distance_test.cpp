@@ -156,6 +156,78 @@ TEST(CloudDistance, NoResultDependsOnThreads) {
     }
 }
 
+/// A rough, tilted cloud, and what its rays meet: each by chance a little off along z, some far off or nothing.
+struct RayByRay {
+    std::vector<Vec3> points;
+    std::vector<Vec3> met;
+};
+
+RayByRay rayByRay(std::size_t count, double noise, std::size_t farFrom) {
+    NormalNumbers numbers(11);
+    RayByRay made;
+    made.points = scan(count, 3.0, 10, 0.2, [](double x, double) { return 0.5 * x; });
+    orderByCubes(made.points, scales.projectionRadius);
+    for (std::size_t k = 0; k < count; ++k) {
+        const bool far = farFrom > 0 && k % farFrom == 0;
+        made.met.push_back(made.points[k] + Vec3(0.0, 0.0, far ? 0.8 : noise * numbers.next()));
+    }
+    return made;
+}
+
+TEST(SiteDistance, WhatOneRayMeetsOfBothIsPaired) {
+    const RayByRay made = rayByRay(6'000, 0.01, 0);
+    const PointIndex first(made.points, scales.projectionRadius);
+    const SeenSite second(made.points, made.met, scales.projectionRadius);
+    EXPECT_TRUE(second.others.places().empty());
+    std::size_t within = 0;
+    const std::vector<Vec3> cores = coresOf(made.points, 400, 2.0);
+    for (const CoreDistance& core : siteDistances(cores, first, second, scales, Execution())) {
+        ASSERT_EQ(core.pairs, core.first.points);
+        ASSERT_EQ(core.pairs, core.second.points);
+        // The roughness of 0.2 m is in both and so in no error: noise along z by the root of the points, along the normal.
+        const double expected = 0.01 * core.normal.z() / std::sqrt(core.pairs);
+        EXPECT_NEAR(core.error, expected, 5.0 * expected / std::sqrt(2.0 * core.pairs));
+        EXPECT_NEAR(core.detection / core.error, 1.96 * (1.0 + (1.96 * 1.96 + 1.0) / 4.0 / (core.pairs - 1.0)), 0.03);
+        within += core.significant() ? 0 : 1;
+    }
+    EXPECT_GT(within, 360u);
+    EXPECT_LT(within, 396u);
+}
+
+TEST(SiteDistance, WithoutPairsTheyAreTwoSamples) {
+    const RayByRay made = rayByRay(6'000, 0.0, 1);
+    const PointIndex first(made.points, scales.projectionRadius);
+    const SeenSite second(made.points, made.met, scales.projectionRadius);
+    for (const CoreDistance& core : siteDistances(coresOf(made.points, 50, 2.0), first, second, scales, Execution())) {
+        ASSERT_EQ(core.pairs, 0u);
+        EXPECT_NEAR(core.error,
+                    std::sqrt(core.first.roughness * core.first.roughness / (core.first.points - 1.0) +
+                              core.second.roughness * core.second.roughness / (core.second.points - 1.0)),
+                    1e-12);
+        EXPECT_TRUE(core.significant());
+        EXPECT_NEAR(core.distance, 0.8 * core.normal.z(), 0.15);
+    }
+}
+
+TEST(SiteDistance, RaysThatMeetAnotherSurfaceWidenTheError) {
+    const RayByRay made = rayByRay(6'000, 0.01, 7);
+    const PointIndex first(made.points, scales.projectionRadius);
+    const SeenSite second(made.points, made.met, scales.projectionRadius);
+    for (const CoreDistance& core : siteDistances(coresOf(made.points, 50, 2.0), first, second, scales, Execution())) {
+        ASSERT_GT(core.pairs, 0u);
+        ASSERT_LT(core.pairs, core.first.points);
+        EXPECT_GT(core.error, 0.01);
+        EXPECT_LT(core.error, std::sqrt(core.first.roughness * core.first.roughness / core.first.points +
+                                        core.second.roughness * core.second.roughness / core.second.points));
+    }
+    const std::vector<Vec3> few(made.points.begin(), made.points.begin() + 3);
+    const std::vector<Vec3> metOfFew(made.met.begin() + 1, made.met.begin() + 4);
+    const PointIndex three(few, scales.projectionRadius);
+    const SeenSite seen(few, metOfFew, scales.projectionRadius);
+    EXPECT_TRUE(std::isnan(siteDistances(few, three, seen, scales, Execution()).front().detection))
+        << "three points tell no roughness";
+}
+
 TEST(PointIndex, FindsWhatLiesInACylinderHoweverLong) {
     NormalNumbers numbers(10);
     std::vector<Vec3> places;

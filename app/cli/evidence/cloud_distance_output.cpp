@@ -133,12 +133,12 @@ Json volumesJson(const CloudVolumes& volumes, double cube) {
             {"cells_measured", volumes.measured},
             {"cells_fill", volumes.fillCells},
             {"cells_cut", volumes.cutCells},
-            {"fill_m3", cube * volumes.fill},
-            {"cut_m3", cube * volumes.cut},
-            {"net_m3", cube * volumes.net()},
-            {"not_detected_m3", cube * volumes.undetected()},
-            {"not_detected_fill_m3", cube * volumes.undetectedFill},
-            {"not_detected_cut_m3", cube * volumes.undetectedCut},
+            {"fill_m3", known(cube * volumes.fill)},
+            {"cut_m3", known(cube * volumes.cut)},
+            {"net_m3", known(cube * volumes.net())},
+            {"not_detected_m3", known(cube * volumes.undetected())},
+            {"not_detected_fill_m3", known(cube * volumes.undetectedFill)},
+            {"not_detected_cut_m3", known(cube * volumes.undetectedCut)},
             {"fill_errors_m3", error(volumes.fillError)},
             {"cut_errors_m3", error(volumes.cutError)},
             {"net_errors_m3", error(volumes.netError)}};
@@ -204,12 +204,16 @@ FactList distanceFacts(const io::CloudComparison& made, const CloudDistanceSetti
     }
     if (made.volumes) {
         const CloudVolumes& volumes = *made.volumes;
-        facts.add("volumes", "fill " + cubeText(volumes.fill, volumes.fillError, made.cubicMetres) + ", cut " +
-                                 cubeText(volumes.cut, volumes.cutError, made.cubicMetres) + ", net " +
-                                 cubeText(volumes.net(), volumes.netError, made.cubicMetres));
         const auto cubes = [&](double volume) { return englishNumber(made.cubicMetres * volume); };
-        facts.add("not counted", "fill " + cubes(volumes.undetectedFill) + ", cut " + cubes(volumes.undetectedCut) + ", net " +
-                                     cubes(volumes.undetectedNet()) + " m3 also lie below the level of detection");
+        if (volumes.measured == 0) {
+            facts.add("volumes", "not known: no cell was measured");
+        } else {
+            facts.add("volumes", "fill " + cubeText(volumes.fill, volumes.fillError, made.cubicMetres) + ", cut " +
+                                     cubeText(volumes.cut, volumes.cutError, made.cubicMetres) + ", net " +
+                                     cubeText(volumes.net(), volumes.netError, made.cubicMetres));
+            facts.add("not counted", "fill " + cubes(volumes.undetectedFill) + ", cut " + cubes(volumes.undetectedCut) + ", net " +
+                                         cubes(volumes.undetectedNet()) + " m3 also lie below the level of detection");
+        }
         facts.add("volume cells", englishInteger(volumes.measured) + " of " + englishInteger(volumes.cells) + " measured");
     }
     return facts;

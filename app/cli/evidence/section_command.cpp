@@ -12,6 +12,7 @@
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "core/evidence/site_section.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
@@ -129,8 +130,8 @@ Json sectionJson(const io::RunSection& made, const io::SitePlace& place) {
             {"difference_mean_m", sectionNumber(section.mean)},
             {"difference_rms_m", sectionNumber(section.rms)},
             {"covered_m", section.covered},
-            {"measured_area_m2", section.measuredArea},
-            {"simulated_area_m2", section.simulatedArea}};
+            {"measured_area_m2", sectionNumber(section.covered > 0.0 ? section.measuredArea : unknown)},
+            {"simulated_area_m2", sectionNumber(section.covered > 0.0 ? section.simulatedArea : unknown)}};
 }
 
 void printSection(std::ostream& out, const io::RunSection& made) {

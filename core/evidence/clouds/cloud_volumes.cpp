@@ -37,6 +37,11 @@ CloudVolumes cloudVolumes(std::span<const CoreDistance> cells, double cell, cons
         return CloudVolumeError{confidence * area * std::sqrt(variance),
                                 registrationError ? confidence * *registrationError * area * static_cast<double>(count) : unknown};
     };
+    if (made.measured == 0) {
+        made.fill = made.cut = made.undetectedFill = made.undetectedCut = unknown;
+        made.fillError = made.cutError = made.netError = {unknown, unknown};
+        return made;
+    }
     made.fillError = error(ofFill, made.fillCells);
     made.cutError = error(ofCut, made.cutCells);
     made.netError = error(ofFill + ofCut, made.fillCells + made.cutCells);

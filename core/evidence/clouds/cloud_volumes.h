@@ -14,7 +14,8 @@ struct CloudVolumeError {
     double systematic = 0.0;  ///< of the registration: grows with their number; NaN: nobody stated how well the clouds lie
 };
 
-/// Volumes between two clouds over square cells, of distances from the level of detection on. Cubes of the unit of length.
+/// Volumes between two clouds over square cells, of distances from the level of detection on. Cubes of the unit of length. Where no
+/// cell was measured all of them and their errors are NaN, for nothing is known of them.
 struct CloudVolumes {
     double cell = 0.0;           ///< side
     std::int64_t cells = 0;      ///< that either cloud has points in

@@ -180,6 +180,40 @@ TEST_F(CloudCommand, GivesVolumesBetweenTwoClouds) {
                     .is_null());
 }
 
+TEST_F(CloudCommand, VolumesOfWhatNobodyMeasuredAreNotKnown) {
+    std::string low = "x,y,z\n";
+    std::string high = "x,y,z\n";
+    for (int k = 0; k < 2'000; ++k) {
+        const std::string place =
+            std::to_string(5.0 * std::fmod(0.754877666 * k, 1.0)) + ',' + std::to_string(5.0 * std::fmod(0.569840291 * k, 1.0));
+        low += place + ",0\n";
+        high += place + ",30\n";
+    }
+    std::vector<std::string> words{"cloud",
+                                   lay("low.csv", low),
+                                   "--against",
+                                   lay("high.csv", high),
+                                   "--normal-scale",
+                                   "0.5",
+                                   "--projection-scale",
+                                   "0.5",
+                                   "--depth",
+                                   "2",
+                                   "--registration-error",
+                                   "0",
+                                   "--cell",
+                                   "1"};
+    EXPECT_THAT(cli(words).out, HasSubstr("not known: no cell was measured"));
+    words.push_back("--json");
+    const nlohmann::json volumes = cli(words).json()["volumes"];
+    EXPECT_GT(volumes["cells"], 20);
+    EXPECT_EQ(volumes["cells_measured"], 0);
+    for (const char* key : {"fill_m3", "cut_m3", "net_m3", "not_detected_m3", "not_detected_fill_m3", "not_detected_cut_m3"}) {
+        EXPECT_TRUE(volumes[key].is_null()) << key;
+    }
+    EXPECT_TRUE(volumes["net_errors_m3"][0].is_null());
+}
+
 TEST_F(CloudCommand, FitsByWhatDidNotMove) {
     // Ground that rolls and two walls; the second cloud lies elsewhere by a shift, and half a metre of ground was dug away.
     std::string before = "x,y,z\n";

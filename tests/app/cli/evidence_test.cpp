@@ -220,6 +220,7 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     EXPECT_EQ(level["points"], 3) << "one lies beside the section";
     EXPECT_NEAR(level["difference_mean_m"], -0.1, 1e-6);
     EXPECT_TRUE(cut({})["difference_mean_m"].is_null());
+    EXPECT_TRUE(cut({})["measured_area_m2"].is_null()) << "no point tells of it";
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,3"}).exitCode, 2);
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,1,2"}).exitCode, 2);
 }

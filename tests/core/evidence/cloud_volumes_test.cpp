@@ -66,6 +66,24 @@ TEST(CloudVolumes, AreThoseOfShapesSolvedOnPaper) {
     EXPECT_NEAR(poor.fillError.systematic, 0.5 * gridCell * gridCell * static_cast<double>(poor.fillCells), 1e-9);
 }
 
+TEST(CloudVolumes, WhereNothingWasMeasuredTheyAreNotKnown) {
+    const PointIndex ground = surface(1, [](double, double) { return 0.0; });
+    const PointIndex high = surface(2, [](double, double) { return 50.0; });
+    const CloudDistanceSettings upwards{gridCell, gridCell / std::sqrt(std::numbers::pi), 5.0, 0.01, true};
+    const CloudVolumes made =
+        cloudVolumes(cloudDistances({Vec3::Zero(), Vec3(1, 1, 0)}, ground, high, upwards, Execution()), gridCell, 0.01);
+    EXPECT_EQ(made.cells, 2);
+    EXPECT_EQ(made.measured, 0);
+    for (const double volume :
+         {made.fill, made.cut, made.net(), made.undetected(), made.fillError.random, made.netError.systematic}) {
+        EXPECT_TRUE(std::isnan(volume));
+    }
+    // No surface moved: that is known.
+    const CloudVolumes even = cloudVolumes(cloudDistances({Vec3::Zero()}, ground, ground, upwards, Execution()), gridCell, 0.01);
+    EXPECT_EQ(even.measured, 1);
+    EXPECT_EQ(even.fill, 0.0);
+}
+
 TEST(CloudVolumes, ASurfaceHasNoneAgainstItself) {
     Sequence numbers(9);
     std::size_t outside = 0;

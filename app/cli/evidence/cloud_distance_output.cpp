@@ -97,6 +97,7 @@ Json fitJson(const CloudFit& fit) {
     return {{"shift", three(fit.shift, 1.0)},
             {"turn_deg", three(turn.axis(), degreesOfRadian * turn.angle())},
             {"about", three(fit.about, 1.0)},
+            {"cube", fit.cube},
             {"pairs", fit.pairs},
             {"rounds", fit.rounds},
             {"settled", fit.settled},

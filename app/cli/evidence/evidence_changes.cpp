@@ -113,10 +113,6 @@ public:
             both.error = std::max(*both.error, fit.errorAt(structure.corner(static_cast<Aabb::CornerType>(corner))));
         }
         m_survey.registration = both;
-        if (!fit.settled) {
-            m_findings.add({"fit.not_settled", "the fit had not settled after {0} rounds", {std::int64_t{fit.rounds}}},
-                           {"fit.not_settled.remedy", "give a greater normal scale, or clouds that lie nearer to each other", {}});
-        }
     }
 
 private:

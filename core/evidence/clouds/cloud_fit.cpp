@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "core/base/error.h"
@@ -72,12 +73,15 @@ public:
     CloudFitting(const PointIndex& first, const std::vector<Vec3>& second, const CloudFitSettings& settings,
                  const Execution& execution)
         : m_first(first), m_settings(settings), m_execution(execution) {
-        CubeThinning thinning(settings.radius);
-        for (const Vec3& place : second) {
-            if (m_points.size() < fittedMost && thinning.takes(place)) {
-                m_points.push_back(place);
-                m_fit.about += place;
-            }
+        m_fit.cube = settings.radius;
+        m_points = thinned(second, m_fit.cube);
+        // Points lie on surfaces, so their number falls with the square of the side; a little more ends it in few rounds.
+        while (m_points.size() > fittedMost) {
+            m_fit.cube *= 1.05 * std::sqrt(static_cast<double>(m_points.size()) / static_cast<double>(fittedMost));
+            m_points = thinned(m_points, m_fit.cube);
+        }
+        for (const Vec3& place : m_points) {
+            m_fit.about += place;
         }
         m_fit.about /= static_cast<double>(std::max<std::size_t>(1, m_points.size()));
     }
@@ -96,6 +100,14 @@ public:
     }
 
 private:
+    static std::vector<Vec3> thinned(const std::vector<Vec3>& places, double cube) {
+        std::vector<Vec3> taken;
+        CubeThinning thinning(cube);
+        std::copy_if(places.begin(), places.end(), std::back_inserter(taken),
+                     [&](const Vec3& place) { return thinning.takes(place); });
+        return taken;
+    }
+
     void pair() {
         m_pairs.resize(m_points.size());
         WorkerPool pool(m_execution.threads());

@@ -24,6 +24,7 @@ struct CloudFit {
     Mat3 turn = Mat3::Identity();
     Vec3 about = Vec3::Zero();  ///< middle of the points that were fitted; the turn is about it
     Vec3 shift = Vec3::Zero();
+    double cube = 0.0;       ///< side of the cubes that one point each was taken of: the radius, or more where they are too many
     std::int64_t pairs = 0;  ///< points with a plane
     int rounds = 0;
     bool settled = false;
@@ -46,8 +47,9 @@ struct CloudFit {
 
 /// Fits by trimmed iterated closest planes (Chen & Medioni 1992; Chetverikov et al. 2002): each point of the second cloud is held
 /// against the plane through the points of the first about it, and the nearest share of them decides.
-/// @param second  points of what did not move; at most as many are used as fit into 200,000 cubes of the radius
-/// Throws UsageError (fewer than 50 points have a plane; planes that leave a direction or a turn open), Cancelled.
+/// @param second  points of what did not move; one to each cube of the radius is used, or of greater cubes, so that they are no
+/// more than 200,000 and lie everywhere Throws UsageError (fewer than 50 points have a plane; planes that leave a direction or a
+/// turn open), Cancelled.
 CloudFit fitCloud(const PointIndex& first, const std::vector<Vec3>& second, const CloudFitSettings& settings,
                   const Execution& execution);
 

@@ -435,6 +435,19 @@ void addCellsLeft(CloudComparison& made) {
     }
 }
 
+void addFitFindings(Findings& findings, const CloudFit& fit, double radius) {
+    if (fit.cube > radius) {
+        addFinding(
+            findings, "",
+            {"fit.thinned", "what did not move has too many points for a fit: one to each cube of side {0} was taken", {fit.cube}},
+            "none is needed: they lie everywhere; name a smaller area to fit every part of it");
+    }
+    if (!fit.settled) {
+        addFinding(findings, "", {"fit.not_settled", "the fit had not settled after {0} rounds", {std::int64_t{fit.rounds}}},
+                   "give a greater normal scale, or clouds that lie nearer to each other");
+    }
+}
+
 CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanceSettings& settings) {
     made.settings = settings;
     if (!made.fit && made.placed && !settings.registrationError) {
@@ -453,10 +466,7 @@ CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanc
               {*settings.registrationError, fit.error}},
              "leave it out, unless control points tell it better than the fit");
     }
-    if (!fit.settled) {
-        find({"fit.not_settled", "the fit had not settled after {0} rounds", {std::int64_t{fit.rounds}}},
-             "give a greater normal scale, or clouds that lie nearer to each other");
-    }
+    addFitFindings(made.findings, fit, settings.normalRadius);
     return made.settings;
 }
 

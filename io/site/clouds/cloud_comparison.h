@@ -104,6 +104,9 @@ CloudDistanceSettings volumeSettings(CloudDistanceSettings settings, double cell
 /// Says how many cells are in no volume, and why: a counted finding.
 void addCellsLeft(CloudComparison& made);
 
+/// Says of how wide cubes a fit took its points, if they are wider than its radius, and whether it settled: counted findings.
+void addFitFindings(Findings& findings, const CloudFit& fit, double radius);
+
 /// What the level of detection takes for the registration error: as stated, else that of the fit, else that of the pairs.
 /// Says what speaks against the fit: counted findings.
 CloudDistanceSettings settingsAfterFit(CloudComparison& made, const CloudDistanceSettings& settings);

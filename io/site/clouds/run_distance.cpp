@@ -298,6 +298,7 @@ CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const
     addGroundAbout(request, held, site, ground, made.compared.findings);
     const CloudFit fit = fitOf(request, SurfaceTree(site.points, site.triangles), held, execution);
     findings.append(made.compared.findings);
+    addFitFindings(findings, fit, request.settings.normalRadius);
     return fit;
 }
 

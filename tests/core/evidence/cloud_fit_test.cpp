@@ -136,6 +136,30 @@ TEST(CloudFit, SaysWhatIsOpen) {
     EXPECT_THROW(fitCloud(first, {Vec3(0, 0, 50)}, {0.5}, Execution()), UsageError);
 }
 
+/// Rolling ground of 300 m by 250 m, in strips from west to east.
+std::vector<Vec3> strips(double stepX, double stepY) {
+    std::vector<Vec3> places;
+    for (double x = 0.1; x < 300.0; x += stepX) {
+        for (double y = 0.1; y < 250.0; y += stepY) {
+            places.emplace_back(x, y, 2.0 * std::sin(0.2 * x) + 1.5 * std::cos(0.25 * y));
+        }
+    }
+    return places;
+}
+
+TEST(CloudFit, TakesPointsFromEverywhereOfAFileThatGoesStripByStrip) {
+    const PointIndex first(strips(0.3, 0.3), 0.5);
+    // 300,000 cubes of the radius: the first 200,000 of them end at x = 200 m.
+    const std::vector<Vec3> cloud = strips(0.5, 0.5);
+    const CloudFit fit = fitCloud(first, cloud, {0.5, 0.8, 1}, Execution());
+    EXPECT_GT(fit.cube, 0.5);
+    EXPECT_LT(fit.cube, 1.0);
+    EXPECT_NEAR(fit.about.x(), 150.0, 2.0) << "the middle of all, not of the first strips";
+    EXPECT_GT(fit.pairs, 100'000) << "no fewer than they have to be";
+    const CloudFit some = fitCloud(first, {cloud.begin(), cloud.begin() + 60'000}, {0.5, 0.8, 1}, Execution());
+    EXPECT_EQ(some.cube, 0.5) << "so many fit";
+}
+
 }  // namespace
 
 }  // namespace rubble

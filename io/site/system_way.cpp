@@ -97,16 +97,6 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-OGRSpatialReference inPlan(const OGRSpatialReference& system) {
-    OGRSpatialReference plan(system);
-    plan.StripVertical();
-    if (plan.GetAxesCount() == 3) {
-        plan.DemoteTo2D(nullptr);
-    }
-    plan.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return plan;
-}
-
 std::string nameOf(const OGRSpatialReference& system) {
     return system.GetName() != nullptr ? system.GetName() : "unnamed";
 }
@@ -150,6 +140,26 @@ void addAccuracy(Findings& findings, const std::string& path, const SystemWay& w
 bool setFromText(OGRSpatialReference& system, const std::string& text) {
     return !text.empty() &&
            system.SetFromUserInput(text.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) == OGRERR_NONE;
+}
+
+std::string wktOf(const OGRSpatialReference& system) {
+    char* text = nullptr;
+    std::string wkt;
+    if (system.exportToWkt(&text) == OGRERR_NONE) {
+        wkt = text;
+    }
+    CPLFree(text);
+    return wkt;
+}
+
+OGRSpatialReference inPlan(const OGRSpatialReference& system) {
+    OGRSpatialReference plan(system);
+    plan.StripVertical();
+    if (plan.GetAxesCount() == 3) {
+        plan.DemoteTo2D(nullptr);
+    }
+    plan.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return plan;
 }
 
 std::string heightSystemOf(const OGRSpatialReference& system) {

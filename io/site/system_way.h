@@ -13,6 +13,12 @@ namespace rubble::io {
 /// Sets a system from what a user may write: EPSG code, WKT, PROJ. Files and hosts are not asked. @return false if it names none
 bool setFromText(OGRSpatialReference& system, const std::string& text);
 
+/// A system as WKT; empty if it cannot be written so.
+std::string wktOf(const OGRSpatialReference& system);
+
+/// The part of a system that eastings and northings are in.
+OGRSpatialReference inPlan(const OGRSpatialReference& system);
+
 /// What heights of a system count from: its vertical datum, or its ellipsoid in three dimensions; empty if it says nothing.
 std::string heightSystemOf(const OGRSpatialReference& system);
 

@@ -11,7 +11,6 @@
 #include "app/cli/exports/map_subject.h"
 #include "app/cli/exports/run_surroundings.h"
 #include "app/cli/frame/commands.h"
-#include "app/cli/frame/health_output.h"
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/output_file.h"
 #include "app/cli/frame/run_inputs.h"
@@ -20,7 +19,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
-#include "io/run/acknowledgements.h"
+#include "io/exports/exports.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/e57/placed_photographs.h"
@@ -210,7 +209,8 @@ CaseInput statedOfCloud(const Arguments& arguments, const io::RunOrigin& origin,
     return path ? io::statedOfFile(loadCaseOfRun(*path, origin), *path, arguments.operand(), {}, findings) : CaseInput();
 }
 
-ExitCode compareWithRun(const Arguments& arguments, Session& session, const std::string& path, const io::RunReader& run) {
+ExitCode compareWithRun(const Arguments& arguments, Session& session, const std::string& path,
+                        const std::shared_ptr<io::RunReader>& reader) {
     for (const std::string_view option : {"--cores", "--metres"}) {
         if (arguments.has(option)) {
             throw UsageError(
@@ -218,6 +218,7 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
                 {"cli.not_against_run.remedy", "Leave it out: a run is in metres, and cores are points of the cloud.", {}});
         }
     }
+    const io::RunReader& run = *reader;
     io::RunDistanceRequest request;
     request.cloud = arguments.operand();
     request.run = path;
@@ -236,7 +237,8 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
         request.settings.registrationError = stated.offsetError;
     }
     const std::optional<double> time = arguments.has("--time") ? instantFrom(arguments) : stated.instant;
-    const Inputs inputs = openInputsOfRun(path, run.origin(), arguments, session, &findings);
+    const MapSubject subject{nullptr, path, reader, openInputsOfRun(path, run.origin(), arguments, session, &findings), {}};
+    const Inputs& inputs = subject.inputs;
     request.frame = inputs.frame;
     if (const auto pairs = arguments.value("--pairs")) {
         const PairFit fit = io::placeByPairs({request.cloud, *pairs, request.read, request.frame, request.site,
@@ -252,14 +254,17 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     ScannedSite site = scannedSite(run, inputs, time, parseLength(arguments, "--live-threshold", 1.0, true), session.execution());
     io::RunDistance made = io::compareCloudWithSite(request, std::move(site.shape), site.ground, site.volumes, session.execution());
     findings.append(made.compared.findings);
-    made.compared.findings = std::move(findings);
     writeDistanceFiles(arguments, made.compared);
-    if (arguments.json()) {
-        printJson(session, runDistanceJson(made, request.settings));
-    } else {
-        printRunDistance(session.out(), made, request.settings);
+    std::vector<std::string> written = arguments.values("--out");
+    if (const auto csv = arguments.value("--csv")) {
+        written.push_back(*csv);
     }
-    warnIfTainted(session, path, io::taintOf(run));
+    for (const std::string& file : written) {
+        io::writeProvenance(file, io::provenanceText(*subject.run));
+    }
+    conclude(
+        arguments, session, subject, findings, [&] { return runDistanceJson(made, request.settings); },
+        [&](std::ostream& out) { printRunDistance(out, made, request.settings); });
     return ExitCode::Ok;
 }
 
@@ -270,7 +275,7 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
                          {"cli.against_case.remedy", "Simulate it with rubble-cli run, and give the file of the run.", {}});
     }
     if (const std::shared_ptr<io::RunReader> run = runAt(against)) {
-        return compareWithRun(arguments, session, against, *run);
+        return compareWithRun(arguments, session, against, run);
     }
     for (const std::string_view option : runOptions) {
         if (arguments.has(option)) {

@@ -264,6 +264,7 @@ void printCloudDistance(std::ostream& out, const io::CloudComparison& made, cons
 
 Json runDistanceJson(const io::RunDistance& made, const CloudDistanceSettings& settings) {
     Json object = cloudDistanceJson(made.compared, settings);
+    object["time_s"] = made.time;
     object["seen_from"] = sightsNames[static_cast<std::size_t>(made.sights)];
     object["scanners"] = made.scanners;
     object["points_compared"] = made.taken;
@@ -277,13 +278,13 @@ Json runDistanceJson(const io::RunDistance& made, const CloudDistanceSettings& s
 void printRunDistance(std::ostream& out, const io::RunDistance& made, const CloudDistanceSettings& settings) {
     printHeading(out, "Distance from a cloud to a run");
     FactList facts = distanceFacts(made.compared, settings);
+    facts.add("time", englishNumber(made.time) + " s");
     facts.add("seen from", made.sights == io::SightsFrom::Above
                                ? std::string("straight above: where the scanners stood is not known")
                                : englishInteger(static_cast<std::int64_t>(made.scanners)) + " scanners, " +
                                      (made.sights == io::SightsFrom::Cloud ? "as the cloud says" : "as asked for"));
     facts.add("simulated debris", sightedText(made.debris));
     facts.print(out);
-    printFindings(out, made.compared.findings);
 }
 
 void writeDistances(std::ostream& out, const io::CloudComparison& made) {

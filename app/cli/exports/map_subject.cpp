@@ -43,6 +43,7 @@ MapSubject openMapSubject(const Arguments& arguments, Session& session) {
     subject.run = runAt(arguments.operand());
     if (subject.run) {
         refuseSettingsOfRun(arguments);
+        subject.path = arguments.operand();
         subject.inputs = openInputsOfRun(arguments.operand(), subject.run->origin(), arguments, session, &subject.findings);
         return subject;
     }
@@ -77,7 +78,7 @@ void conclude(const Arguments& arguments, Session& session, const MapSubject& su
         printFindings(session.out(), findings);
         printCautions(session.out(), runCautions(io::standingOf(*subject.run)));
     }
-    warnIfTainted(session, subject.temporary ? "" : arguments.operand(), taint);
+    warnIfTainted(session, subject.path, taint);
 }
 
 }  // namespace rubble::cli

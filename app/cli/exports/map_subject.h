@@ -17,6 +17,7 @@ namespace rubble::cli {
 /// The run that the operand names, or that was made of the case or FE file that it names, with its inputs.
 struct MapSubject {
     std::unique_ptr<TemporaryRun> temporary;  ///< null: the run was recorded before
+    std::string path;                         ///< as the run was named; empty: it was made here
     std::shared_ptr<io::RunReader> run;
     Inputs inputs;
     Findings findings;

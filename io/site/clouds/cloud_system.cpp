@@ -88,6 +88,12 @@ bool sameSystem(const std::string& one, const std::string& other) {
     return a.IsSame(&b, options.data()) != 0;
 }
 
+std::string systemInPlan(const std::string& text) {
+    const GdalSession session;
+    OGRSpatialReference system;
+    return setSystem(system, text) ? wktOf(inPlan(system)) : std::string();
+}
+
 void describeUnits(const std::string& path, const std::string& asked, CloudHead& head, Findings& findings) {
     const GdalSession session;
     takeAskedSystem(path, asked, head, findings);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/site/clouds/cloud_system.h"
 #include "io/site/clouds/point_writer.h"
 
 namespace rubble::io {
@@ -54,9 +55,13 @@ constexpr std::array<WrittenColumn, 7> measures{{{"distance", 10, "double", 8},
 void writeDistanceCloud(const std::string& path, const CloudComparison& made) {
     const double most = greatestSignificant(made);
     const CloudUnits& units = made.first.head.units;
-    // Numbers that were brought to other units are not those of the system.
-    const bool changed = made.unit == 1.0 && (units.metres != 1.0 || units.heightMetres != 1.0);
-    WrittenCloud cloud{made.cores.size(), {}, changed ? "" : made.first.head.crs, {measures.begin(), measures.end()}};
+    // Numbers that were brought to other units are not those of the system, or of its part.
+    const bool metres = made.unit == 1.0;
+    std::string crs = metres && units.metres != 1.0 ? "" : made.first.head.crs;
+    if (metres && units.heightMetres != 1.0) {
+        crs = systemInPlan(crs);
+    }
+    WrittenCloud cloud{made.cores.size(), {}, crs, {measures.begin(), measures.end()}};
     for (const Vec3& core : made.cores) {
         cloud.box.extend(core);
     }

@@ -22,19 +22,13 @@ void appendText(FileBytes& bytes, std::string_view text, std::size_t length) {
 }
 
 /// A system as WKT; empty: the text names none.
-std::string wktOf(const std::string& crs) {
+std::string wktOfText(const std::string& crs) {
     const GdalSession session;
     OGRSpatialReference system;
     if (!setFromText(system, crs)) {
         return "";
     }
-    char* text = nullptr;
-    std::string wkt;
-    if (system.exportToWkt(&text) == OGRERR_NONE) {
-        wkt = text;
-    }
-    CPLFree(text);
-    return wkt;
+    return wktOf(system);
 }
 
 FileBytes plyHead(const WrittenCloud& cloud) {
@@ -167,7 +161,7 @@ private:
             }
             add("LASF_Spec", 4, extra);
         }
-        if (const std::string wkt = wktOf(m_cloud.crs); !wkt.empty() && wkt.size() < 65'000) {
+        if (const std::string wkt = wktOfText(m_cloud.crs); !wkt.empty() && wkt.size() < 65'000) {
             FileBytes text(wkt.begin(), wkt.end());
             text.push_back(0);
             add("LASF_Projection", 2112, text);

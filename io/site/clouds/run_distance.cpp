@@ -305,6 +305,7 @@ CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const
 RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground,
                                  std::span<const double> volumes, const Execution& execution) {
     RunDistance made;
+    made.time = site.time;
     HeldCloud held(request, made, execution);
     addGroundAbout(request, held, site, ground, made.compared.findings);
     const double radius = request.settings.projectionRadius;

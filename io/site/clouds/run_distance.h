@@ -51,6 +51,7 @@ struct SightedDebris {
 struct RunDistance {
     /// The cloud is the first. Cores and normals are in the system of the case.
     CloudComparison compared;
+    double time = 0.0;  ///< s, on the file's clock, of the site
     SightsFrom sights = SightsFrom::Above;
     std::size_t scanners = 0;
     std::uint64_t taken = 0;  ///< points that were held against the run

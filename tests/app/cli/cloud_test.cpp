@@ -214,6 +214,24 @@ TEST_F(CloudCommand, VolumesOfWhatNobodyMeasuredAreNotKnown) {
     EXPECT_TRUE(volumes["net_errors_m3"][0].is_null());
 }
 
+TEST_F(CloudCommand, MetresKeepTheSystemOfEastingsWhereHeightsAloneWereInFeet) {
+    const std::string folder = sourcePath("tests/data/clouds/m3c2/autzen-bmx-");
+    const nlohmann::json first = cli({"cloud", folder + "2010.las", "--json"}).json();
+    ASSERT_EQ(first["units"]["metres"], 1.0);
+    ASSERT_NE(first["units"]["height_metres"], 1.0);
+    const std::string out = m_folder / "metres.las";
+    ASSERT_EQ(cli({"cloud", folder + "2010.las", "--against", folder + "2023.las", "--normal-scale", "1.4", "--projection-scale",
+                   "2.9", "--depth", "3", "--metres", "--out", out})
+                  .exitCode,
+              0);
+    const nlohmann::json made = cli({"cloud", out, "--json"}).json();
+    EXPECT_EQ(made["units"]["metres"], 1.0);
+    EXPECT_EQ(made["units"]["height_metres"], 1.0);
+    ASSERT_TRUE(made["units"]["system"].is_string());
+    EXPECT_THAT(first["units"]["system"].get<std::string>(), HasSubstr(made["units"]["system"].get<std::string>()));
+    EXPECT_FALSE(made["units"]["height_metres_stated"]) << "feet are not those of the file any more";
+}
+
 TEST_F(CloudCommand, FitsByWhatDidNotMove) {
     // Ground that rolls and two walls; the second cloud lies elsewhere by a shift, and half a metre of ground was dug away.
     std::string before = "x,y,z\n";

@@ -69,10 +69,21 @@ TEST_F(ScanOfRun, LiesWithinTheLevelOfDetectionOfItsRun) {
     // Some 400 distances: the share strays from 0.05 by 0.011.
     EXPECT_LT(significantShare(itself), 0.09);
     EXPECT_EQ(itself["second"]["points"], scan["points"]) << "each ray meets what it met";
-    EXPECT_TRUE(fs::exists(m_folder / "d.las") && fs::exists(m_folder / "d.ply") && fs::exists(m_folder / "d.csv"));
+    for (const char* name : {"d.las", "d.ply", "d.csv"}) {
+        EXPECT_TRUE(fs::exists(m_folder / name)) << name;
+        EXPECT_TRUE(fs::exists(m_folder / name + ".provenance.json")) << name;
+    }
+    EXPECT_EQ(itself["time_s"], scan["time_s"]);
+    EXPECT_EQ(itself["cautions"], scan["cautions"]);
+    EXPECT_FALSE(itself["tainted"]);
+    EXPECT_EQ(itself["exports"].size(), 2u);
+    std::vector<std::string> words{"cloud", las, "--against", m_out};
+    words.insert(words.end(), scales.begin(), scales.end());
+    EXPECT_THAT(cli(words).out, HasSubstr("caution: a single run"));
     EXPECT_GE(itself["debris"]["fragments_seen"], 1);
     // The same at another instant, when the blocks had not fallen yet.
     const nlohmann::json before = compared(las, {"--time", "0.05"});
+    EXPECT_NEAR(before["time_s"], 0.05, 0.02);
     EXPECT_EQ(before["debris"]["fragments_seen"], 0);
     EXPECT_EQ(before["debris"]["fragments_not_seen"], 0);
     // A table does not say where its scanners stood.

@@ -158,26 +158,26 @@ CloudDistanceSettings distanceSettingsFrom(const Arguments& arguments) {
     return settings;
 }
 
-/// What --fit names as not moved; unset if it was not given. @param unit  m to each unit of the polygons that are returned
-std::optional<Outline> stableFrom(const Arguments& arguments, const Frame& frame, const Site& site, double unit, Findings& findings,
-                                  const Execution& execution) {
-    const auto given = arguments.value("--fit");
-    if (!given) {
-        return std::nullopt;
-    }
-    Outline stable;
-    if (*given == "all") {
-        return stable;
-    }
-    stable = io::readScope(*given, frame, site, findings, execution);
-    for (OutlinePolygon& polygon : stable.polygons) {
+/// @param unit  m to each unit that the polygons are brought to
+Outline inUnits(Outline outline, double unit) {
+    for (OutlinePolygon& polygon : outline.polygons) {
         for (OutlineRing& ring : polygon) {
             for (Eigen::Vector2d& corner : ring) {
                 corner /= unit;
             }
         }
     }
-    return stable;
+    return outline;
+}
+
+/// What --fit names as not moved, m, local; unset if it was not given.
+std::optional<Outline> stableFrom(const Arguments& arguments, const Frame& frame, const Site& site, Findings& findings,
+                                  const Execution& execution) {
+    const auto given = arguments.value("--fit");
+    if (!given) {
+        return std::nullopt;
+    }
+    return *given == "all" ? Outline() : io::readScope(*given, frame, site, findings, execution);
 }
 
 void checkDistanceFiles(const Arguments& arguments, const std::vector<std::string>& inputs) {
@@ -200,8 +200,7 @@ void writeDistanceFiles(const Arguments& arguments, const io::CloudComparison& m
 }
 
 /// Options that mean something against a run alone.
-constexpr std::array<std::string_view, 8> runOptions{"--case", "--scanner",   "--time", "--live-threshold",
-                                                     "--area", "--leave-out", "--fe",   "--terrain"};
+constexpr std::array<std::string_view, 6> runOptions{"--case", "--scanner", "--time", "--live-threshold", "--fe", "--terrain"};
 
 /// What the case of --case says of the cloud; nothing without it.
 CaseInput statedOfCloud(const Arguments& arguments, const io::RunOrigin& origin, Findings& findings) {
@@ -246,7 +245,7 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
         findings.append(fit.findings);
         request.placed = fit.registration;
     }
-    request.stable = stableFrom(arguments, request.frame, request.site, 1.0, findings, session.execution());
+    request.stable = stableFrom(arguments, request.frame, request.site, findings, session.execution());
     request.scope = stated.scope;
     if (arguments.has("--area") || arguments.has("--leave-out")) {
         request.scope = scopeFrom(arguments, request.frame, request.site, findings, session.execution());
@@ -266,6 +265,23 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
         arguments, session, subject, findings, [&] { return runDistanceJson(made, request.settings); },
         [&](std::ostream& out) { printRunDistance(out, made, request.settings); });
     return ExitCode::Ok;
+}
+
+/// Polygons of what did not move and of what is compared, in the unit of a comparison of two clouds.
+void takePolygons(const Arguments& arguments, io::CloudComparisonRequest& request, Findings& findings, const Execution& execution) {
+    if (!arguments.has("--fit") && !arguments.has("--area") && !arguments.has("--leave-out")) {
+        return;
+    }
+    const io::CloudHead head = io::openCloud(request.first, request.read)->head();
+    Frame frame;
+    frame.crs = head.crs;
+    const double unit = request.metres ? 1.0 : head.units.metres;
+    request.stable = stableFrom(arguments, frame, {}, findings, execution);
+    if (request.stable) {
+        request.stable = inUnits(std::move(*request.stable), unit);
+    }
+    const SurveyScope scope = scopeFrom(arguments, frame, {}, findings, execution);
+    request.scope = {inUnits(scope.area, unit), inUnits(scope.leftOut, unit)};
 }
 
 ExitCode compareCloud(const Arguments& arguments, Session& session) {
@@ -292,18 +308,15 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
     request.control = pairsErrorFrom(arguments);
     request.metres = arguments.has("--metres");
     request.settings = distanceSettingsFrom(arguments);
-    if (arguments.has("--fit")) {
-        const io::CloudHead head = io::openCloud(request.first, request.read)->head();
-        Frame frame;
-        frame.crs = head.crs;
-        Findings ignored;
-        request.stable = stableFrom(arguments, frame, {}, request.metres ? 1.0 : head.units.metres, ignored, session.execution());
-    }
+    Findings findings;
+    takePolygons(arguments, request, findings, session.execution());
     if (arguments.has("--cell")) {
         request.cell = parseLength(arguments, "--cell", 0.0);
     }
     checkDistanceFiles(arguments, {request.first, request.second, request.cores.empty() ? request.first : request.cores});
-    const io::CloudComparison made = io::compareClouds(request, session.execution());
+    io::CloudComparison made = io::compareClouds(request, session.execution());
+    findings.append(made.findings);
+    made.findings = std::move(findings);
     writeDistanceFiles(arguments, made);
     if (arguments.json()) {
         printJson(session, cloudDistanceJson(made, request.settings));

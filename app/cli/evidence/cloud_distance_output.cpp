@@ -250,6 +250,7 @@ Json cloudDistanceJson(const io::CloudComparison& made, const CloudDistanceSetti
         states[stateNames[s]] = totals.states[s];
     }
     object["states"] = std::move(states);
+    object["cores_beyond"] = made.beyond;
     object["parts"] = made.parts;
     object["volumes"] = made.volumes ? volumesJson(*made.volumes, made.cubicMetres) : Json();
     object["warnings"] = findingsJson(made.findings);

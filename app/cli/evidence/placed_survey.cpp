@@ -29,7 +29,7 @@ std::string waysText(const Registration& registration) {
 }  // namespace
 
 Option evidenceCaseOption() {
-    return {"--case", "CASE", false, "of a run: the case that says when the survey was taken and how it lies"};
+    return {"--case", "CASE", false, "of a run: the case that says when the survey was taken, what counts of it and how it lies"};
 }
 
 Option pairsErrorOption(std::string_view unit) {

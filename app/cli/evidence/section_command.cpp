@@ -1,5 +1,7 @@
 #include <array>
 #include <cmath>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "app/cli/evidence/placed_survey.h"
@@ -14,7 +16,6 @@
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 #include "core/evidence/site_section.h"
-#include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
@@ -50,22 +51,39 @@ SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
     return line;
 }
 
-std::vector<Vec3> measuredFrom(const Arguments& arguments, const MapSubject& subject, const Site& site, Findings& findings,
-                               const Execution& execution) {
-    std::vector<Vec3> all;
+/// What was measured, and when by the case.
+struct MeasuredSite {
+    std::vector<Vec3> places;  ///< m, local
+    std::optional<double> instant;
+};
+
+MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject, const Site& site, Findings& findings,
+                          const Execution& execution) {
+    MeasuredSite all;
     const std::string casePath = caseOfEvidence(arguments);
     const Case theCase = casePath.empty()                      ? Case()
                          : io::isCaseFile(arguments.operand()) ? io::loadCase(casePath)
                                                                : loadCaseOfRun(casePath, subject.run->origin());
+    std::set<std::optional<double>> instants;
     for (const std::string& path : arguments.values("--points")) {
         io::MeasuredRequest request{path, {}, subject.inputs.frame, site};
-        if (const CaseInput* stated = casePath.empty() ? nullptr : io::surveyOfFile(theCase, casePath, path)) {
-            checkShowsDebris(*stated);
-            request.placed = stated->registration;
+        if (!casePath.empty()) {
+            const CaseInput stated = io::statedOfFile(theCase, casePath, path, {}, findings);
+            request.placed = stated.registration;
+            request.scope = stated.scope;
+            if (io::surveyOfFile(theCase, casePath, path) != nullptr) {
+                instants.insert(stated.instant);
+            }
         }
         const std::vector<Vec3> places = io::readMeasuredPoints(request, findings, execution);
-        all.insert(all.end(), places.begin(), places.end());
+        all.places.insert(all.places.end(), places.begin(), places.end());
     }
+    if (instants.size() > 1 && !arguments.has("--time")) {
+        throw UsageError(
+            {"cli.instants_differ", "The case holds the points of {0} against different instants of the run", {casePath}},
+            {"cli.instants_differ.remedy", "Give --time, or cut a section for each file of --points.", {}});
+    }
+    all.instant = instants.empty() ? std::nullopt : *instants.begin();
     return all;
 }
 
@@ -74,10 +92,11 @@ io::RunSection makeSection(const Arguments& arguments, const MapSubject& subject
     const io::SitePlace place(subject.inputs.frame, at);
     const SectionLine line = lineFrom(arguments, place);
     Findings findings;
-    const std::vector<Vec3> measured = measuredFrom(arguments, subject, at, findings, execution);
-    ScannedSite site = scannedSite(*subject.run, subject.inputs, instantFrom(arguments),
-                                   parseLength(arguments, "--live-threshold", 1.0, true), execution);
-    io::RunSection made = io::cutRun(std::move(site.shape), site.ground, line, measured, execution);
+    const MeasuredSite measured = measuredFrom(arguments, subject, at, findings, execution);
+    ScannedSite site =
+        scannedSite(*subject.run, subject.inputs, arguments.has("--time") ? instantFrom(arguments) : measured.instant,
+                    parseLength(arguments, "--live-threshold", 1.0, true), execution);
+    io::RunSection made = io::cutRun(std::move(site.shape), site.ground, line, measured.places, execution);
     findings.append(made.findings);
     made.findings = std::move(findings);
     made.zero = place.transform().height;
@@ -195,7 +214,7 @@ Command sectionCommand() {
          {"--points", "FILE", true, "measured points: table of a total station, DXF or point cloud"},
          {"--width", "M", false, "points within half of it to either side count (default: 1)"},
          {"--step", "M", false, "along the line, what is drawn and summed (default: 0.25)"},
-         {"--time", "SECONDS", false, "instant on the file's clock, or end (default: end)"},
+         {"--time", "SECONDS", false, "instant on the file's clock, or end (default: that of the case, else end)"},
          {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
          {"--out", "FILE", true, "a picture to write: .png"},
          {"--size", "WxH", false, "pixels of a picture (default: 1600x900)"},

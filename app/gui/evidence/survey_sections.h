@@ -40,6 +40,7 @@ private:
         SectionLine line;
         CaseInput survey;
         std::shared_ptr<const SurveyWork::Made> made;
+        Findings said = {};  ///< of what of it is compared
     };
     void cutAgain();
     void show(const QString& complaint = {});

@@ -12,6 +12,7 @@
 
 #include "core/base/outline_cover.h"
 #include "core/base/unknown.h"
+#include "core/scenario/scope_cover.h"
 #include "io/base/file_words.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/clouds/cloud_system.h"
@@ -198,6 +199,10 @@ private:
     }
 
     void addCore(const Vec3& place) {
+        if (!covers(m_request.scope, place.head<2>())) {
+            ++m_made.beyond;
+            return;
+        }
         checkCores(m_made.cores.size() + 1);
         m_made.cores.push_back(place);
         m_box.extend(place);
@@ -222,8 +227,15 @@ private:
             };
             read(m_request.cores, m_made.first.head.crs, true, add);
         }
+        const std::string& path = m_request.cores.empty() ? m_request.first : m_request.cores;
+        addBeyond(m_made.findings, path, m_made.beyond);
+        if (m_made.cores.empty() && m_made.beyond > 0) {
+            refuseContent({"distance.all_beyond",
+                           "None of {0} core points of {1} lies within the area of interest and outside of what is left out",
+                           {m_made.beyond, path}},
+                          "Check the coordinate systems of the polygons and of the cloud.");
+        }
         if (m_made.cores.empty()) {
-            const std::string& path = m_request.cores.empty() ? m_request.first : m_request.cores;
             refuseContent({"distance.no_cores", "{0} has no point to measure at", {path}}, "Give a cloud with points.");
         }
         m_origin = m_box.center().array().round();
@@ -352,7 +364,9 @@ private:
         };
         add(m_made.first, "", 0);
         add(m_made.second, m_made.first.head.crs, 1);
-        return middles.places();
+        std::vector<Vec3> places = middles.places();
+        std::erase_if(places, [&](const Vec3& place) { return !covers(m_request.scope, place.head<2>()); });
+        return places;
     }
 
     /// Straight up at each cell, in a cylinder of its area.
@@ -362,11 +376,15 @@ private:
         cells.stable.reset();
         cells.pairs.clear();
         cells.settings = volumeSettings(m_settings, m_request.cell);
-        CloudComparing comparing(cells, m_execution, middlesOfCells());
-        comparing.m_made.placed = m_made.placed;
-        comparing.m_made.fit = m_made.fit;
-        const CloudComparison measured = comparing.compare();
-        m_made.volumes = cloudVolumes(measured.distances, m_request.cell, m_settings.registrationError);
+        std::vector<CoreDistance> measured;
+        // An area of interest narrower than a cell may hold the middle of none.
+        if (std::vector<Vec3> middles = middlesOfCells(); !middles.empty()) {
+            CloudComparing comparing(cells, m_execution, std::move(middles));
+            comparing.m_made.placed = m_made.placed;
+            comparing.m_made.fit = m_made.fit;
+            measured = comparing.compare().distances;
+        }
+        m_made.volumes = cloudVolumes(measured, m_request.cell, m_settings.registrationError);
         const CloudUnits& units = m_made.first.head.units;
         m_made.cubicMetres = m_request.metres ? 1.0 : units.metres * units.metres * units.heightMetres;
         addCellsLeft(m_made);
@@ -391,6 +409,14 @@ private:
 };
 
 }  // namespace
+
+void addBeyond(Findings& findings, const std::string& path, std::uint64_t points) {
+    if (points > 0) {
+        addFinding(findings, path,
+                   {"distance.beyond", "points beyond the area of interest, or within what is left out, were not compared", {}},
+                   "none is needed", static_cast<std::int64_t>(points));
+    }
+}
 
 void checkCores(std::size_t count) {
     if (count > coresMost) {

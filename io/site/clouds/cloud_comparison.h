@@ -15,6 +15,7 @@
 #include "core/evidence/clouds/cloud_fit.h"
 #include "core/evidence/clouds/cloud_volumes.h"
 #include "core/scenario/registration.h"
+#include "core/scenario/survey_scope.h"
 #include "io/site/clouds/cloud_head.h"
 #include "io/site/clouds/cloud_source.h"
 
@@ -38,7 +39,8 @@ struct CloudComparisonRequest {
     /// What did not move, as polygons in the unit of the comparison: the second cloud is fitted to the first there. Empty:
     /// everywhere. Unset: it lies where it lies.
     std::optional<Outline> stable;
-    double cell = 0.0;  ///< side of the cells that volumes are taken over, a length as the others; 0: none are
+    SurveyScope scope = {};  ///< cores beyond it are not measured, in the unit of the comparison
+    double cell = 0.0;       ///< side of the cells that volumes are taken over, a length as the others; 0: none are
     std::uint64_t heldPoints = heldPointsMost;
 };
 
@@ -60,6 +62,7 @@ struct CloudComparison {
     double unit = 0.0;                    ///< m to each unit of length; NaN: those of heights differ from those of x and y
     bool metresStated = false;            ///< the files say so, for plan and heights
     bool againstRun = false;              ///< the second is a run, as the scan would have seen it
+    std::uint64_t beyond = 0;             ///< cores out of the scope
     int parts = 0;                        ///< strips that the cores were taken in, so that memory stays bounded
     CloudDistanceSettings settings;       ///< with the registration error that was taken
     std::optional<Registration> placed;   ///< by which the second was moved first; set if there were pairs
@@ -74,6 +77,9 @@ struct CloudComparison {
 /// Throws ParseError (other systems, degrees, clouds that do not meet, no points), UsageError (too many cores), WorldError,
 /// Cancelled.
 CloudComparison compareClouds(const CloudComparisonRequest& request, const Execution& execution);
+
+/// Says how many points of a cloud lie out of the scope: a counted finding.
+void addBeyond(Findings& findings, const std::string& path, std::uint64_t points);
 
 /// Refuses more core points than there is room for. Throws UsageError.
 void checkCores(std::size_t count);

@@ -6,6 +6,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/outline_cover.h"
+#include "core/scenario/scope_cover.h"
 #include "io/base/file_words.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
@@ -59,7 +60,7 @@ private:
                 ++m_unplaced;
                 continue;
             }
-            if (!compared(places[i].head<2>())) {
+            if (!covers(m_request.scope, places[i].head<2>())) {
                 ++m_made.beyond;
                 continue;
             }
@@ -85,11 +86,6 @@ private:
                 place = placed.about + placed.shift + turn * (place - placed.about);
             }
         }
-    }
-
-    bool compared(const Eigen::Vector2d& place) const {
-        const SurveyScope& scope = m_request.scope;
-        return (scope.area.empty() || covers(scope.area, place)) && !covers(scope.leftOut, place);
     }
 
     void halve() {
@@ -135,8 +131,7 @@ private:
             }
         };
         find({"distance.plants", "points of vegetation and wires were left out", {}}, "none is needed", m_made.plants);
-        find({"distance.beyond", "points beyond the area of interest, or within what is left out, were not compared", {}},
-             "none is needed", m_made.beyond);
+        addBeyond(m_made.compared.findings, m_request.cloud, m_made.beyond);
         find({"distance.unplaced", "points without a place in the system of the case were left out", {}},
              "check the coordinate systems of the cloud and of the case", m_unplaced);
         if (m_stride > 1) {

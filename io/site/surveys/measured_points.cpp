@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/scenario/scope_cover.h"
 #include "io/base/file_words.h"
+#include "io/site/clouds/cloud_comparison.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/gdal_session.h"
@@ -137,6 +139,7 @@ std::vector<Vec3> readMeasuredPoints(const MeasuredRequest& request, Findings& f
             at = placed.about + placed.shift + turn * (at - placed.about);
         }
     }
+    addBeyond(findings, request.path, std::erase_if(places, [&](const Vec3& at) { return !covers(request.scope, at.head<2>()); }));
     return places;
 }
 

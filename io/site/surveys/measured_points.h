@@ -8,6 +8,7 @@
 #include "core/fe/frame.h"
 #include "core/scenario/registration.h"
 #include "core/scenario/site.h"
+#include "core/scenario/survey_scope.h"
 #include "io/site/clouds/cloud_source.h"
 
 namespace rubble::io {
@@ -19,6 +20,7 @@ struct MeasuredRequest {
     Frame frame;        ///< of the case
     Site site;
     std::optional<Registration> placed = std::nullopt;  ///< by which they are moved once they were brought to the case
+    SurveyScope scope = {};                             ///< then those beyond it are left out
 };
 
 /// Most points of one file: what lies beyond does not fit into memory.

@@ -214,6 +214,61 @@ TEST_F(CloudCommand, VolumesOfWhatNobodyMeasuredAreNotKnown) {
     EXPECT_TRUE(volumes["net_errors_m3"][0].is_null());
 }
 
+TEST_F(CloudCommand, ComparesTwoCloudsWithinAnAreaAndWithoutWhatIsLeftOut) {
+    // Level ground; between the two epochs trees grew in the west and a car was parked in the midst of the rest.
+    std::string before = "x,y,z\n";
+    std::string after = "x,y,z\n";
+    for (int k = 0; k < 20'000; ++k) {
+        const double x = 20.0 * std::fmod(0.754877666 * k, 1.0);
+        const double y = 20.0 * std::fmod(0.569840291 * k, 1.0);
+        const double noise = 0.02 * (std::fmod(0.618033989 * k, 1.0) - 0.5);
+        const bool car = x > 14.0 && x < 16.0 && y > 9.0 && y < 11.0;
+        const std::string place = std::to_string(x) + ',' + std::to_string(y) + ',';
+        before += place + std::to_string(noise) + '\n';
+        after += place + std::to_string((x < 8.0 ? 1.0 : car ? 1.4 : 0.0) - noise) + '\n';
+    }
+    const auto square = [&](const std::string& name, const std::string& corners) {
+        return lay(name, R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+                         R"({"type":"Polygon","coordinates":[[)" +
+                             corners + "]]}}]}");
+    };
+    const std::string area = square("area.geojson", "[9,-1],[30,-1],[30,30],[9,30],[9,-1]");
+    const std::string car = square("car.geojson", "[13,8],[17,8],[17,12],[13,12],[13,8]");
+    const std::vector<std::string> words{"cloud",
+                                         lay("before.csv", before),
+                                         "--against",
+                                         lay("after.csv", after),
+                                         "--normal-scale",
+                                         "0.5",
+                                         "--projection-scale",
+                                         "0.5",
+                                         "--depth",
+                                         "2",
+                                         "--cell",
+                                         "1",
+                                         "--json"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), words.begin(), words.end());
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.exitCode == 0 ? outcome.json() : nlohmann::json();
+    };
+    EXPECT_GT(with({})["volumes"]["fill_m3"], 150.0);
+    const nlohmann::json within = with({"--area", area});
+    EXPECT_NEAR(within["volumes"]["fill_m3"], 5.6, 1.0) << "the car";
+    EXPECT_EQ(within["volumes"]["cells"], 220);
+    EXPECT_GT(within["cores_beyond"], 100);
+    EXPECT_NE(within["warnings"].dump().find("distance.beyond"), std::string::npos);
+    const nlohmann::json rest = with({"--area", area, "--leave-out", car});
+    EXPECT_LT(rest["volumes"]["fill_m3"], 0.3);
+    EXPECT_NEAR(rest["distance"]["most"], 0.0, 0.02);
+    const Outcome nothing =
+        cli({"cloud", m_folder / "before.csv", "--against", m_folder / "after.csv", "--normal-scale", "0.5", "--projection-scale",
+             "0.5", "--depth", "2", "--leave-out", square("all.geojson", "[-9,-9],[30,-9],[30,30],[-9,30],[-9,-9]")});
+    EXPECT_EQ(nothing.exitCode, 1);
+    EXPECT_THAT(nothing.err, HasSubstr("core points"));
+}
+
 TEST_F(CloudCommand, MetresKeepTheSystemOfEastingsWhereHeightsAloneWereInFeet) {
     const std::string folder = sourcePath("tests/data/clouds/m3c2/autzen-bmx-");
     const nlohmann::json first = cli({"cloud", folder + "2010.las", "--json"}).json();

@@ -186,9 +186,21 @@ TEST_F(EvidenceOfCase, EpochsDecideWhatIsCompared) {
     EXPECT_TRUE(warns(after, "survey.removed"));
     EXPECT_GT(after["compared"]["left_out_simulated_m2"], 0.1);
     EXPECT_GT(compared({"--case", m_case})["points_beyond"], 0) << "points where debris was taken away count no more";
+    const auto cut = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"section", m_out, "--line", "-6,0.5,9,0.5", "--points", m_cloud, "--json"});
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.exitCode == 0 ? outcome.json() : nlohmann::json();
+    };
+    const nlohmann::json section = cut({"--case", m_case});
+    EXPECT_TRUE(warns(section, "distance.beyond")) << "nor do they in a section";
+    EXPECT_GT(section["time_s"], 0.6);
     // The instant that it shows is that of the simulated debris.
     evidence({"--survey", m_cloud, "--instant", "0.25"});
     EXPECT_NEAR(held({})["time_s"], 0.25, 1e-9);
+    EXPECT_NEAR(compared({"--case", m_case})["time_s"], 0.25, 1e-9);
+    EXPECT_NEAR(cut({"--case", m_case})["time_s"], 0.25, 1e-9);
+    EXPECT_GT(cut({"--case", m_case, "--time", "end"})["time_s"], 0.6) << "unless another is asked for";
     EXPECT_GT(held({"--time", "end"})["time_s"], 0.6) << "unless another is asked for";
     evidence({"--survey", m_cloud, "--before", "on"});
     const Outcome before = cli({"survey", m_out, "--case", m_case, "--survey", m_cloud});

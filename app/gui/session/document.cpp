@@ -32,11 +32,13 @@ const Scenario& Document::scenario() const {
 }
 
 void Document::replace(Case theCase, const QString& path, const QString& base, bool changed) {
+    // It tells of a stack that is clean: of the case that goes, for nobody knows the new one yet.
+    m_undo.clear();
     m_case = std::move(theCase);
     m_path = path;
     m_base = base;
-    m_undo.clear();
     if (changed) {
+        const QSignalBlocker untold(m_undo);  // it is told below, with the case
         m_undo.resetClean();
     }
     emit replaced();

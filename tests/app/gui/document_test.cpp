@@ -35,6 +35,25 @@ TEST(Document, EveryEditIsOneCommandThatNamesItself) {
     EXPECT_EQ(changed, 3);
 }
 
+TEST(Document, WhereAnotherCaseLiesIsToldOnceTheCaseIsTold) {
+    Document document;
+    const QString first = QStringLiteral("first.rubble");
+    document.replace(plainCase(), first, first);
+    document.setParameter(QStringLiteral("friction"), 0.65);
+    // Who keeps something beside the case would else write it beside the other one.
+    QStringList told;
+    QObject::connect(&document, &Document::replaced, [&] { told << QStringLiteral("replaced"); });
+    QObject::connect(&document, &Document::titleChanged, [&] { told << document.path(); });
+    for (const bool recovered : {false, true}) {
+        told.clear();
+        const QString path = recovered ? QStringLiteral("third.rubble") : QStringLiteral("second.rubble");
+        document.replace(plainCase(), path, path, recovered);
+        EXPECT_EQ(document.modified(), recovered);
+        ASSERT_TRUE(told.contains(QStringLiteral("replaced")));
+        EXPECT_GT(told.indexOf(path), told.indexOf(QStringLiteral("replaced"))) << qPrintable(told.join(u' '));
+    }
+}
+
 TEST(Document, InputsChangeAsOneCommandAndAreReadAnew) {
     Document document;
     document.replace(plainCase(), {}, {});

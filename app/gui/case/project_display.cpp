@@ -71,8 +71,8 @@ void ProjectDisplay::connectActions(Document& document) {
     on(ActionId::CompareScenarios, [this] { m_scenarios->compare(); });
     on(ActionId::KeptRuns, [this] { m_keptRuns->show(); });
     const auto showState = [this, &document] {
-        m_actions[ActionId::DuplicateScenario].setEnabled(!document.empty());
-        m_actions[ActionId::CompareScenarios].setEnabled(document.theCase().scenarios.size() > 1);
+        m_actions.enable(ActionId::DuplicateScenario, !document.empty());
+        m_actions.enable(ActionId::CompareScenarios, document.theCase().scenarios.size() > 1);
     };
     connect(&document, &Document::replaced, this, showState);
     connect(&document, &Document::scenariosChanged, this, showState);

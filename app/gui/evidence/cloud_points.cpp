@@ -417,9 +417,9 @@ void CloudPoints::showBox() {
         }
     }
     m_deck.evidence().survey().points().setContent(content);
-    m_actions[ActionId::CloudPoints].setEnabled(content.cloud && m_computation.inputs().fe != nullptr);
+    m_actions.enable(ActionId::CloudPoints, content.cloud && m_computation.inputs().fe != nullptr);
     m_actions[ActionId::CloudPoints].setChecked(content.shown);
-    m_actions[ActionId::MeasureCloud].setEnabled(content.cloud && content.noMeasuring.isEmpty() && !content.measuring);
+    m_actions.enable(ActionId::MeasureCloud, content.cloud && content.noMeasuring.isEmpty() && !content.measuring);
 }
 
 }  // namespace rubble

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QWidget>
 #include <algorithm>
+#include <array>
 
 namespace rubble {
 
@@ -12,7 +13,36 @@ QString translated(const char* text) {
     return QCoreApplication::translate("actions", text);
 }
 
+constexpr std::array onViews{ActionId::Stacked,       ActionId::Beside,
+                             ActionId::Overlay,       ActionId::Four,
+                             ActionId::FeOnly,        ActionId::FragmentsOnly,
+                             ActionId::OtherScenario, ActionId::Clip,
+                             ActionId::MeasureHeight, ActionId::MeasureDistance,
+                             ActionId::Link,          ActionId::ClearMeasurements,
+                             ActionId::Fit,           ActionId::LookSide,
+                             ActionId::LookFront,     ActionId::LookBack,
+                             ActionId::LookLeft,      ActionId::LookRight,
+                             ActionId::LookTop,       ActionId::LookBottom,
+                             ActionId::LookCorner,    ActionId::Parallel,
+                             ActionId::ZoomIn,        ActionId::ZoomOut,
+                             ActionId::TurnLeft,      ActionId::TurnRight,
+                             ActionId::TurnUp,        ActionId::TurnDown,
+                             ActionId::CameraKey,     ActionId::AlongCameraKeys,
+                             ActionId::Shading,       ActionId::Shadows,
+                             ActionId::GroundGrid,    ActionId::Axes,
+                             ActionId::MapStandard,   ActionId::MapViridis,
+                             ActionId::MapCividis,    ActionId::MapGrey,
+                             ActionId::ImportView};
+
 }  // namespace
+
+bool actsOnViews(ActionId id) {
+    return std::find(onViews.begin(), onViews.end(), id) != onViews.end();
+}
+
+QString viewsCovered() {
+    return translated(QT_TRANSLATE_NOOP("actions", "It acts on the views, which a page covers now: Esc closes the page"));
+}
 
 Actions::Actions(QWidget& window) {
     for (const ActionRow& row : actionTable()) {
@@ -30,6 +60,30 @@ Actions::Actions(QWidget& window) {
         }
         window.addAction(action);
         m_actions.push_back(action);
+        m_tips << action->toolTip();
+    }
+    m_usable.assign(m_actions.size(), true);
+}
+
+void Actions::show(ActionId id) {
+    const auto place = static_cast<std::size_t>(id);
+    const bool covered = !m_viewsInFront && actsOnViews(id);
+    m_actions[place]->setEnabled(m_usable[place] && !covered);
+    if (actsOnViews(id)) {
+        const QString& tip = m_tips[static_cast<qsizetype>(place)];
+        m_actions[place]->setToolTip(covered ? tip + u'\n' + viewsCovered() : tip);
+    }
+}
+
+void Actions::enable(ActionId id, bool usable) {
+    m_usable[static_cast<std::size_t>(id)] = usable;
+    show(id);
+}
+
+void Actions::setViewsInFront(bool inFront) {
+    m_viewsInFront = inFront;
+    for (const ActionId id : onViews) {
+        show(id);
     }
 }
 

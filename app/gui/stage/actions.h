@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAction>
+#include <QStringList>
 #include <QStringView>
 #include <optional>
 #include <span>
@@ -202,14 +203,29 @@ std::vector<ActionRow> toolRows(ToolSection section);
 /// Unset: no action has this name.
 std::optional<ActionId> actionNamed(QStringView name);
 
+/// Whether what an action does is seen in the views alone.
+bool actsOnViews(ActionId id);
+/// Why what acts on the views cannot be used while a page covers them.
+QString viewsCovered();
+
 /// The actions of one window, made from the table.
 class Actions {
 public:
     explicit Actions(QWidget& window);
     QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }
+    /// Offers an action or not. One that acts on the views is offered only while they are in front, and its tip says so.
+    void enable(ActionId id, bool usable);
+    /// The views are in front of all pages, or one covers them.
+    void setViewsInFront(bool inFront);
+    bool viewsInFront() const { return m_viewsInFront; }
 
 private:
+    void show(ActionId id);
+
     std::vector<QAction*> m_actions;  // by id
+    std::vector<bool> m_usable;       // by id, whatever is in front
+    QStringList m_tips;               // by id
+    bool m_viewsInFront = true;
 };
 
 /// The actions as a table in Markdown: a page of the manual.

@@ -131,7 +131,7 @@ void ViewTools::refresh() {
     const render::View& view = views.view();
     const bool have = views.data().fe != nullptr;
     for (const ActionId id : modelActions) {
-        m_actions[id].setEnabled(have);
+        m_actions.enable(id, have);
     }
     m_actions[ActionId::Parallel].setChecked(view.cameras[0].parallel);
     m_actions[ActionId::GroundGrid].setChecked(view.groundGrid);
@@ -145,7 +145,7 @@ void ViewTools::refresh() {
     m_actions[ActionId::Clip].setChecked(view.clip.has_value());
     m_actions[ActionId::MeasureDistance].setChecked(views.tool() == widgets::ViewWidget::Tool::Distance);
     m_actions[ActionId::MeasureHeight].setChecked(views.tool() == widgets::ViewWidget::Tool::Height);
-    m_actions[ActionId::ClearMeasurements].setEnabled(!view.measurements.empty());
+    m_actions.enable(ActionId::ClearMeasurements, !view.measurements.empty());
     if (have) {
         m_area.clipBar().setBounds(views.bounds(), FrameTransform(views.data().fe->contents().frame).localZero());
     }

@@ -48,7 +48,7 @@ CameraKeys::CameraKeys(Session& session, Playback& playback, ViewArea& area, wid
     });
     connect(&playback.clock(), &widgets::PlaybackClock::timeChanged, this, [this] {
         lookHere();
-        m_actions[ActionId::RemoveCameraKey].setEnabled(keyHere() < keys().size());
+        m_actions.enable(ActionId::RemoveCameraKey, keyHere() < keys().size());
     });
     refresh();
 }
@@ -104,9 +104,9 @@ void CameraKeys::refresh() {
     m_timeline.setCameraKeys(std::move(times));
     const bool have = m_area.views().data().fe != nullptr;
     m_looking = m_looking && !keys().empty();
-    m_actions[ActionId::CameraKey].setEnabled(have);
-    m_actions[ActionId::RemoveCameraKey].setEnabled(have && keyHere() < keys().size());
-    m_actions[ActionId::AlongCameraKeys].setEnabled(have && !keys().empty());
+    m_actions.enable(ActionId::CameraKey, have);
+    m_actions.enable(ActionId::RemoveCameraKey, have && keyHere() < keys().size());
+    m_actions.enable(ActionId::AlongCameraKeys, have && !keys().empty());
     m_actions[ActionId::AlongCameraKeys].setChecked(m_looking);
     lookHere();
 }

@@ -95,7 +95,7 @@ void Inspection::connectActions() {
 void Inspection::selectionChanged(bool something) {
     for (const ActionId id : {ActionId::SelectNone, ActionId::SelectCluster, ActionId::SelectComponent, ActionId::Hide,
                               ActionId::Isolate, ActionId::GoToBirth}) {
-        m_actions[id].setEnabled(something);
+        m_actions.enable(id, something);
     }
     // It comes with a selection and goes with it; what the user closed meanwhile stays closed.
     if (something != m_something) {
@@ -111,9 +111,9 @@ void Inspection::refresh() {
     m_history->refresh();
     m_tools->refresh();
     const bool have = m_area.views().data().fe != nullptr;
-    m_actions[ActionId::ShowAll].setEnabled(have);
+    m_actions.enable(ActionId::ShowAll, have);
     for (const ActionId id : {ActionId::SelectBy, ActionId::FragmentTable, ActionId::HistoryCurves}) {
-        m_actions[id].setEnabled(have);
+        m_actions.enable(id, have);
     }
 }
 

@@ -30,8 +30,8 @@ constexpr ActionId ofTheRun[] = {ActionId::SharePage, ActionId::ExportFragments,
 /// What is done with the photograph that is chosen.
 void offerPhotograph(const EvidenceDisplay& evidence, Actions& actions) {
     const bool chosen = evidence.chosen() >= 0;
-    actions[ActionId::AddPoint].setEnabled(chosen);
-    actions[ActionId::LookThrough].setEnabled(chosen && evidence.match().has_value());
+    actions.enable(ActionId::AddPoint, chosen);
+    actions.enable(ActionId::LookThrough, chosen && evidence.match().has_value());
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ void ActionStates::connectUndo() {
 
 void ActionStates::nameUndo() {
     const QUndoStack& stack = m_session.document().undoStack();
-    m_actions[ActionId::Undo].setEnabled(stack.canUndo());
-    m_actions[ActionId::Redo].setEnabled(stack.canRedo());
+    m_actions.enable(ActionId::Undo, stack.canUndo());
+    m_actions.enable(ActionId::Redo, stack.canRedo());
     const auto call = [](QAction& action, const QString& text, const QString& key) {
         action.setText(text);
         action.setIconText(text);
@@ -71,6 +71,15 @@ void ActionStates::nameUndo() {
     call(m_actions[ActionId::Undo], stack.canUndo() ? tr("Undo %1").arg(stack.undoText()) : tr("Undo"), QStringLiteral("Ctrl+Z"));
     call(m_actions[ActionId::Redo], stack.canRedo() ? tr("Redo %1").arg(stack.redoText()) : tr("Redo"),
          QStringLiteral("Ctrl+Shift+Z"));
+}
+
+void ActionStates::offerColours() {
+    const bool inFront = m_actions.viewsInFront();
+    if (m_coloursTip.isEmpty()) {
+        m_coloursTip = m_colours.toolTip();
+    }
+    m_colours.setEnabled(inFront && m_session.computation().inputs().fe != nullptr);
+    m_colours.setToolTip(inFront ? m_coloursTip : m_coloursTip + u'\n' + viewsCovered());
 }
 
 void ActionStates::refresh() {
@@ -84,31 +93,31 @@ void ActionStates::refresh() {
     const bool deaths = computation.results().fragments == nullptr || !computation.results().fragments->list.empty();
     m_rooms.deck->showState();
     for (const ActionId id : ofTheViews) {
-        m_actions[id].setEnabled(have);
+        m_actions.enable(id, have);
     }
     for (const ActionId id : ofTheCase) {
-        m_actions[id].setEnabled(!document.empty());
+        m_actions.enable(id, !document.empty());
     }
     for (const ActionId id : ofTheRun) {
-        m_actions[id].setEnabled(finished);
+        m_actions.enable(id, finished);
     }
-    m_actions[ActionId::Refresh].setEnabled(have && !running);
-    m_actions[ActionId::Simulate].setEnabled(have && deaths && !running && !costly);
-    m_actions[ActionId::Live].setEnabled(have && deaths && !running && !costly);
-    m_actions[ActionId::Cancel].setEnabled(computation.busy() || costly);
-    m_actions[ActionId::SaveRun].setEnabled(record != nullptr && !record->running);
-    m_actions[ActionId::ExportMap].setEnabled(have && record != nullptr && !record->running);
-    m_actions[ActionId::WriteReport].setEnabled(finished && !m_rooms.report->writing());
+    m_actions.enable(ActionId::Refresh, have && !running);
+    m_actions.enable(ActionId::Simulate, have && deaths && !running && !costly);
+    m_actions.enable(ActionId::Live, have && deaths && !running && !costly);
+    m_actions.enable(ActionId::Cancel, computation.busy() || costly);
+    m_actions.enable(ActionId::SaveRun, record != nullptr && !record->running);
+    m_actions.enable(ActionId::ExportMap, have && record != nullptr && !record->running);
+    m_actions.enable(ActionId::WriteReport, finished && !m_rooms.report->writing());
     m_rooms.report->refresh();
-    m_actions[ActionId::ExportSelection].setEnabled(finished && !m_rooms.inspection->selection().fragments().empty());
+    m_actions.enable(ActionId::ExportSelection, finished && !m_rooms.inspection->selection().fragments().empty());
     const auto has = [&inputs = document.theCase().inputs](InputRole role) {
         return std::any_of(inputs.begin(), inputs.end(), [role](const CaseInput& input) { return input.role == role; });
     };
-    m_actions[ActionId::NoTerrain].setEnabled(has(InputRole::Terrain));
-    m_actions[ActionId::NoSurroundings].setEnabled(has(InputRole::Orthophoto) || has(InputRole::Surroundings));
-    m_actions[ActionId::CompareSurvey].setEnabled(finished && has(InputRole::Survey));
+    m_actions.enable(ActionId::NoTerrain, has(InputRole::Terrain));
+    m_actions.enable(ActionId::NoSurroundings, has(InputRole::Orthophoto) || has(InputRole::Surroundings));
+    m_actions.enable(ActionId::CompareSurvey, finished && has(InputRole::Survey));
     offerPhotograph(*m_rooms.evidence, m_actions);
-    m_colours.setEnabled(have);
+    offerColours();
     m_rooms.playback->refresh(record != nullptr && computation.runStale(document.scenario()));
     m_rooms.runs->showBusy();
 }

@@ -20,6 +20,8 @@ public:
     ActionStates(Session& session, WindowRooms& rooms, Actions& actions, QComboBox& colours, QObject* parent = nullptr);
 
     void refresh();
+    /// What the colour of a fragment says is seen in the views alone.
+    void offerColours();
 
 private:
     void connectUndo();
@@ -29,6 +31,7 @@ private:
     WindowRooms& m_rooms;
     Actions& m_actions;
     QComboBox& m_colours;
+    QString m_coloursTip;
 };
 
 }  // namespace rubble

@@ -187,9 +187,12 @@ void MainWindow::connectActions() {
     connect(&m_rooms->deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showCentre);
     connect(&m_rooms->deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, &MainWindow::showCentre);
     // Points of a cloud stand in the views, also while their panel is open; what else it shows brings its page back.
-    connect(m_rooms->cloudPoints.get(), &CloudPoints::viewsRequested, this, [this] {
-        m_centre->setCurrentWidget(m_area);
-        m_rooms->inspection->docks().setViewsInFront(true);
+    connect(m_rooms->cloudPoints.get(), &CloudPoints::viewsRequested, this, [this] { m_centre->setCurrentWidget(m_area); });
+    connect(m_centre, &QStackedWidget::currentChanged, this, [this] {
+        const bool inFront = m_centre->currentWidget() == m_area;
+        m_rooms->inspection->docks().setViewsInFront(inFront);
+        m_actions.setViewsInFront(inFront);
+        m_rooms->states->offerColours();
     });
     widgets::EvidencePanel& panel = m_rooms->deck->evidence();
     connect(&panel, &widgets::EvidencePanel::photographChosen, this, &MainWindow::showCentre);
@@ -248,7 +251,6 @@ void MainWindow::showCentre() {
         m_lastEntry = entry;
     }
     m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 + page : 0);
-    m_rooms->inspection->docks().setViewsInFront(m_centre->currentWidget() == m_area);
 }
 
 void MainWindow::showTitle() {

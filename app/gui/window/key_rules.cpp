@@ -163,8 +163,18 @@ bool KeyRules::wouldAct(const QKeyEvent& key) const {
     return isSpaceOfText(key) || (!m_byKeyboard && qobject_cast<const QComboBox*>(QApplication::focusWidget()) != nullptr);
 }
 
+void KeyRules::noteTool() {
+    const auto open =
+        std::find_if(m_closables.begin(), m_closables.end(), [](const Closable& each) { return each.tool && each.open(); });
+    m_tool = open != m_closables.end() ? std::optional<std::size_t>(open - m_closables.begin()) : std::nullopt;
+}
+
+bool KeyRules::endedTool() const {
+    return m_tool && !m_closables[*m_tool].open();
+}
+
 bool KeyRules::escapes() const {
-    return isTypedInto(QApplication::focusWidget()) || dockInFront(m_window) != nullptr ||
+    return isTypedInto(QApplication::focusWidget()) || endedTool() || dockInFront(m_window) != nullptr ||
            std::any_of(m_closables.begin(), m_closables.end(), [](const Closable& each) { return each.open(); });
 }
 
@@ -175,6 +185,10 @@ bool KeyRules::escape() {
             m_field->setModified(false);
         }
         leaveFields();
+        return true;
+    }
+    if (endedTool()) {
+        m_tool.reset();
         return true;
     }
     if (QDockWidget* dock = dockInFront(m_window)) {
@@ -196,12 +210,18 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() == QEvent::FocusIn) {
         noteFocus(*widget, *static_cast<QFocusEvent*>(event));
-    } else if (event->type() == QEvent::MouseButtonPress) {
+    } else if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick) {
         m_inWord = false;
+        noteTool();
     } else if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         m_beside = typedBeside(key);
         m_inWord = isModifier(key) ? m_inWord : m_beside && isCharacter(key);
+        if (!isEscape(key) && !isModifier(key)) {
+            noteTool();
+        } else if (isEscape(key) && !endedTool()) {
+            m_tool.reset();
+        }
         if (takesKey(key)) {
             event->accept();
             return true;

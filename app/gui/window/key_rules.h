@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointer>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QFocusEvent;
@@ -18,7 +19,8 @@ namespace rubble {
 /// - What vanishes or can be used no longer gives the keys to the window, not to whatever comes next.
 /// - Characters do nothing beside the fields of a form: who types them there missed a field. Nor does the space after a word.
 ///   Lists and tables hand letters on, which stand for what is done with a row.
-/// - Esc leaves a field as it was, or closes what is open in front; only when nothing is, it cancels what runs.
+/// - Esc leaves a field as it was, or closes what is open in front; only when nothing is, it cancels what runs. Pressed right after
+///   what ended a tool it was meant for that tool, and does nothing.
 class KeyRules : public QObject {
     Q_OBJECT
 
@@ -27,6 +29,7 @@ public:
     struct Closable {
         std::function<bool()> open;
         std::function<void()> close;
+        bool tool = false;  ///< what is done with it, a click or a key, may end it
     };
     /// @param forms      hold fields
     /// @param closables  the front one first; docks that float or have the focus need not be named
@@ -45,16 +48,19 @@ private:
     bool takesKey(const QKeyEvent& key) const;
     bool typedBeside(const QKeyEvent& key) const;
     bool wouldAct(const QKeyEvent& key) const;
+    void noteTool();
+    bool endedTool() const;
     bool escapes() const;
     bool escape();
 
     QWidget& m_window;
     std::vector<const QWidget*> m_forms;
     std::vector<Closable> m_closables;
-    bool m_byKeyboard = false;  ///< what has the focus was reached by the keyboard
-    bool m_beside = false;      ///< the key at hand is typed beside the fields of a form
-    bool m_inWord = false;      ///< and the last one was a character
-    QPointer<QWidget> m_focus;  ///< had the focus last
+    bool m_byKeyboard = false;          ///< what has the focus was reached by the keyboard
+    bool m_beside = false;              ///< the key at hand is typed beside the fields of a form
+    bool m_inWord = false;              ///< and the last one was a character
+    std::optional<std::size_t> m_tool;  ///< among what Esc closes, that was open when something was clicked or pressed last
+    QPointer<QWidget> m_focus;          ///< had the focus last
     QPointer<QLineEdit> m_field;
     QString m_before;  ///< what the field held when it got the focus
 };

@@ -204,11 +204,11 @@ void MainWindow::prepareKeys() {
     std::vector<KeyRules::Closable> closables{
         {[this] { return m_tour->isVisible(); }, [this] { m_tour->end(); }},
         {[&views] { return views.isVisible() && views.tool() != widgets::ViewWidget::Tool::Select; },
-         [&views] { views.leaveTool(); }},
+         [&views] { views.leaveTool(); }, true},
         {[this] { return m_evidencePage->isVisible() && m_evidencePage->photo().tool() != Tool::Look; },
-         [this] { m_evidencePage->setTool(Tool::Look); }},
+         [this] { m_evidencePage->setTool(Tool::Look); }, true},
         {[this] { return m_evidencePage->survey().isVisible() && m_evidencePage->survey().drawing().has_value(); },
-         [this] { m_evidencePage->survey().draw(std::nullopt); }},
+         [this] { m_evidencePage->survey().draw(std::nullopt); }, true},
         {[&views] { return views.isVisible() && views.view().clip.has_value(); }, [this] { m_actions[ActionId::Clip].trigger(); }},
         // A page over the views; a study of its own that runs there is not hidden by the key that cancels it.
         {[this] { return m_centre->currentWidget() != m_area && !studying(); },

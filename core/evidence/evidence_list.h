@@ -24,10 +24,11 @@ struct EvidenceRow {
     Message says;             ///< which debris it shows, at which instant
     double within = unknown;  ///< m, its place is known to, at 95 %; NaN: not known
     double score = unknown;   ///< overlap with the simulated debris, 0 to 1; NaN: none was made
+    Message elsewhere = {};   ///< what says that it lies elsewhere than its site; without id: nothing does
 };
 
 /// All evidence of a case in one list: photographs, surveys, control points, in the order of the case. Scores are left open, and so
-/// is the place of a photograph, which its camera tells.
+/// are the place of a photograph, which its camera tells, and what lies elsewhere.
 std::vector<EvidenceRow> evidenceOf(const Case& theCase);
 
 }  // namespace rubble

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTest>
 
 #include "widgets/basics/number_field.h"
@@ -48,6 +50,40 @@ TEST(EvidenceTable, TellsWhichWasChosenByAPersonAlone) {
     table.setRows(threeRows());
     EXPECT_EQ(told, QStringList{QStringLiteral("photograph-1")});
     EXPECT_EQ(table.currentRow(), 1);
+}
+
+TEST(EvidenceTable, WhatIsTooLongTakesASecondLineAndNamesKeepBothEnds) {
+    std::vector<EvidenceRow> rows = threeRows();
+    rows[0].path = "scans/north-abutment-2026-11-24-registered.laz";
+    EvidenceTable table;
+    table.setRows(rows);
+    // As wide as in the narrowest panel.
+    table.resize(270, table.height());
+    table.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&table));
+    EXPECT_EQ(table.textElideMode(), Qt::ElideMiddle);
+    EXPECT_TRUE(table.item(0, 1)->toolTip().contains(QStringLiteral("north-abutment-2026-11-24-registered.laz")));
+    EXPECT_GT(table.columnWidth(0), 60);
+    EXPECT_FALSE(table.horizontalScrollBar()->isVisible());
+    int height = table.horizontalHeader()->height();
+    for (int row = 0; row < table.rowCount(); ++row) {
+        const QRect room(0, 0, table.columnWidth(1) - 16, 1000);
+        const QRect needed = table.fontMetrics().boundingRect(room, Qt::TextWordWrap, table.item(row, 1)->text());
+        EXPECT_LE(needed.height(), table.rowHeight(row)) << row;
+        height += table.rowHeight(row);
+    }
+    EXPECT_GE(table.height(), height) << "all three rows are seen";
+}
+
+TEST(EvidenceTable, OneThatLiesElsewhereIsMarkedAndSaysWhy) {
+    std::vector<EvidenceRow> rows = threeRows();
+    rows[0].elsewhere = {
+        "survey.far", "the survey lies {0} from the structure; debris of this site is not expected there", {{5200.0, "m"}}};
+    EvidenceTable table;
+    table.setRows(rows);
+    EXPECT_EQ(table.item(0, 2)->text(), QStringLiteral("elsewhere"));
+    EXPECT_TRUE(table.item(0, 0)->toolTip().contains(QStringLiteral("from the structure")));
+    EXPECT_NE(table.item(1, 2)->text(), QStringLiteral("elsewhere"));
 }
 
 class PlaceOfSurvey : public testing::Test {

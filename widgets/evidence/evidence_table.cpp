@@ -2,10 +2,12 @@
 
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QResizeEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/table_cell.h"
+#include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
@@ -13,8 +15,17 @@ namespace rubble::widgets {
 namespace {
 
 constexpr int evidenceRowsShown = 6;
+// px, that the style leaves free in a cell, both sides together.
+constexpr int besideWords = 18;
+constexpr int aboveWords = 7;
 
-QString kindText(EvidenceForm form) {
+QString numberOrWords(double number, const QString& otherwise) {
+    return std::isfinite(number) ? shownNumber(number) : otherwise;
+}
+
+}  // namespace
+
+QString evidenceFormText(EvidenceForm form) {
     switch (form) {
         case EvidenceForm::Photograph:
             return EvidenceTable::tr("photograph");
@@ -30,12 +41,6 @@ QString kindText(EvidenceForm form) {
     return EvidenceTable::tr("height model");
 }
 
-QString numberOrWords(double number, const QString& otherwise) {
-    return std::isfinite(number) ? shownNumber(number) : otherwise;
-}
-
-}  // namespace
-
 EvidenceTable::EvidenceTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     setHorizontalHeaderLabels({tr("evidence"), tr("shows"), tr("within, m"), tr("overlap")});
     setAccessibleName(tr("All evidence of the case"));
@@ -48,7 +53,11 @@ EvidenceTable::EvidenceTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     setSelectionMode(SingleSelection);
     setTabKeyNavigation(false);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+    setWordWrap(true);
+    // The end of a name tells files apart as often as its beginning.
+    setTextElideMode(Qt::ElideMiddle);
+    setFont(headingFont());
+    horizontalHeader()->setFont(headingFont());
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
@@ -69,20 +78,51 @@ void EvidenceTable::setRows(const std::vector<EvidenceRow>& rows) {
         const EvidenceRow& row = rows[static_cast<std::size_t>(r)];
         const QString name = QFileInfo(QString::fromStdString(row.path)).fileName();
         const QString shows = worded(row.says);
-        const QStringList cells{name.isEmpty() ? kindText(row.form) : name, shows, numberOrWords(row.within, tr("not known")),
+        const bool elsewhere = !row.elsewhere.id.empty();
+        const QStringList cells{name.isEmpty() ? evidenceFormText(row.form) : name, shows,
+                                elsewhere ? tr("elsewhere") : numberOrWords(row.within, tr("not known")),
                                 numberOrWords(row.score, QStringLiteral("–"))};
+        QStringList tip{evidenceFormText(row.form), name, shows};
+        if (elsewhere) {
+            tip << worded(row.elsewhere);
+        }
         for (int c = 0; c < cells.size(); ++c) {
-            const QString tip = kindText(row.form) + QStringLiteral(" · ") + name + QStringLiteral(" · ") + shows;
-            setItem(r, c, tableCell(cells[c], c < 2, tip));
+            setItem(r, c, tableCell(cells[c], c < 2, tip.join(QStringLiteral(" · "))));
+        }
+        if (elsewhere) {
+            item(r, 2)->setForeground(tints().finding);
         }
     }
     if (current >= 0 && current < rowCount()) {
         setCurrentCell(current, 0);
     }
     setVisible(!rows.empty());
-    setFixedHeight(horizontalHeader()->sizeHint().height() + 2 * frameWidth() + 2 +
-                   std::min(rowCount(), evidenceRowsShown) * verticalHeader()->defaultSectionSize());
+    fitRows();
     m_showing = false;
+}
+
+void EvidenceTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    if (event->oldSize().width() != event->size().width()) {
+        fitRows();
+    }
+}
+
+/// Words that are too long for their column take a second line.
+void EvidenceTable::fitRows() {
+    for (int row = 0; row < rowCount(); ++row) {
+        int lines = fontMetrics().height();
+        for (const int column : {0, 1}) {
+            const QRect room(0, 0, columnWidth(column) - besideWords, QWIDGETSIZE_MAX);
+            lines = std::max(lines, fontMetrics().boundingRect(room, Qt::TextWordWrap, item(row, column)->text()).height());
+        }
+        setRowHeight(row, lines + aboveWords);
+    }
+    int height = horizontalHeader()->sizeHint().height() + 2 * frameWidth() + 2;
+    for (int row = 0; row < std::min(rowCount(), evidenceRowsShown); ++row) {
+        height += rowHeight(row);
+    }
+    setFixedHeight(height);
 }
 
 }  // namespace rubble::widgets

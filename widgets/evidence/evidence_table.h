@@ -7,6 +7,9 @@
 
 namespace rubble::widgets {
 
+/// "photograph", "point cloud", in the language that is spoken.
+QString evidenceFormText(EvidenceForm form);
+
 /// All evidence of a case, one row each: what it is, what it is held to show, how well its place is known, and its score.
 class EvidenceTable : public QTableWidget {
     Q_OBJECT
@@ -20,7 +23,12 @@ signals:
     /// A row was chosen by a person. @param id  of the input; empty: the control points
     void chosen(const QString& id);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitRows();
+
     bool m_showing = false;
     std::vector<EvidenceRow> m_rows;
 };

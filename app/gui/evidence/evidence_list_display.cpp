@@ -5,6 +5,7 @@
 
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/survey_reach.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/panel_deck.h"
 #include "core/evidence/cautions.h"
@@ -37,7 +38,8 @@ EvidenceListDisplay::EvidenceListDisplay(Session& session, PanelDeck& deck, Evid
       m_computation(session.computation()),
       m_deck(deck),
       m_photographs(photographs),
-      m_surveys(surveys) {
+      m_surveys(surveys),
+      m_reach(session.part<SurveyReach>()) {
     connect(&deck.evidence().list(), &widgets::EvidenceTable::chosen, this,
             [this](const QString& id) { choose(id.toStdString()); });
     connect(&photographs, &EvidenceDisplay::changed, this, &EvidenceListDisplay::refresh);
@@ -84,12 +86,15 @@ void EvidenceListDisplay::refresh() {
     const Case& theCase = m_document.theCase();
     std::vector<EvidenceRow> rows = m_document.empty() ? std::vector<EvidenceRow>() : evidenceOf(theCase);
     for (EvidenceRow& row : rows) {
+        const CaseInput* input = inputOf(theCase, row.id);
+        if (const Findings far = input != nullptr ? m_reach.of(*input) : Findings(); !far.empty()) {
+            row.elsewhere = far.list().front().what;
+        }
         const auto kept = m_scores.find(row.id);
         if (kept == m_scores.end()) {
             continue;
         }
         const Score& score = kept->second;
-        const CaseInput* input = inputOf(theCase, row.id);
         const Photograph* photograph = photographOf(theCase, row.id);
         const bool same = photograph != nullptr ? score.photograph == *photograph : input != nullptr && score.survey == *input;
         if (same && photograph != nullptr) {

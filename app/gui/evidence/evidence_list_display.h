@@ -14,6 +14,7 @@ class EvidenceDisplay;
 class PanelDeck;
 class Session;
 class SurveyDisplay;
+class SurveyReach;
 
 /// The list of all evidence at the top of its panel. Scores are those of the comparisons that were made; one of another run, or of
 /// evidence that was changed since, is left out.
@@ -43,6 +44,7 @@ private:
     PanelDeck& m_deck;
     EvidenceDisplay& m_photographs;
     SurveyDisplay& m_surveys;
+    SurveyReach& m_reach;
     std::map<std::string, Score> m_scores;  ///< by id of the input
 };
 

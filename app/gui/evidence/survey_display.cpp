@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/gui/evidence/survey_pairs.h"
+#include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/survey_sections.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -117,6 +118,7 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
       m_deck(deck),
       m_page(page),
       m_work(session.part<SurveyWork>()),
+      m_reach(session.part<SurveyReach>()),
       m_sections(new SurveySections(session, page, this)) {
     m_pairs = new SurveyPairs(
         session, page,
@@ -176,6 +178,7 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     connectMap();
     connect(&m_work, &SurveyWork::changed, this, &SurveyDisplay::refresh);
     connect(&m_work, &SurveyWork::compared, this, [this] { m_page.showSurvey(true); });
+    connect(&m_reach, &SurveyReach::changed, this, &SurveyDisplay::refresh);
     connect(&m_document, &Document::inputsAccepted, this, &SurveyDisplay::refresh);
     connect(&m_document, &Document::surveysChanged, this, &SurveyDisplay::refresh);
     connect(&m_computation, &Computation::runBegun, this, &SurveyDisplay::refresh);
@@ -522,6 +525,7 @@ void SurveyDisplay::refresh() {
         content.scope = survey->scope;
         content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
         content.stated = {survey->taken, survey->before, survey->instant, survey->registration};
+        content.findings = m_reach.of(*survey);
     }
     content.noComparison = EvidenceWork::whyNoDebris(m_computation.currentRun());
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
@@ -534,7 +538,7 @@ void SurveyDisplay::refresh() {
         if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
             content.cautions = runCautions(io::standingOf(*record->reader));
         }
-        content.findings = made->input.findings;
+        content.findings.append(made->input.findings);
         content.findings.append(made->comparison.findings);
         if (!compared.sha256.empty() && !io::InputDigest{made->input.sha256, made->input.fileSha256}.is(compared.sha256)) {
             content.findings.add({"survey.changed", "The survey is not the one the case was saved with", {}},

@@ -25,6 +25,7 @@ class Document;
 class PanelDeck;
 class Session;
 class SurveyPairs;
+class SurveyReach;
 class SurveySections;
 namespace widgets {
 class EvidencePage;
@@ -141,6 +142,7 @@ private:
     PanelDeck& m_deck;
     widgets::EvidencePage& m_page;
     SurveyWork& m_work;
+    SurveyReach& m_reach;
     std::string m_removedSince;  ///< of what is being drawn
     SurveyPairs* m_pairs;
     SurveySections* m_sections;

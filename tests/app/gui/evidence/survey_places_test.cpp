@@ -13,6 +13,7 @@
 #include "app/gui/case/file_commands.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/evidence/survey_pairs.h"
+#include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/survey_sections.h"
 #include "io/case/case_file.h"
 #include "io/site/point_pairs.h"
@@ -20,7 +21,10 @@
 #include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
+#include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/evidence_table.h"
 #include "widgets/evidence/photo_view.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_view.h"
@@ -239,6 +243,88 @@ TEST_F(SurveyPlaces, ASectionIsDrawnCutMeasuredAndSaved) {
     EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.png"));
     sections.dialog()->reject();
     EXPECT_FALSE(sections.line()) << "the line goes with its profile";
+}
+
+TEST_F(SurveyPlaces, EscAfterADrawingWasEndedLeavesThePageOpen) {
+    compared();
+    auto& view = *window->findChild<widgets::SurveyView*>();
+    auto& page = *window->findChild<widgets::EvidencePage*>();
+    const std::vector<Eigen::Vector2d> corners{{-12.0, -4.0}, {12.0, -4.0}, {12.0, 4.0}};
+    const auto at = [&](const Eigen::Vector2d& corner) { return view.toWidget(corner).toPoint(); };
+    const auto begin = [&] {
+        emit box().scopeDrawRequested(ScopePart::Area);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.isVisible(); }, patience));
+        view.grab();
+        for (const Eigen::Vector2d& corner : corners) {
+            QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at(corner));
+        }
+        ASSERT_TRUE(view.drawing());
+    };
+    const auto escape = [] { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape); };
+    const auto areas = [&] { return session->document().theCase().inputs.back().scope.area.polygons.size(); };
+    // By a double click, whose Esc comes a moment too late, and by Enter.
+    begin();
+    QTest::mouseDClick(&view, Qt::LeftButton, Qt::NoModifier, at(corners.back()));
+    ASSERT_FALSE(view.drawing());
+    ASSERT_EQ(areas(), 1u);
+    escape();
+    EXPECT_TRUE(page.isVisible());
+    EXPECT_EQ(areas(), 1u);
+    begin();
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(areas(), 2u);
+    escape();
+    EXPECT_TRUE(page.isVisible());
+    // One that goes on is given up first, whatever has the focus.
+    begin();
+    window->setFocus();
+    escape();
+    EXPECT_FALSE(view.drawing());
+    EXPECT_TRUE(page.isVisible());
+    EXPECT_EQ(areas(), 2u);
+    escape();
+    EXPECT_FALSE(page.isVisible()) << "the next one closes the page";
+    // What was done between the drawing and Esc is not the drawing.
+    window->rooms().deck->choose(PanelDeck::Evidence);
+    begin();
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(areas(), 3u);
+    QTest::keyClick(window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(areas(), 2u);
+    escape();
+    EXPECT_FALSE(page.isVisible());
+}
+
+TEST_F(SurveyPlaces, OneThatLiesElsewhereIsSaidAsSoonAsItIsAdded) {
+    openArch();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    surveys().add(heights("near.asc", pile));
+    const io::AsciiGrid far{120, 60, 8'000.0, -30.0};
+    surveys().add(QString::fromStdString(far.write(m_folder / "far.asc", pile)));
+    SurveyReach& reach = session->part<SurveyReach>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !reach.busy(); }, patience));
+    const widgets::EvidenceTable& list = window->rooms().deck->evidence().list();
+    ASSERT_EQ(list.rowCount(), 2);
+    EXPECT_EQ(list.item(0, 2)->text(), QStringLiteral("not known"));
+    EXPECT_EQ(list.item(1, 2)->text(), QStringLiteral("elsewhere"));
+    EXPECT_TRUE(list.item(1, 0)->toolTip().contains(QStringLiteral("the structure stands at")));
+    const auto said = [&] {
+        QString all;
+        for (const auto* notice : box().findChildren<widgets::Notice*>()) {
+            all += notice->isVisibleTo(&box()) ? notice->text() : QString();
+        }
+        return all;
+    };
+    EXPECT_TRUE(said().contains(QStringLiteral("the structure stands at"))) << qPrintable(said());
+    surveys().choose(session->document().theCase().inputs[session->document().theCase().inputs.size() - 2].id);
+    EXPECT_FALSE(said().contains(QStringLiteral("the structure stands at"))) << "it is of the other one";
+    // Placed where it belongs, it is looked at once more.
+    surveys().choose(session->document().theCase().inputs.back().id);
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
+    inputs.back().registration.emplace().shift = Vec3(-8'060.0, 0.0, 0.0);
+    session->document().setSurveys(std::move(inputs), [] { return QStringLiteral("placed"); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !reach.busy(); }, patience));
+    EXPECT_NE(list.item(1, 2)->text(), QStringLiteral("elsewhere"));
 }
 
 }  // namespace

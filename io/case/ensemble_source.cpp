@@ -72,6 +72,16 @@ EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& 
     return source;
 }
 
+std::string causeName(const std::string& name, const std::string& fePath, std::span<const std::string> taken) {
+    const auto isTaken = [&](const std::string& each) { return std::find(taken.begin(), taken.end(), each) != taken.end(); };
+    const std::string own = isTaken(name) ? name + " (" + std::filesystem::path(fePath).stem().string() + ")" : name;
+    std::string found = own;
+    for (int number = 2; isTaken(found); ++number) {
+        found = own + " " + std::to_string(number);
+    }
+    return found;
+}
+
 void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<const std::string> taken) {
     if (first != nullptr && !(next.frame == first->frame && next.theCase.site.controlPoints == first->theCase.site.controlPoints)) {
         throw UsageError({"causes.other_frame",
@@ -79,14 +89,7 @@ void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<con
                           {next.name, first->name}},
                          {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
     }
-    const auto isTaken = [&](const std::string& name) { return std::find(taken.begin(), taken.end(), name) != taken.end(); };
-    if (isTaken(next.name)) {
-        next.name += " (" + std::filesystem::path(next.fePath).stem().string() + ")";
-    }
-    const std::string name = next.name;
-    for (int number = 2; isTaken(next.name); ++number) {
-        next.name = name + " " + std::to_string(number);
-    }
+    next.name = causeName(next.name, next.fePath, taken);
 }
 
 std::string evidenceGround(const EnsembleSource& source) {

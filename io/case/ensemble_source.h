@@ -37,8 +37,12 @@ std::vector<std::string> variedScenarios(const EnsembleSettings& settings);
 /// Throws as openCase().
 EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& settings, const Execution& execution);
 
-/// Takes a case as one more cause of what happened at one site: a name that is taken gets the FE result's file in brackets, and a
-/// number where that is taken too. @param first  of the causes so far; null: this is the first. @param taken  names so far
+/// What one more cause is called: a name that is taken gets the FE result's file in brackets, and a number where that is taken too.
+/// @param taken  names so far
+std::string causeName(const std::string& name, const std::string& fePath, std::span<const std::string> taken);
+
+/// Takes a case as one more cause of what happened at one site, under causeName().
+/// @param first  of the causes so far; null: this is the first. @param taken  names so far
 /// Throws UsageError ("causes.other_frame") where frame or control points are others than those of the first.
 void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<const std::string> taken);
 

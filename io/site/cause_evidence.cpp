@@ -11,17 +11,16 @@
 namespace rubble::io {
 
 std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
-    static constexpr std::array<std::string_view, 3> names{"footprint", "height", "surface"};
+    static constexpr std::array<std::string_view, 4> names{"footprint", "height", "surface", "survey"};
     return names[static_cast<std::size_t>(kind)];
 }
 
 SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const CaseInput& stated,
                              const SurfaceSettings& settings, Findings& findings, const Execution& execution) {
     SurveyRequest request;
-    request.holds = SurveyRequest::Holds::Heights;
-    if (file.kind == EvidenceFile::Kind::Footprint) {
-        request.holds = SurveyRequest::Holds::Outline;
-    }
+    request.holds = file.kind == EvidenceFile::Kind::Footprint ? SurveyRequest::Holds::Outline
+                    : file.kind == EvidenceFile::Kind::Survey  ? SurveyRequest::Holds::Either
+                                                               : SurveyRequest::Holds::Heights;
     request.aboveGround = file.kind == EvidenceFile::Kind::Heights;
     request.withFallen = settings.withFallen;
     request.ground = site.groundFile;

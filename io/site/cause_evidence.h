@@ -16,12 +16,13 @@ struct EvidenceFile {
         Footprint,  ///< polygons of the area that debris covered
         Heights,    ///< raster of the height of the debris above the ground
         Surface,    ///< raster of the surface with the debris on it
+        Survey,     ///< a survey of the case: polygons, or heights of the surface, as the file has them
     };
     Kind kind = Kind::Footprint;
     std::string path;
     friend bool operator==(const EvidenceFile&, const EvidenceFile&) = default;
 };
-/// "footprint", "height", "surface"
+/// "footprint", "height", "surface", "survey"
 std::string_view evidenceKeyword(EvidenceFile::Kind kind);
 
 /// The site that evidence is laid on.

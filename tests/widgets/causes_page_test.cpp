@@ -166,5 +166,31 @@ TEST(CausesPanel, TicksAndRemovalsAreToldByPlace) {
     EXPECT_EQ(removed[0][0].toInt(), 1);
 }
 
+TEST(CausesPanel, NamesFitTheListAndWhatIsGoneCanBeTakenOffIt) {
+    CausesPanel panel;
+    CausesPanel::Content content;
+    const QString name = QStringLiteral("height model: north-abutment-2026-11-24-registered-by-four-pairs-of-points.tif");
+    content.causes = {{"scour", "There is no file /x/scour.rubble", true, false, true}};
+    content.evidence = {{name, "A survey of this case", true, true, false}};
+    content.available = true;
+    panel.setContent(content);
+    panel.resize(320, 700);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    auto* evidence = panel.findChild<QListWidget*>(QStringLiteral("causeEvidence"));
+    EXPECT_LE(evidence->visualItemRect(evidence->item(0)).width(), evidence->viewport()->width());
+    EXPECT_EQ(evidence->textElideMode(), Qt::ElideMiddle);
+    EXPECT_TRUE(evidence->item(0)->toolTip().startsWith(name));
+    auto* causes = panel.findChild<QListWidget*>(QStringLiteral("causes"));
+    QTest::mouseClick(causes->viewport(), Qt::LeftButton, {}, causes->visualItemRect(causes->item(0)).center());
+    QSignalSpy removed(&panel, &CausesPanel::causeRemoved);
+    for (QPushButton* button : panel.findChildren<QPushButton*>()) {
+        if (button->text() == QStringLiteral("Remove") && button->isEnabled()) {
+            QTest::mouseClick(button, Qt::LeftButton);
+        }
+    }
+    EXPECT_EQ(removed.count(), 1);
+}
+
 }  // namespace
 }  // namespace rubble::widgets

@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <algorithm>
 
 #include "widgets/basics/study_start.h"
@@ -23,6 +24,15 @@ namespace {
 
 constexpr int entryHeight = 24;  // px
 constexpr int rowsMost = 7;
+
+/// A row as wide as its list, however long its name is: the middle of that is left out.
+class RowOfAList : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return {0, QStyledItemDelegate::sizeHint(option, index).height()};
+    }
+};
 
 QWidget* rowOf(QPushButton* first, QPushButton* second) {
     auto* row = new QWidget;
@@ -52,6 +62,11 @@ CausesPanel::CausesPanel(QWidget* parent)
       m_blind(new QCheckBox(tr("Blind test as well"))),
       m_findings(new FindingList) {
     addWide(m_start);
+    for (QListWidget* list : {m_causes, m_evidence}) {
+        list->setItemDelegate(new RowOfAList(list));
+        list->setTextElideMode(Qt::ElideMiddle);
+        list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    }
     buildCauses();
     buildEvidence();
     addWide(m_findings);
@@ -88,8 +103,8 @@ void CausesPanel::buildEvidence() {
     m_evidence->setObjectName(QStringLiteral("causeEvidence"));
     m_evidence->setAccessibleName(tr("What was found"));
     m_evidence->setToolTip(
-        tr("Evidence that is ticked counts: footprints, surveyed heights, times at which debris reached a place, and photographs "
-           "of this case taken at rest with an outline of the debris"));
+        tr("Evidence that is ticked counts: surveys of this case, its photographs taken at rest with an outline of the debris, and "
+           "footprints, heights and times that are added"));
     group->addWide(m_evidence);
     auto* menu = new QMenu(m_addEvidence);
     connect(menu->addAction(tr("Footprint, polygons…")), &QAction::triggered, this, &CausesPanel::addFootprintRequested);
@@ -100,13 +115,14 @@ void CausesPanel::buildEvidence() {
     connect(menu->addAction(tr("Time at which debris reached a place…")), &QAction::triggered, this, &CausesPanel::askForTime);
     m_addEvidence->setMenu(menu);
     m_addEvidence->setObjectName(QStringLiteral("addEvidence"));
-    m_addEvidence->setToolTip(tr("Add a file of what was found. Photographs are added under Photographs"));
+    m_addEvidence->setToolTip(tr("Add a file of what was found. Photographs and surveys of the case are added under Photographs"));
     m_removeEvidence->setToolTip(tr("Take the chosen file off the list; it stays where it is"));
     group->addWide(rowOf(m_addEvidence, m_removeEvidence));
     m_blind->setToolTip(tr(
         "Let each member in turn be what was observed and say how often its cause is found: how far footprints and heights could "
         "tell these causes apart at all. Without evidence this is done anyway"));
     group->addWide(m_blind);
+    connect(m_blind, &QCheckBox::clicked, this, &CausesPanel::blindChosen);
     connect(m_removeEvidence, &QPushButton::clicked, this, [this] { emit evidenceRemoved(m_evidence->currentRow()); });
     connect(m_evidence, &QListWidget::currentRowChanged, this, &CausesPanel::showRemovable);
     connect(m_evidence, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
@@ -161,18 +177,16 @@ void CausesPanel::setBlind(bool blind) {
     m_blind->setChecked(blind);
 }
 
-bool CausesPanel::blind() const {
-    return m_blind->isChecked();
-}
-
 void CausesPanel::fill(QListWidget& list, const std::vector<Entry>& entries, const QString& none) {
     const int current = list.currentRow();
     list.clear();
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, &list);
-        item->setToolTip(entry.tip);
-        item->setFlags(entry.usable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable
-                                    : Qt::ItemIsSelectable | Qt::ItemFlags());
+        item->setToolTip(entry.name + u'\n' + entry.tip);
+        // What was added can be taken off the list even where it cannot be used.
+        const Qt::ItemFlags chosen =
+            entry.usable || entry.removable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemFlags(Qt::ItemIsSelectable);
+        item->setFlags(entry.usable ? chosen | Qt::ItemIsUserCheckable : chosen);
         item->setCheckState(entry.used && entry.usable ? Qt::Checked : Qt::Unchecked);
     }
     if (entries.empty()) {

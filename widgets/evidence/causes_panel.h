@@ -41,7 +41,6 @@ public:
     };
     void setContent(const Content& content);
     /// Whether each member in turn is to take the place of what was observed.
-    bool blind() const;
     void setBlind(bool blind);
     /// @param secondsLeft  NaN: not known yet
     void setProgress(const QString& what, double fraction, double secondsLeft);
@@ -57,6 +56,7 @@ signals:
     void timeTold(const rubble::TimeEvidence& time);
     void evidenceUsed(int evidence, bool used);
     void evidenceRemoved(int evidence);
+    void blindChosen(bool blind);
     void compareRequested();
     void cancelRequested();
 

@@ -20,6 +20,8 @@ namespace rubble {
 
 namespace {
 
+const QString stateEnding = QStringLiteral(".runs.json");
+
 /// Runs that are known already gain at most the file where they were kept.
 void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
     for (const RunEntry& run : from) {
@@ -74,7 +76,16 @@ QString RunHistory::stateFile() const {
     }
     const QString base = m_document.path().isEmpty() ? m_document.base() : m_document.path();
     const QByteArray key = QCryptographicHash::hash(base.toUtf8(), QCryptographicHash::Sha256).toHex().left(16);
-    return m_folder + u'/' + QString::fromLatin1(key) + QStringLiteral(".runs.json");
+    return m_folder + u'/' + QString::fromLatin1(key) + stateEnding;
+}
+
+QString RunHistory::fileBeside(const QString& ending) const {
+    const QString path = m_document.path();
+    if (!path.isEmpty() && QFileInfo(QFileInfo(path).absolutePath()).isWritable()) {
+        return path + ending;
+    }
+    const QString runs = m_document.empty() ? QString() : stateFile();
+    return runs.isEmpty() ? QString() : runs.chopped(stateEnding.size()) + ending;
 }
 
 std::vector<RunEntry> RunHistory::read(const QString& file) {

@@ -38,6 +38,9 @@ public:
     const QString& stateFolder() const { return m_folder; }
     /// The history of a case that nothing can be written beside; empty: there is no such folder.
     QString stateFile() const;
+    /// Where something else that is said of the open case is kept, likewise beside it or in the state folder; empty: nowhere.
+    /// @param ending  behind the name of the case, such as ".report.json"
+    QString fileBeside(const QString& ending) const;
     /// Run files have come or gone.
     void filesChanged() { emit changed(); }
     /// Shows a kept run again; answers through Computation::runReopened() or failed().

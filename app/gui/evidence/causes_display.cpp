@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/gui/evidence/cause_choice.h"
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/evidence/map_export.h"
 #include "app/gui/session/session.h"
 #include "core/evidence/ensembles/study_tables.h"
-#include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
-#include "io/case/case_file.h"
 #include "io/exports/ensemble_origin.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/causes_page.h"
@@ -53,23 +52,6 @@ bool sameCauses(const CauseOrder& a, const CauseOrder& b) {
                });
 }
 
-/// Why a photograph does not count; empty: it does.
-QString whyLeftOut(const Photograph& photograph) {
-    const bool drawn = std::any_of(photograph.masks.begin(), photograph.masks.end(),
-                                   [](const PhotoMask& mask) { return mask.kind == MaskClass::Debris; });
-    return !drawn                     ? CausesDisplay::tr("No outline of the debris is drawn on it.")
-           : photograph.time          ? CausesDisplay::tr("It was not taken at rest: members keep their debris at rest.")
-           : photograph.pairs.empty() ? CausesDisplay::tr("Its camera is not matched.")
-                                      : QString();
-}
-
-QString kindWords(io::EvidenceFile::Kind kind) {
-    using Kind = io::EvidenceFile::Kind;
-    return kind == Kind::Footprint ? CausesDisplay::tr("footprint")
-           : kind == Kind::Heights ? CausesDisplay::tr("heights")
-                                   : CausesDisplay::tr("surface");
-}
-
 }  // namespace
 
 CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widgets::CausesPanel& panel, widgets::CausesPage& page,
@@ -82,8 +64,11 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
       m_ensemble(ensemble),
       m_panel(panel),
       m_page(page),
+      m_choice(session.part<CauseChoice>()),
       m_kept(session.part<Kept>()) {
-    m_panel.setBlind(m_kept.blind);
+    m_panel.setBlind(m_choice.blind());
+    connect(&m_choice, &CauseChoice::changed, this, &CausesDisplay::refresh);
+    connect(&m_choice, &CauseChoice::replaced, this, [this] { m_panel.setBlind(m_choice.blind()); });
     connect(&m_work, &StudyWork::compared, this, [this](const std::shared_ptr<const MadeComparison>& made) {
         m_kept.answer.take(made);
         showPage();
@@ -101,10 +86,6 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
     connect(&m_document, &Document::replaced, this, [this] {
         if (m_document.base() != m_kept.base) {
             m_kept.base = m_document.base();
-            m_kept.added.clear();
-            m_kept.files.clear();
-            m_kept.times.clear();
-            m_kept.unticked.clear();
             m_kept.answer.drop();
             showFailure({});
             if (m_work.comparing()) {
@@ -130,10 +111,6 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
     showFailure(m_kept.failure);
 }
 
-CausesDisplay::~CausesDisplay() {
-    m_kept.blind = m_panel.blind();
-}
-
 void CausesDisplay::showFailure(const std::optional<Failure>& failure) {
     m_kept.failure = failure;
     m_panel.setError(failure ? failure->what() : QString(), failure ? failure->remedy() : QString());
@@ -145,27 +122,30 @@ void CausesDisplay::connectPanel() {
     connect(&m_panel, &widgets::CausesPanel::addFootprintRequested, this, [this] { chooseEvidence(Kind::Footprint); });
     connect(&m_panel, &widgets::CausesPanel::addHeightsRequested, this, [this] { chooseEvidence(Kind::Heights); });
     connect(&m_panel, &widgets::CausesPanel::addSurfaceRequested, this, [this] { chooseEvidence(Kind::Surface); });
-    connect(&m_panel, &widgets::CausesPanel::timeTold, this, &CausesDisplay::addTime);
-    connect(&m_panel, &widgets::CausesPanel::causeUsed, this, &CausesDisplay::setCauseUsed);
-    connect(&m_panel, &widgets::CausesPanel::evidenceUsed, this, &CausesDisplay::setEvidenceUsed);
-    connect(&m_panel, &widgets::CausesPanel::causeRemoved, this, [this](int cause) {
-        const auto place = static_cast<std::size_t>(cause) - ownCauses().size();
-        if (place < m_kept.added.size()) {
-            m_kept.added.erase(m_kept.added.begin() + static_cast<std::ptrdiff_t>(place));
-            refresh();
-        }
+    connect(&m_panel, &widgets::CausesPanel::timeTold, this, [this](const TimeEvidence& time) {
+        m_choice.addTime(time);
+        chosen();
     });
-    connect(&m_panel, &widgets::CausesPanel::evidenceRemoved, this, [this](int evidence) {
-        const auto place = static_cast<std::size_t>(evidence) - m_document.theCase().photographs.size();
-        const std::size_t timed = place - m_kept.files.size();
-        if (place < m_kept.files.size()) {
-            m_kept.files.erase(m_kept.files.begin() + static_cast<std::ptrdiff_t>(place));
-            refresh();
-        } else if (timed < m_kept.times.size()) {
-            m_kept.times.erase(m_kept.times.begin() + static_cast<std::ptrdiff_t>(timed));
-            refresh();
-        }
+    connect(&m_panel, &widgets::CausesPanel::blindChosen, this, [this](bool blind) {
+        m_choice.setBlind(blind);
+        chosen();
     });
+    const auto ticks = [this](auto signal, auto use) {
+        connect(&m_panel, signal, this, [this, use](int row, bool used) {
+            (m_choice.*use)(static_cast<std::size_t>(row), used);
+            chosen();
+        });
+    };
+    ticks(&widgets::CausesPanel::causeUsed, &CauseChoice::useCause);
+    ticks(&widgets::CausesPanel::evidenceUsed, &CauseChoice::useEvidence);
+    const auto removes = [this](auto signal, auto remove) {
+        connect(&m_panel, signal, this, [this, remove](int row) {
+            (m_choice.*remove)(static_cast<std::size_t>(row));
+            chosen();
+        });
+    };
+    removes(&widgets::CausesPanel::causeRemoved, &CauseChoice::removeCause);
+    removes(&widgets::CausesPanel::evidenceRemoved, &CauseChoice::removeEvidence);
     connect(&m_panel, &widgets::CausesPanel::compareRequested, this, &CausesDisplay::compare);
     connect(&m_panel, &widgets::CausesPanel::cancelRequested, &m_work, &StudyWork::cancel);
 }
@@ -176,31 +156,15 @@ void CausesDisplay::chooseCauses() {
                                       tr("Cases and FE results (*);;Cases (*.rubble)"));
     if (!paths.isEmpty()) {
         addCauses(paths);
+        chosen();
     }
 }
 
 void CausesDisplay::addCauses(const QStringList& paths) {
     showFailure({});
     for (const QString& path : paths) {
-        const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
         try {
-            Added added;
-            added.path = QString::fromStdString(file);
-            const bool isCase = io::isCaseFile(file);
-            added.plain = !isCase;
-            added.cause.base = isCase ? file : file + ".rubble";
-            added.cause.theCase = isCase ? io::loadCase(file) : io::caseForFe(file, added.cause.base);
-            added.cause.name = added.cause.theCase.title;
-            for (int n = 2; std::any_of(m_kept.added.begin(), m_kept.added.end(),
-                                        [&](const Added& each) { return each.cause.name == added.cause.name; });
-                 ++n) {
-                added.cause.name = added.cause.theCase.title + " (" + std::to_string(n) + ")";
-            }
-            const bool known =
-                std::any_of(m_kept.added.begin(), m_kept.added.end(), [&](const Added& each) { return each.path == added.path; });
-            if (!known) {
-                m_kept.added.push_back(std::move(added));
-            }
+            m_choice.addCause(path);
         } catch (...) {
             showFailure(failureOf(std::current_exception()));
         }
@@ -217,23 +181,13 @@ void CausesDisplay::chooseEvidence(io::EvidenceFile::Kind kind) {
                                                : tr("Rasters (*.tif *.tiff *.asc *.vrt);;All files (*)"));
     if (!paths.isEmpty()) {
         addEvidence(kind, paths);
+        chosen();
     }
 }
 
 void CausesDisplay::addEvidence(io::EvidenceFile::Kind kind, const QStringList& paths) {
     for (const QString& path : paths) {
-        const io::EvidenceFile file{kind, QFileInfo(path).absoluteFilePath().toStdString()};
-        if (std::none_of(m_kept.files.begin(), m_kept.files.end(), [&](const File& each) { return each.file == file; })) {
-            m_kept.files.push_back({file, true});
-        }
-    }
-    refresh();
-}
-
-void CausesDisplay::addTime(const TimeEvidence& time) {
-    const auto known = [&](const Timed& each) { return each.time.name == time.name; };
-    if (std::none_of(m_kept.times.begin(), m_kept.times.end(), known)) {
-        m_kept.times.push_back({time, true});
+        m_choice.addFile({kind, QFileInfo(path).absoluteFilePath().toStdString()});
     }
     refresh();
 }
@@ -249,91 +203,9 @@ void CausesDisplay::addEvidence(const QStringList& named) {
     }
 }
 
-void CausesDisplay::setCauseUsed(int cause, bool used) {
-    const std::vector<StudyCase> own = ownCauses();
-    const auto place = static_cast<std::size_t>(cause);
-    if (place < own.size()) {
-        const std::string id = "cause " + own[place].scenario.value_or("");
-        used ? static_cast<void>(m_kept.unticked.erase(id)) : static_cast<void>(m_kept.unticked.insert(id));
-    } else if (place - own.size() < m_kept.added.size()) {
-        m_kept.added[place - own.size()].used = used;
-    }
+void CausesDisplay::chosen() {
+    m_choice.keep();
     refresh();
-}
-
-void CausesDisplay::setEvidenceUsed(int evidence, bool used) {
-    const auto& photographs = m_document.theCase().photographs;
-    const auto place = static_cast<std::size_t>(evidence);
-    if (place < photographs.size()) {
-        const std::string id = "photograph " + photographs[place].input;
-        used ? static_cast<void>(m_kept.unticked.erase(id)) : static_cast<void>(m_kept.unticked.insert(id));
-    } else if (place - photographs.size() < m_kept.files.size()) {
-        m_kept.files[place - photographs.size()].used = used;
-    } else if (const std::size_t timed = place - photographs.size() - m_kept.files.size(); timed < m_kept.times.size()) {
-        m_kept.times[timed].used = used;
-    }
-    refresh();
-}
-
-std::vector<StudyCase> CausesDisplay::ownCauses() const {
-    std::vector<StudyCase> causes;
-    const Case& theCase = m_document.theCase();
-    const std::string base = m_document.base().toStdString();
-    for (const CaseScenario& scenario : theCase.scenarios) {
-        causes.push_back({theCase.scenarios.size() > 1 ? scenario.name : theCase.title, theCase, base, scenario.id});
-    }
-    return causes;
-}
-
-StudyCase CausesDisplay::asOpen(const Added& result) const {
-    StudyCase cause{result.cause.name, m_document.theCase(), m_document.base().toStdString(), std::nullopt};
-    const CaseScenario* active = m_document.active();
-    if (active == nullptr) {
-        return result.cause;
-    }
-    cause.scenario = active->id;
-    cause.theCase.scenarios = {*active};
-    const CaseInput* replaced = findFeInput(cause.theCase, *active);
-    for (CaseInput& input : cause.theCase.inputs) {
-        if (&input == replaced) {
-            input.path = result.path.toStdString();
-            input.sha256.clear();
-        }
-    }
-    return cause;
-}
-
-CauseOrder CausesDisplay::causeOrder() const {
-    CauseOrder order;
-    for (const StudyCase& cause : ownCauses()) {
-        if (!m_kept.unticked.contains("cause " + *cause.scenario)) {
-            order.causes.push_back(cause);
-        }
-    }
-    for (const Added& added : m_kept.added) {
-        if (added.used) {
-            order.causes.push_back(added.plain ? asOpen(added) : added.cause);
-        }
-    }
-    for (const File& file : m_kept.files) {
-        if (file.used) {
-            order.files.push_back(file.file);
-        }
-    }
-    for (const Timed& time : m_kept.times) {
-        if (time.used) {
-            order.times.push_back(time.time);
-        }
-    }
-    order.photographed = m_document.theCase();
-    order.base = m_document.base().toStdString();
-    for (const Photograph& photograph : order.photographed.photographs) {
-        if (whyLeftOut(photograph).isEmpty() && !m_kept.unticked.contains("photograph " + photograph.input)) {
-            order.photographs.push_back(photograph.input);
-        }
-    }
-    order.blind = m_panel.blind();
-    return order;
 }
 
 StudyOrder CausesDisplay::studyOrder() const {
@@ -360,7 +232,7 @@ QString CausesDisplay::whyNot(const CauseOrder& order) const {
 }
 
 void CausesDisplay::compare() {
-    const Compared now{causeOrder(), studyOrder()};
+    const Compared now{m_choice.order(), studyOrder()};
     if (!whyNot(now.causes).isEmpty() || m_work.running()) {
         return;
     }
@@ -397,7 +269,7 @@ bool CausesDisplay::Compared::operator==(const Compared& other) const {
 }
 
 bool CausesDisplay::stale() const {
-    return m_kept.answer.stale({causeOrder(), studyOrder()});
+    return m_kept.answer.stale({m_choice.order(), studyOrder()});
 }
 
 void CausesDisplay::refresh() {
@@ -406,46 +278,23 @@ void CausesDisplay::refresh() {
 }
 
 void CausesDisplay::showPanel() {
-    const CauseOrder order = causeOrder();
+    const CauseOrder order = m_choice.order();
     widgets::CausesPanel::Content content;
-    for (const StudyCase& cause : ownCauses()) {
-        content.causes.push_back({QString::fromStdString(cause.name), tr("A scenario of this case"),
-                                  !m_kept.unticked.contains("cause " + *cause.scenario), true, false});
+    const auto entryOf = [](const QString& name, const QString& tip, const QString& why, bool used, bool removable) {
+        return widgets::CausesPanel::Entry{name, why.isEmpty() ? tip : why, used, why.isEmpty(), removable};
+    };
+    for (const CauseChoice::Cause& cause : m_choice.causes()) {
+        content.causes.push_back(
+            entryOf(QString::fromStdString(cause.study.name), cause.where, cause.why, cause.used, cause.added));
     }
-    for (const Added& added : m_kept.added) {
-        content.causes.push_back({QString::fromStdString(added.cause.name), added.path, added.used, true, true});
-    }
-    const Case& theCase = m_document.theCase();
-    for (const Photograph& photograph : theCase.photographs) {
-        const auto input = std::find_if(theCase.inputs.begin(), theCase.inputs.end(),
-                                        [&](const CaseInput& each) { return each.id == photograph.input; });
-        const QString name = input != theCase.inputs.end() ? QFileInfo(QString::fromStdString(input->path)).fileName() : QString();
-        const QString why = whyLeftOut(photograph);
-        content.evidence.push_back({tr("photograph: %1").arg(name),
-                                    why.isEmpty() ? tr("A photograph of this case, taken at rest") : why,
-                                    !m_kept.unticked.contains("photograph " + photograph.input), why.isEmpty(), false});
-    }
-    for (const File& file : m_kept.files) {
-        const QString path = QString::fromStdString(file.file.path);
-        content.evidence.push_back(
-            {QStringLiteral("%1: %2").arg(kindWords(file.file.kind), QFileInfo(path).fileName()), path, file.used, true, true});
-    }
-    for (const Timed& each : m_kept.times) {
-        const TimeEvidence& time = each.time;
-        const QString name = tr("%1 at %2, %3")
-                                 .arg(widgets::shownWith(time.time, "s", 4), widgets::shownIn(time.place.x(), "m"),
-                                      widgets::shownWith(time.place.y(), "m"));
-        content.evidence.push_back({name,
-                                    tr("Debris came within %1 of this place so long after the first debris that came down "
-                                       "anywhere, give or take %2")
-                                        .arg(widgets::shownLength(time.radius), widgets::shownWith(time.accuracy, "s")),
-                                    each.used, true, true});
+    for (const CauseChoice::Evidence& each : m_choice.evidence()) {
+        content.evidence.push_back(entryOf(each.name, each.tip, each.why, each.used, each.input.empty()));
     }
     content.available = !m_document.empty();
     content.running = m_work.comparing();
     content.why = whyNot(order);
     content.ready = content.why.isEmpty() && !m_work.running();
-    const EnsembleSettings& ensemble = theCase.ensemble;
+    const EnsembleSettings& ensemble = m_document.theCase().ensemble;
     if (content.available) {
         content.members = tr("Each gets %1 members with what is varied under Ensemble.").arg(widgets::shownCount(ensemble.members));
     }

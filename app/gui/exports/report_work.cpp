@@ -255,15 +255,8 @@ void ReportWork::start(std::function<void(const Execution&)> work, std::function
 }
 
 QString ReportWork::notesFile() const {
-    if (m_document.empty()) {
-        return {};
-    }
-    const QString path = m_document.path();
-    if (!path.isEmpty() && QFileInfo(QFileInfo(path).absolutePath()).isWritable()) {
-        return QString::fromStdString(io::reportNotesPath(path.toStdString()));
-    }
-    const QString runs = m_session.part<ProjectFiles>().runs.stateFile();
-    return runs.isEmpty() ? QString() : runs.chopped(QStringLiteral(".runs.json").size()) + QStringLiteral(".report.json");
+    // Seals know it by the same ending.
+    return m_session.part<ProjectFiles>().runs.fileBeside(QString::fromStdString(io::reportNotesPath({})));
 }
 
 void ReportWork::takeNotes() {

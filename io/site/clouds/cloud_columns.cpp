@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/base/file_words.h"
+#include "io/base/trimmed.h"
 #include "io/fe/meshes/raw_mesh.h"
 #include "io/site/clouds/cloud_file.h"
 
@@ -18,6 +20,39 @@ template <class Whole>
 Whole wholeOf(double number) {
     constexpr auto most = static_cast<double>(std::numeric_limits<Whole>::max());
     return number > 0.0 ? static_cast<Whole>(std::min(std::round(number), most)) : Whole{0};
+}
+
+std::string inSmallLetters(std::string_view text) {
+    std::string low;
+    for (const char c : text) {
+        low += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return low;
+}
+
+/// Metres in a unit of length, by the names that people give it.
+std::optional<double> metresIn(std::string_view unit) {
+    std::string name = inSmallLetters(unit);
+    std::erase_if(name, [](char c) { return c == ' ' || c == '-' || c == '.' || c == '_'; });
+    constexpr double surveyFoot = 1200.0 / 3937.0;
+    static const std::vector<std::pair<double, std::vector<std::string_view>>> units{
+        {1.0, {"m", "metre", "metres", "meter", "meters"}},
+        {1e-3, {"mm"}},
+        {1e-2, {"cm"}},
+        {1e3, {"km"}},
+        {0.3048, {"ft", "foot", "feet", "ift", "ftint", "internationalfeet"}},
+        {surveyFoot,
+         {"usft", "ftus", "sft", "ussft", "usfeet", "usfoot", "surveyfeet", "surveyfoot", "ussurveyfeet", "ussurveyfoot"}}};
+    for (const auto& [metres, names] : units) {
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            return metres;
+        }
+    }
+    return std::nullopt;
+}
+
+bool isPlace(ColumnRole role) {
+    return role >= ColumnRole::X && role <= ColumnRole::Z;
 }
 
 template <class Number>
@@ -33,10 +68,7 @@ double storedNumber(const unsigned char* bytes, bool bigEndian) {
 }  // namespace
 
 ColumnRole columnRole(std::string_view name) {
-    std::string low;
-    for (const char c : name) {
-        low += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+    std::string low = inSmallLetters(name);
     for (const std::string_view prefix : {"//", "scalar_", "diffuse_"}) {
         if (low.starts_with(prefix)) {
             low.erase(0, prefix.size());
@@ -62,6 +94,37 @@ ColumnRole columnRole(std::string_view name) {
         }
     }
     return Unread;
+}
+
+ColumnHeading columnHeading(const std::string& path, std::string_view heading) {
+    ColumnHeading whole{columnRole(heading)};
+    if (whole.role != ColumnRole::Unread) {
+        return whole;
+    }
+    const std::size_t bracket = heading.find_first_of("([");
+    if (bracket != std::string_view::npos && !heading.empty() && (heading.back() == ')' || heading.back() == ']')) {
+        std::string_view bare = trimmed(heading.substr(0, bracket));
+        bare.remove_suffix(bare.ends_with('_') ? 1 : 0);
+        const std::string unit(trimmed(heading.substr(bracket + 1, heading.size() - bracket - 2)));
+        if (!isPlace(columnRole(bare))) {
+            return whole;
+        }
+        const std::optional<double> metres = metresIn(unit);
+        if (!metres) {
+            refuseContent(
+                {"cloud.unit_unknown", "{0}: \"{1}\" behind \"{2}\" is no unit of length that is known", {path, unit, bare}},
+                "Write the unit as m, cm, mm, km, ft or US ft, or leave the brackets out.");
+        }
+        return {columnRole(bare), unit, metres};
+    }
+    for (std::size_t at = heading.find_first_of("_ "); at != std::string_view::npos; at = heading.find_first_of("_ ", at + 1)) {
+        const std::string_view unit = heading.substr(at + 1);
+        const ColumnRole role = columnRole(heading.substr(0, at));
+        if (const std::optional<double> metres = metresIn(unit); metres && isPlace(role)) {
+            return {role, std::string(unit), metres};
+        }
+    }
+    return whole;
 }
 
 void ColumnPlan::add(ColumnRole role, std::string_view name) {

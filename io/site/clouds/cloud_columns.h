@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +30,15 @@ enum class ColumnRole : std::uint8_t {
 
 /// The role of a column by the names that programs give it, in capitals or not.
 ColumnRole columnRole(std::string_view name);
+
+/// What the heading of a column says, which may name a unit behind a coordinate: "Easting (m)", "x_ft", "Northing [US ft]".
+struct ColumnHeading {
+    ColumnRole role = ColumnRole::Unread;
+    std::string unit = {};                        ///< as it is written; empty: none is named
+    std::optional<double> metres = std::nullopt;  ///< in it
+};
+/// @param path  of the table. Throws ParseError: what stands in brackets behind a coordinate is no unit that is known.
+ColumnHeading columnHeading(const std::string& path, std::string_view heading);
 
 /// The columns of a file in their order, and how their numbers become points.
 class ColumnPlan {

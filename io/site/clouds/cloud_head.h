@@ -65,6 +65,8 @@ struct CloudHead {
     std::string crs;              ///< WKT or what was asked for; empty: none
     std::string crsFrom;          ///< "WKT", "GeoTIFF keys", "asked for"
     bool metresByFormat = false;  ///< the format has no other unit
+    std::optional<double> planMetres;    ///< in a unit of x and y that headings of columns name
+    std::optional<double> heightMetres;  ///< in one of z
     CloudUnits units;
     std::vector<CloudScan> scans;  ///< empty: the format has none
     std::vector<CloudPhotograph> photographs;

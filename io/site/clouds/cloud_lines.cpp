@@ -69,8 +69,7 @@ std::size_t fieldsIn(std::string_view line, const LineForm& form, std::vector<st
     return count;
 }
 
-double fieldNumber(std::string_view field, const LineForm& form) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+std::optional<double> fieldNumberIn(std::string_view field, const LineForm& form) {
     std::array<char, 64> own{};
     if (field.starts_with('+')) {
         field.remove_prefix(1);
@@ -79,9 +78,39 @@ double fieldNumber(std::string_view field, const LineForm& form) {
         std::replace_copy(field.begin(), field.end(), own.begin(), ',', '.');
         field = {own.data(), field.size()};
     }
-    double number = none;
+    double number = 0.0;
     const auto end = std::from_chars(field.data(), field.data() + field.size(), number);
-    return end.ec == std::errc{} && end.ptr == field.data() + field.size() ? number : none;
+    return end.ec == std::errc{} && end.ptr == field.data() + field.size() ? std::optional(number) : std::nullopt;
+}
+
+double fieldNumber(std::string_view field, const LineForm& form) {
+    return fieldNumberIn(field, form).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::int64_t lineNumber(const CloudFile& file, std::uint64_t end) {
+    std::vector<unsigned char> window(windowOfLines);
+    std::int64_t line = 1;
+    // The last byte may be the end of the line itself.
+    for (std::uint64_t at = 0; at + 1 < end;) {
+        const std::size_t got = file.readSome(at, window.data(), std::min<std::uint64_t>(window.size(), end - 1 - at));
+        if (got == 0) {
+            break;
+        }
+        line += std::count(window.begin(), window.begin() + static_cast<std::ptrdiff_t>(got), '\n');
+        at += got;
+    }
+    return line;
+}
+
+void UnreadLines::tell(const CloudFile& file, Findings& findings) const {
+    if (m_count > 0) {
+        addFinding(
+            findings, file.path(),
+            {"cloud.lines_unread",
+             "lines that are no points were left out, the first of them line {0}: they have too few numbers, or words for them",
+             {lineNumber(file, m_end)}},
+            "look at the file in an editor; export it anew if these are points", m_count);
+    }
 }
 
 }  // namespace rubble::io

@@ -3,6 +3,7 @@
 #include <ogr_spatialref.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "io/base/file_words.h"
@@ -35,18 +36,7 @@ void takeAskedSystem(const std::string& path, const std::string& asked, CloudHea
     head.crsFrom = "asked for";
 }
 
-/// The unit of heights: of the vertical part, or that of x and y, or metres over degrees.
-void takeHeightUnit(const std::string& path, const OGRSpatialReference& system, CloudUnits& units, Findings& findings) {
-    if (system.IsVertical() != 0) {
-        units.heightMetres = system.GetTargetLinearUnits("VERT_CS", nullptr);
-        units.heightStated = true;
-        return;
-    }
-    if (system.GetAxesCount() == 3 || units.geocentric) {
-        units.heightMetres = units.degrees ? 1.0 : units.metres;
-        units.heightStated = true;
-        return;
-    }
+void assumeHeightUnit(const std::string& path, CloudUnits& units, Findings& findings) {
     units.heightMetres = units.degrees ? 1.0 : units.metres;
     if (units.degrees || units.metres != 1.0) {
         addFinding(findings, path,
@@ -57,12 +47,62 @@ void takeHeightUnit(const std::string& path, const OGRSpatialReference& system, 
     }
 }
 
+/// Throws ParseError unless a unit of a heading is that of the system. @param own  not a number: degrees
+void requireUnit(const std::string& path, const std::optional<double>& headed, double own) {
+    // Two feet that are told apart by two millionths go by one name.
+    constexpr double alike = 1e-5;
+    if (headed && !(std::abs(*headed / own - 1.0) < alike)) {
+        refuseContent({"cloud.unit_differs",
+                       "{0}: its headings name a unit of {1}, and its coordinate system has another one",
+                       {path, Argument(*headed, "m")}},
+                      "Correct the heading, or name the system that the numbers are in.");
+    }
+}
+
+/// The unit of heights: of the vertical part, or that of x and y, or metres over degrees, else of the heading.
+void takeHeightUnit(const std::string& path, const OGRSpatialReference& system, const std::optional<double>& headed,
+                    CloudUnits& units, Findings& findings) {
+    if (system.IsVertical() != 0) {
+        units.heightMetres = system.GetTargetLinearUnits("VERT_CS", nullptr);
+        units.heightStated = true;
+        requireUnit(path, headed, units.heightMetres);
+        return;
+    }
+    if (system.GetAxesCount() == 3 || units.geocentric) {
+        units.heightMetres = units.degrees ? 1.0 : units.metres;
+        units.heightStated = true;
+        requireUnit(path, headed, units.heightMetres);
+        return;
+    }
+    if (headed) {
+        units.heightMetres = *headed;
+        units.heightStated = true;
+        return;
+    }
+    assumeHeightUnit(path, units, findings);
+}
+
+/// The units of a table without a system, as its headings name them.
+void takeHeadedUnits(const std::string& path, CloudHead& head, Findings& findings) {
+    CloudUnits& units = head.units;
+    if (head.planMetres) {
+        units.metres = *head.planMetres;
+        units.metresStated = true;
+    }
+    if (head.heightMetres) {
+        units.heightMetres = *head.heightMetres;
+        units.heightStated = true;
+    } else if (head.planMetres) {
+        assumeHeightUnit(path, units, findings);
+    }
+}
+
 void tellUnknownSystem(const std::string& path, const CloudHead& head, Findings& findings) {
     if (!head.crs.empty()) {
         addFinding(findings, path,
                    {"cloud.system_unread", "the coordinate system of the file cannot be read; its numbers are taken as metres", {}},
                    "name the system, such as EPSG:25832");
-    } else if (!head.metresByFormat) {
+    } else if (!head.metresByFormat && !head.planMetres) {
         addFinding(findings, path,
                    {"cloud.system_unknown", "the file names no coordinate system; its numbers are taken as metres", {}},
                    "name the system, such as EPSG:25832, or check the bounds against something whose length is known");
@@ -102,17 +142,19 @@ void describeUnits(const std::string& path, const std::string& asked, CloudHead&
     OGRSpatialReference system;
     if (!setSystem(system, head.crs)) {
         tellUnknownSystem(path, head, findings);
+        takeHeadedUnits(path, head, findings);
         return;
     }
     if (system.IsLocal() != 0) {
         units.metres = system.GetLinearUnits();
         units.metresStated = true;
+        requireUnit(path, head.planMetres, units.metres);
         addFinding(findings, path,
                    {"cloud.system_local",
                     "the coordinate system of the file is no place on Earth; a unit of it is {0}",
                     {Argument(units.metres, "m")}},
                    "place the cloud by points that are known in it and in the case");
-        takeHeightUnit(path, system, units, findings);
+        takeHeightUnit(path, system, head.heightMetres, units, findings);
         return;
     }
     units.name = system.GetName() != nullptr ? system.GetName() : "unnamed";
@@ -121,7 +163,8 @@ void describeUnits(const std::string& path, const std::string& asked, CloudHead&
     units.geocentric = system.IsGeocentric() != 0;
     units.metres = units.degrees ? std::numeric_limits<double>::quiet_NaN() : system.GetLinearUnits();
     units.metresStated = true;
-    takeHeightUnit(path, system, units, findings);
+    requireUnit(path, head.planMetres, units.metres);
+    takeHeightUnit(path, system, head.heightMetres, units, findings);
     if (units.degrees) {
         addFinding(
             findings, path,

@@ -5,7 +5,7 @@
 
 #include "io/base/delimited_table.h"
 #include "io/base/file_words.h"
-#include "io/site/clouds/ptx_source.h"
+#include "io/site/clouds/scans/ptx_source.h"
 #include "io/site/clouds/text_source.h"
 
 namespace rubble::io {
@@ -87,13 +87,65 @@ ColumnPlan planAsked(const CloudRequest& request) {
     return plan;
 }
 
+/// Whether the first line is no point by the columns that were asked for.
+bool isHeading(const DelimitedTable& table, const ColumnPlan& plan) {
+    const std::vector<std::string>& fields = table.rows.front().fields;
+    for (std::size_t c = 0; c < std::min(plan.size(), fields.size()); ++c) {
+        const bool place = plan.role(c) >= ColumnRole::X && plan.role(c) <= ColumnRole::Z;
+        if (place && !fieldNumberIn(fields[c], {table.separator, table.decimalComma})) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The fields of a heading; a unit in brackets behind a blank belongs to what stands before it.
+std::vector<std::string> headingFields(const DelimitedTable& table) {
+    std::vector<std::string> fields;
+    for (const std::string& field : table.rows.front().fields) {
+        if (table.separator == ' ' && !fields.empty() && (field.starts_with('(') || field.starts_with('['))) {
+            fields.back() += ' ' + field;
+        } else {
+            fields.push_back(field);
+        }
+    }
+    return fields;
+}
+
+/// Takes the unit of a coordinate. Throws ParseError where x and y have different ones.
+void takeUnit(const std::string& path, const ColumnHeading& column, CloudHead& head) {
+    std::optional<double>& metres = column.role == ColumnRole::Z ? head.heightMetres : head.planMetres;
+    if (metres && column.metres && *metres != *column.metres) {
+        refuseContent({"cloud.units_of_plan", "{0}: its headings name different units for x and y", {path}},
+                      "Bring both to one unit.");
+    }
+    metres = column.metres ? column.metres : metres;
+}
+
+/// The units that a heading names for columns that were asked for, whatever it calls them.
+void takeUnitsOfHeading(const std::string& path, const DelimitedTable& table, bool heading, const ColumnPlan& plan,
+                        CloudHead& head) {
+    const std::vector<std::string> fields = heading ? headingFields(table) : std::vector<std::string>();
+    for (std::size_t c = 0; c < std::min(fields.size(), plan.size()); ++c) {
+        ColumnHeading column = columnHeading(path, fields[c]);
+        column.role = plan.role(c);
+        if (column.metres && column.role >= ColumnRole::X && column.role <= ColumnRole::Z) {
+            takeUnit(path, column, head);
+        }
+    }
+}
+
 /// The columns of a table by its heading, or the first three of one without.
-ColumnPlan planFound(const std::string& path, const DelimitedTable& table, bool heading, Findings& findings) {
+ColumnPlan planFound(const std::string& path, const DelimitedTable& table, bool heading, CloudHead& head, Findings& findings) {
     ColumnPlan plan;
-    const DelimitedRow& first = table.rows.front();
-    for (std::size_t c = 0; c < first.fields.size(); ++c) {
+    const std::vector<std::string> fields = headingFields(table);
+    for (std::size_t c = 0; c < fields.size(); ++c) {
         if (heading) {
-            plan.add(columnRole(first.fields[c]), first.fields[c]);
+            const ColumnHeading column = columnHeading(path, fields[c]);
+            if (!plan.has(column.role)) {
+                takeUnit(path, column, head);
+            }
+            plan.add(column.role, fields[c]);
         } else {
             constexpr std::array<ColumnRole, 3> places{ColumnRole::X, ColumnRole::Y, ColumnRole::Z};
             plan.add(c < places.size() ? places[c] : ColumnRole::Unread, "column " + std::to_string(c + 1));
@@ -150,8 +202,14 @@ std::unique_ptr<CloudSource> openTextCloud(const std::string& path, const CloudR
     head.format = "table";
     head.coding = table.separator == ' ' ? "parted by blanks" : std::string("parted by \"") + table.separator + "\"";
     TextPoints points;
-    const bool heading = !isNumbers(table, table.rows.front());
-    points.plan = request.columns.empty() ? planFound(path, table, heading, findings) : planAsked(request);
+    bool heading = !isNumbers(table, table.rows.front());
+    if (request.columns.empty()) {
+        points.plan = planFound(path, table, heading, head, findings);
+    } else {
+        points.plan = planAsked(request);
+        heading = isHeading(table, points.plan);
+        takeUnitsOfHeading(path, table, heading, points.plan, head);
+    }
     points.plan.describe(head);
     points.form = {table.separator, table.decimalComma};
     const ColourSteps steps = colourStepsOf(table, points.plan);

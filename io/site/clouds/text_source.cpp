@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/base/file_words.h"
 #include "io/fe/meshes/raw_mesh.h"
@@ -13,7 +14,7 @@ namespace {
 class TextSource final : public CloudSource {
 public:
     TextSource(std::shared_ptr<const CloudFile> file, std::uint64_t start, TextPoints points, CloudHead head, Findings found)
-        : m_path(file->path()), m_lines(std::move(file), start), m_points(std::move(points)) {
+        : m_file(file), m_lines(std::move(file), start), m_points(std::move(points)) {
         m_head = std::move(head);
         m_findings = std::move(found);
         if (m_points.count) {
@@ -58,7 +59,7 @@ private:
         }
         ++m_seen;
         if (there < m_needed) {
-            ++m_unread;
+            m_unread.add(m_lines.position());
             return false;
         }
         const bool exponents = line.find_first_of("eE") != std::string_view::npos;
@@ -67,9 +68,15 @@ private:
             if (role == ColumnRole::Unread) {
                 continue;
             }
-            const double number = fieldNumber(m_fields[c], m_points.form);
+            const bool place = role >= ColumnRole::X && role <= ColumnRole::Z;
+            const std::optional<double> read = fieldNumberIn(m_fields[c], m_points.form);
+            if (place && !read) {
+                m_unread.add(m_lines.position());
+                return false;
+            }
+            const double number = read.value_or(std::numeric_limits<double>::quiet_NaN());
             ColumnPlan::put(block, i, role, number, m_points.colourScale);
-            if (exponents && role >= ColumnRole::X && role <= ColumnRole::Z && std::isfinite(number)) {
+            if (exponents && place && std::isfinite(number)) {
                 m_head.step = std::max(m_head.step, stepOfText(m_fields[c], number));
             }
         }
@@ -77,13 +84,10 @@ private:
     }
 
     void finish() {
-        if (m_unread > 0) {
-            addFinding(m_findings, m_path, {"cloud.lines_unread", "lines with too few numbers for a point were left out", {}},
-                       "look at the file in an editor; export it anew if these are points", m_unread);
-        }
+        m_unread.tell(*m_file, m_findings);
         const std::uint64_t promised = m_head.promised.value_or(0);
         if (promised > m_seen) {
-            addFinding(m_findings, m_path,
+            addFinding(m_findings, m_file->path(),
                        {"cloud.fewer_points",
                         "the head says {0} points, the file has {1}",
                         {static_cast<std::int64_t>(promised), static_cast<std::int64_t>(m_taken)}},
@@ -91,14 +95,14 @@ private:
         }
     }
 
-    std::string m_path;
+    std::shared_ptr<const CloudFile> m_file;
     CloudLines m_lines;
     TextPoints m_points;
     std::size_t m_needed = 0;  ///< fields of a point
     std::vector<std::string_view> m_fields;
     std::uint64_t m_seen = 0;
     std::uint64_t m_taken = 0;
-    std::int64_t m_unread = 0;
+    UnreadLines m_unread;
 };
 
 }  // namespace

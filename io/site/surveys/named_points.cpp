@@ -39,27 +39,32 @@ bool isNameColumn(const std::string& heading) {
 /// Where the columns of a table stand.
 struct StationColumns {
     std::optional<std::size_t> name, x, y, z;
+    Vec3 metres = Vec3::Ones();  ///< in a unit of each
 };
 
-StationColumns columnsOf(const std::vector<std::string>& heading) {
+StationColumns columnsOf(const std::string& path, const std::vector<std::string>& heading) {
     StationColumns columns;
     for (std::size_t c = 0; c < heading.size(); ++c) {
-        const auto take = [c](std::optional<std::size_t>& column) { column = column.value_or(c); };
-        std::string_view bare = heading[c];
-        bare.remove_suffix(bare.ends_with("_m") ? 2 : 0);
-        switch (columnRole(bare)) {
+        const ColumnHeading column = columnHeading(path, heading[c]);
+        const auto take = [&](std::optional<std::size_t>& at, Eigen::Index axis) {
+            if (!at) {
+                at = c;
+                columns.metres[axis] = column.metres.value_or(1.0);
+            }
+        };
+        switch (column.role) {
             case ColumnRole::X:
-                take(columns.x);
+                take(columns.x, 0);
                 break;
             case ColumnRole::Y:
-                take(columns.y);
+                take(columns.y, 1);
                 break;
             case ColumnRole::Z:
-                take(columns.z);
+                take(columns.z, 2);
                 break;
             default:
                 if (isNameColumn(heading[c])) {
-                    take(columns.name);
+                    columns.name = columns.name.value_or(c);
                 }
         }
     }
@@ -68,7 +73,7 @@ StationColumns columnsOf(const std::vector<std::string>& heading) {
 
 std::vector<NamedPoint> pointsOfTable(const std::string& path, std::int64_t& unnamed) {
     const DelimitedTable table = readDelimitedTable(path, tableBytesMax);
-    const StationColumns columns = table.rows.empty() ? StationColumns() : columnsOf(table.rows.front().fields);
+    const StationColumns columns = table.rows.empty() ? StationColumns() : columnsOf(path, table.rows.front().fields);
     if (!columns.name || !columns.x || !columns.y || !columns.z) {
         refuseContent({"control.columns", "{0}: the first line does not name the columns of measured points", {path}},
                       "Begin the table with the line name,easting,northing,height, in the order of its columns.");
@@ -92,7 +97,8 @@ std::vector<NamedPoint> pointsOfTable(const std::string& path, std::int64_t& unn
                                {path, row.line, field(c), point.name}},
                               "Correct the line, or take the point out of the table.");
             }
-            point.place[axis++] = *number;
+            point.place[axis] = *number * columns.metres[axis];
+            ++axis;
         }
     }
     return points;

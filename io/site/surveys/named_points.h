@@ -12,7 +12,7 @@ namespace rubble::io {
 /// A measured point that somebody gave a name.
 struct NamedPoint {
     std::string name;
-    Vec3 place = Vec3::Zero();  ///< easting, northing and height, as the file has them; taken as m
+    Vec3 place = Vec3::Zero();  ///< m: easting, northing and height, in metres where no heading names another unit
 };
 
 /// Reads named points of a total station: a table with a heading (name, point, id or number; easting, northing and height, or x, y

@@ -50,6 +50,13 @@ TEST_F(NamedPoints, OfATableAreReadByItsHeadingInAnyOrder) {
     EXPECT_EQ(m_said.count("control.unnamed"), 1);
 }
 
+TEST_F(NamedPoints, OfATableInFeetAreInMetres) {
+    const auto points = read(lay("feet.csv", "Point,Easting (ft),Northing [ft],Height_m\nP1,10,20,3\n"));
+    ASSERT_EQ(points.size(), 1u);
+    EXPECT_EQ(points[0].place, Vec3(3.048, 6.096, 3.0));
+    EXPECT_THAT(refusal([&] { read(lay("other.csv", "Point,x (varas),y,z\nP1,10,20,3\n")); }), HasSubstr("no unit of length"));
+}
+
 TEST_F(NamedPoints, OfADrawingAreCalledByTheTextBesideThem) {
     std::string text;
     const auto put = [&text](int code, const auto& value) {

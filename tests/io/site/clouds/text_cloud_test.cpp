@@ -248,6 +248,63 @@ TEST_F(OtherCloud, TablesNameTheirColumnsOrAreAskedTo) {
     EXPECT_EQ(refusal("1 2 3\n", request), "cloud.columns_without_place");
 }
 
+TEST_F(OtherCloud, WhereColumnsAreGivenOnlyALineWithoutAPlaceIsAHeading) {
+    CloudRequest request;
+    request.columns = {"skip", "y", "x", "z", "skip"};
+    const std::string points = "101,5400001.5,500002.5,12.25,TOPO\n102,5400003,500004,12.5,EDGE\n";
+    const WholeCloud bare = read(points, request);
+    ASSERT_EQ(bare.points.size(), 2u) << "words in other columns make no heading";
+    EXPECT_EQ(bare.points.places[0], Vec3(500002.5, 5400001.5, 12.25));
+    const WholeCloud headed = read("P,N,E,Z,D\n" + points, request);
+    EXPECT_EQ(headed.points.places, bare.points.places);
+    EXPECT_EQ(headed.summary.findings.count("cloud.lines_unread"), 0);
+    EXPECT_EQ(read("P,N (ft),E (ft),Z (ft),D\n" + points, request).head.units.metres, 0.3048) << "a unit counts in any case";
+}
+
+TEST_F(OtherCloud, LinesThatAreNoPointsAreCountedWithTheirPlace) {
+    const WholeCloud table = read(std::string("# made by hand\nx,y,z\n1,2,3\n4,five,6\n7,8\n\n9,10,11\n12,,13\n"));
+    EXPECT_EQ(table.points.size(), 2u);
+    EXPECT_EQ(table.summary.findings.count("cloud.lines_unread"), 3);
+    EXPECT_EQ(table.summary.findings.count("cloud.not_finite"), 0) << "a word is no number, not one that is not finite";
+    const auto line = [](const WholeCloud& cloud) {
+        for (const Finding& finding : cloud.summary.findings.list()) {
+            if (finding.what.id == "cloud.lines_unread") {
+                return englishText(finding.what);
+            }
+        }
+        return std::string();
+    };
+    EXPECT_THAT(line(table), testing::HasSubstr("the first of them line 4:"));
+    const std::string head = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    EXPECT_THAT(line(read(head + "1 2 3 0.5\n1 2")), testing::HasSubstr("the first of them line 12:"));
+}
+
+TEST_F(OtherCloud, HeadingsNameTheUnitsOfTheirColumns) {
+    for (const char* heading :
+         {"Easting (m),Northing [m],Height (metres)", "x_m,y_m,z_m", "X(M),Y(M),Z(M)", "E (m),N (m),Elevation_m"}) {
+        const WholeCloud metres = read(std::string(heading) + "\n1,2,3\n");
+        ASSERT_EQ(metres.points.size(), 1u) << heading;
+        EXPECT_TRUE(metres.head.units.metresStated && metres.head.units.heightStated);
+        EXPECT_EQ(metres.summary.metres.max(), Vec3(1.0, 2.0, 3.0));
+        EXPECT_EQ(metres.summary.findings.count("cloud.system_unknown"), 0);
+    }
+    const WholeCloud feet = read(std::string("Easting (ft) Northing (ft) Height (m)\n10 20 3\n"));
+    EXPECT_EQ(feet.summary.metres.max(), Vec3(3.048, 6.096, 3.0)) << "each by its own unit, also where blanks part the columns";
+    const WholeCloud survey = read(std::string("x_us_ft,y_us_ft,z_us_ft\n3937,0,3937\n"));
+    EXPECT_NEAR((survey.summary.metres.max() - Vec3(1200.0, 0.0, 1200.0)).norm(), 0.0, 1e-9);
+    EXPECT_EQ(read(std::string("x_ft,y_ft,z\n1,2,3\n")).summary.findings.count("cloud.height_unit_assumed"), 1);
+    EXPECT_EQ(refusal("x (varas),y (varas),z (m)\n1,2,3\n"), "cloud.unit_unknown");
+    EXPECT_EQ(refusal("x_ft,y_m,z_m\n1,2,3\n"), "cloud.units_of_plan");
+    CloudRequest request;
+    request.crs = "EPSG:25832";
+    EXPECT_EQ(refusal("x_ft,y_ft,z_ft\n1,2,3\n", request), "cloud.unit_differs");
+    EXPECT_EQ(read(std::string("x_m,y_m,z_ft\n1,2,10\n"), request).summary.metres.max().z(), 3.048);
+    request.crs = "EPSG:2277";  // US survey feet
+    EXPECT_NEAR(read(std::string("x_ft,y_ft,z_ft\n10,10,10\n"), request).summary.metres.max().x(), 3.0480061, 1e-6);
+    request.crs = "EPSG:4326";
+    EXPECT_EQ(refusal("x_m,y_m,z_m\n1,2,3\n", request), "cloud.unit_differs");
+}
+
 TEST_F(OtherCloud, OtherFilesAreNoClouds) {
     for (const std::string& other : {std::string("hello world\n"),
                                      std::string("\x7f"

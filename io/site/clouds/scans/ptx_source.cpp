@@ -1,4 +1,4 @@
-#include "io/site/clouds/ptx_source.h"
+#include "io/site/clouds/scans/ptx_source.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +46,7 @@ public:
 
 private:
     static constexpr std::size_t headLines = 10;
+    using HeadNumbers = std::array<std::array<double, 4>, headLines>;
 
     struct Scan {
         Eigen::Affine3d toSite = Eigen::Affine3d::Identity();
@@ -98,7 +99,7 @@ private:
 
     /// @param line  the first of the head @return points of the scan
     std::uint64_t readHead(CloudLines& lines, std::string_view line, Scan& scan, CloudScan& told) {
-        std::array<std::array<double, 4>, headLines> numbers{};
+        HeadNumbers numbers{};
         constexpr std::array<std::size_t, headLines> widths{1, 1, 3, 3, 3, 3, 4, 4, 4, 4};
         for (std::size_t row = 0; row < headLines; ++row) {
             if ((row > 0 && !lines.next(line)) || fieldsIn(line, {}, m_fields, 4) != widths[row]) {
@@ -117,14 +118,11 @@ private:
                 scan.toSite.matrix()(j, i) = numbers[6 + static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
             }
         }
-        const Mat3 turn = scan.toSite.linear();
-        constexpr double turnError = 1e-3;
-        const bool rotates =
-            (turn * turn.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() < turnError && turn.determinant() > 0.0;
         told.pose.stated = told.pose.applied = true;
         told.pose.position = scan.toSite.translation();
-        told.pose.orientation = rotates ? Quat(turn).normalized() : Quat::Identity();
-        if (!rotates) {
+        if (scan.toSite.isApprox(Eigen::Affine3d::Identity())) {
+            takeScannerOfHead(numbers, told.pose);
+        } else if (!takeTurn(scan.toSite.linear(), told.pose)) {
             addFinding(m_findings, m_path,
                        {"cloud.matrix_no_rotation", "the matrix of a scan scales or shears; it was applied as it is", {}},
                        "compare a length in the cloud with what is known, and export the scans anew");
@@ -135,6 +133,25 @@ private:
             refuse(m_scans.size() + 1);
         }
         return static_cast<std::uint64_t>(points);
+    }
+
+    /// Points that lie at their places already have a matrix that does nothing; the scanner and its axes may still be told.
+    static void takeScannerOfHead(const HeadNumbers& numbers, CloudPose& pose) {
+        Mat3 axes;
+        for (std::size_t i = 0; i < 3; ++i) {
+            pose.position[static_cast<Eigen::Index>(i)] = numbers[2][i];
+            axes.col(static_cast<Eigen::Index>(i)) = Vec3(numbers[3 + i][0], numbers[3 + i][1], numbers[3 + i][2]);
+        }
+        takeTurn(axes, pose);
+    }
+
+    /// @return false: it is no rotation, and is not taken
+    static bool takeTurn(const Mat3& turn, CloudPose& pose) {
+        constexpr double turnError = 1e-3;
+        const bool rotates =
+            (turn * turn.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() < turnError && turn.determinant() > 0.0;
+        pose.orientation = rotates ? Quat(turn).normalized() : Quat::Identity();
+        return rotates;
     }
 
     /// @return whether a scan has points left
@@ -148,7 +165,7 @@ private:
 
     bool takeLine(std::string_view line, CloudBlock& block, std::size_t i) {
         if (fieldsIn(line, {}, m_fields, 7) < 4) {
-            ++m_unread;
+            m_unread.add(m_lines.position());
             return false;
         }
         const auto number = [this](std::size_t k) { return fieldNumber(m_fields[k], {}); };
@@ -166,10 +183,8 @@ private:
     }
 
     void finish() {
-        if (m_unread > 0) {
-            addFinding(m_findings, m_path, {"cloud.lines_unread", "lines with too few numbers for a point were left out", {}},
-                       "look at the file in an editor; export it anew if these are points", m_unread);
-            m_unread = 0;
+        if (!m_told) {
+            m_unread.tell(*m_file, m_findings);
         }
         if (const std::uint64_t promised = m_head.promised.value_or(0); promised > m_taken && !m_told) {
             addFinding(m_findings, m_path,
@@ -188,7 +203,7 @@ private:
     std::size_t m_next = 0;
     std::uint64_t m_left = 0;  ///< lines of the scan that is read
     std::uint64_t m_taken = 0;
-    std::int64_t m_unread = 0;
+    UnreadLines m_unread;
     bool m_told = false;
     std::vector<std::string_view> m_fields;
 };

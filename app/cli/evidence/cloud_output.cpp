@@ -34,8 +34,8 @@ std::uint64_t countOf(const io::CloudSummary& summary, io::PointFate fate) {
     return summary.fates[static_cast<std::size_t>(fate)];
 }
 
-Json poseJson(const io::CloudPose& pose) {
-    if (!pose.stated) {
+Json poseJson(const io::CloudPose& pose, bool known) {
+    if (!known) {
         return {};
     }
     const Quat& turn = pose.orientation;
@@ -71,8 +71,10 @@ Json scansJson(const io::CloudHead& head, const io::CloudSummary& summary) {
     Json rows = Json::array();
     for (std::size_t s = 0; s < head.scans.size(); ++s) {
         const io::CloudScan& scan = head.scans[s];
-        rows.push_back(
-            {{"name", scan.name}, {"points", summary.scans[s]}, {"points_promised", scan.promised}, {"pose", poseJson(scan.pose)}});
+        rows.push_back({{"name", scan.name},
+                        {"points", summary.scans[s]},
+                        {"points_promised", scan.promised},
+                        {"pose", poseJson(scan.pose, summary.posed[s])}});
     }
     return rows;
 }
@@ -90,7 +92,7 @@ Json photographsJson(const io::CloudHead& head, const std::vector<std::string>& 
                         {"height_px", photograph.height},
                         {"focal_px", lens ? Json(photograph.focal) : Json()},
                         {"principal_px", lens ? Json{photograph.principal.x(), photograph.principal.y()} : Json()},
-                        {"pose", poseJson(photograph.pose)},
+                        {"pose", poseJson(photograph.pose, photograph.pose.stated)},
                         {"file", p < paths.size() ? Json(paths[p]) : Json()}});
     }
     return rows;
@@ -120,8 +122,8 @@ std::string unitsText(const io::CloudUnits& units) {
     return (units.degrees ? "x, y: degrees; " : "x, y: " + unitText(units.metres, units.metresStated) + "; ") + height;
 }
 
-std::string poseText(const io::CloudPose& pose) {
-    if (!pose.stated) {
+std::string poseText(const io::CloudPose& pose, bool known) {
+    if (!known) {
         return "no pose";
     }
     const Eigen::AngleAxisd turn(pose.orientation);
@@ -168,15 +170,15 @@ void printScans(std::ostream& out, const io::CloudHead& head, const io::CloudSum
     for (std::size_t s = 0; s < head.scans.size(); ++s) {
         const io::CloudScan& scan = head.scans[s];
         out << "  " << (scan.name.empty() ? "unnamed" : scan.name) << ": " << countText(summary.scans[s]) << " of "
-            << countText(scan.promised) << " points, " << poseText(scan.pose) << '\n';
+            << countText(scan.promised) << " points, " << poseText(scan.pose, summary.posed[s]) << '\n';
     }
     if (!head.photographs.empty()) {
         printHeading(out, "Photographs in the file");
     }
     for (const io::CloudPhotograph& photograph : head.photographs) {
         out << "  " << (photograph.name.empty() ? "unnamed" : photograph.name) << ": " << photograph.projection << ", "
-            << photograph.width << " x " << photograph.height << " pixels, " << photograph.kind << ", " << poseText(photograph.pose)
-            << '\n';
+            << photograph.width << " x " << photograph.height << " pixels, " << photograph.kind << ", "
+            << poseText(photograph.pose, photograph.pose.stated) << '\n';
     }
 }
 

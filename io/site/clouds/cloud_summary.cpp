@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/base/file_words.h"
+#include "io/site/clouds/scans/scanner_check.h"
 
 namespace rubble::io {
 
@@ -36,7 +37,7 @@ private:
 /// Gathers the summary block by block.
 class CloudTally {
 public:
-    explicit CloudTally(std::size_t scans) { m_summary.scans.resize(scans); }
+    explicit CloudTally(const CloudHead& head) : m_scanners(head) { m_summary.scans.resize(head.scans.size()); }
 
     void add(const CloudBlock& block) {
         for (const Vec3& place : block.places) {
@@ -60,6 +61,7 @@ public:
         }
         m_classes.add(block.classes);
         m_returns.add(block.returns);
+        m_scanners.add(block);
     }
 
     CloudSummary finish(const PointCloud& cloud) {
@@ -103,6 +105,24 @@ private:
         }
         judgeClasses(path);
         judgePlaces(path, head);
+        judgePoses(path, head);
+    }
+
+    void judgePoses(const std::string& path, const CloudHead& head) {
+        m_summary.posed = m_scanners.posed();
+        std::int64_t unknown = 0;
+        for (std::size_t s = 0; s < head.scans.size(); ++s) {
+            unknown += head.scans[s].pose.stated && !m_summary.posed[s] ? 1 : 0;
+        }
+        if (unknown > 0) {
+            find(path,
+                 {"cloud.pose_unknown",
+                  "scans state a pose at which no scanner can have stood, by how their points lie about it; it is taken as not "
+                  "stated",
+                  {}},
+                 "name the places of the scanners where distances are measured (--scanner), or export the scans with their poses",
+                 unknown);
+        }
     }
 
     void judgeClasses(const std::string& path) {
@@ -131,6 +151,7 @@ private:
     }
 
     CloudSummary m_summary;
+    ScannerCheck m_scanners;
     ValueCount<std::uint16_t, 65'536> m_classes;
     ValueCount<std::uint8_t, 256> m_returns;
     std::int64_t m_timeless = 0;
@@ -140,7 +161,7 @@ private:
 }  // namespace
 
 CloudSummary summariseCloud(PointCloud& cloud, const Execution& execution, const std::function<void(const CloudBlock&)>& visit) {
-    CloudTally tally(cloud.head().scans.size());
+    CloudTally tally(cloud.head());
     CloudBlock block;
     while (cloud.next(block, execution)) {
         tally.add(block);

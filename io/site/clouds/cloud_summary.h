@@ -20,6 +20,7 @@ struct CloudSummary {
     std::map<std::uint16_t, std::uint64_t> classes;     ///< points of each; empty: the cloud has no classes
     std::map<std::uint8_t, std::uint64_t> returns;      ///< points of each echo
     std::vector<std::uint64_t> scans;                   ///< points taken of each scan of the head
+    std::vector<bool> posed;                            ///< whether it is known where the scanner of each stood
     float intensityLeast = 0.0F;
     float intensityMost = 0.0F;
     std::uint16_t colourMost = 0;  ///< greatest step of any colour

@@ -40,7 +40,7 @@ public:
         made.taken = points.size();
         made.stride = m_stride;
         made.compared.findings.append(summary.findings);
-        takeSights();
+        takeSights(summary.posed);
         tell();
     }
 
@@ -100,11 +100,11 @@ private:
         m_stride *= 2;
     }
 
-    void takeSights() {
+    /// @param posed  whether it is known where the scanner of each scan stood
+    void takeSights(const std::vector<bool>& posed) {
         scanners = m_request.scanners;
         const std::vector<CloudScan>& told = m_cloud->head().scans;
-        const bool stated =
-            !told.empty() && std::all_of(told.begin(), told.end(), [](const CloudScan& scan) { return scan.pose.stated; });
+        const bool stated = !posed.empty() && std::find(posed.begin(), posed.end(), false) == posed.end();
         if (!scanners.empty()) {
             m_made.sights = SightsFrom::Asked;
             const SitePlace place(m_request.frame, m_request.site);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "tests/support/command_run.h"
 #include "tests/support/places.h"
@@ -175,6 +176,51 @@ TEST_F(ScanOfRun, WhatIsHiddenIsNotSeenAndNotMissing) {
     const nlohmann::json made = compared(las, {});
     EXPECT_EQ(made["debris"]["fragments_seen"], scan["debris"]["fragments_seen"]);
     EXPECT_LT(significantShare(made), 0.09) << "shadows are no differences";
+}
+
+/// A PTX of the points of a scan. @param told  scanner in its head, @param shift  of its matrix: the points are moved against it
+std::string writePtx(const std::string& path, const std::vector<Eigen::Vector3d>& places, const std::string& told,
+                     const Eigen::Vector3d& shift) {
+    std::ofstream out(path);
+    out << places.size() << "\n1\n"
+        << told << "\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+        << shift.x() << ' ' << shift.y() << ' ' << shift.z() << " 1\n";
+    for (const Eigen::Vector3d& place : places) {
+        out << (place - shift).transpose() << " 0.5\n";
+    }
+    return path;
+}
+
+TEST_F(ScanOfRun, APoseThatIsNoneIsNotTakenAsTheScanner) {
+    run({}, "2");
+    const std::string csv = m_folder / "scan.csv";
+    ASSERT_EQ(cli({"scan", m_out, "--step", "0.05", "--range", "20", "--out", csv, "--scanner", "-6,-5,3"}).exitCode, 0);
+    std::vector<Eigen::Vector3d> places;
+    std::ifstream in(csv);
+    std::string line;
+    std::getline(in, line);
+    while (std::getline(in, line)) {
+        std::istringstream fields(line);
+        char comma = 0;
+        Eigen::Vector3d& at = places.emplace_back();
+        fields >> at.x() >> comma >> at.y() >> comma >> at.z();
+    }
+    const Eigen::Vector3d stand(-6.0, -5.0, 3.0);
+    const Eigen::Vector3d none(0.0, 0.0, 0.0);
+    const nlohmann::json truly = compared(writePtx(m_folder / "true.ptx", places, "-6 -5 3", stand), {});
+    const nlohmann::json head = compared(writePtx(m_folder / "head.ptx", places, "-6 -5 3", none), {});
+    const std::string registered = writePtx(m_folder / "none.ptx", places, "0 0 0", none);
+    const nlohmann::json above = compared(registered, {});
+    EXPECT_EQ(truly["seen_from"], "cloud");
+    EXPECT_EQ(head["seen_from"], "cloud");
+    EXPECT_EQ(head["debris"], truly["debris"]);
+    EXPECT_NEAR(head["with_level_of_detection"].get<double>(), truly["with_level_of_detection"].get<double>(), 5.0);
+    EXPECT_FALSE(warns(truly, "cloud.pose_unknown") || warns(head, "cloud.pose_unknown"));
+    EXPECT_EQ(above["seen_from"], "above") << "nobody stood at 0, 0, 0";
+    EXPECT_TRUE(warns(above, "cloud.pose_unknown"));
+    EXPECT_GT(above["debris"]["fragments_seen"], 0);
+    EXPECT_TRUE(cli({"cloud", registered, "--json"}).json()["scans"][0]["pose"].is_null());
+    EXPECT_THAT(cli({"cloud", registered}).out, HasSubstr("no pose"));
 }
 
 TEST_F(ScanOfRun, RefusesWhatCannotBeMeant) {

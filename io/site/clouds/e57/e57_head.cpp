@@ -144,6 +144,21 @@ private:
         return field;
     }
 
+    /// Whether one focal length in pixels describes a pinhole. A height that the file leaves out is the width.
+    bool squarePixels(double width, double height) {
+        constexpr double alike = 1e-3;
+        if (!(height > 0.0) || std::abs(height / width - 1.0) < alike) {
+            return true;
+        }
+        addFinding(
+            m_findings, m_pages.path(),
+            {"cloud.pixels_not_square",
+             "pictures have pixels of {0} by {1}: they are not taken as photographs with a known camera",
+             {Argument(width, "m"), Argument(height, "m")}},
+            "write them out with rubble-cli cloud --photographs, bring them to square pixels and place them by pairs of points");
+        return false;
+    }
+
     void addPhotograph(const pugi::xml_node& node) {
         constexpr std::pair<const char*, const char*> projections[] = {{"pinholeRepresentation", "pinhole"},
                                                                        {"sphericalRepresentation", "spherical"},
@@ -165,7 +180,8 @@ private:
             photograph.width = numberOf<std::int64_t>(shown.child("imageWidth").child_value(), 0);
             photograph.height = numberOf<std::int64_t>(shown.child("imageHeight").child_value(), 0);
             const double pixel = realIn(shown.child("pixelWidth"));
-            if (const double focal = realIn(shown.child("focalLength")); focal > 0.0 && pixel > 0.0) {
+            const double focal = realIn(shown.child("focalLength"));
+            if (focal > 0.0 && pixel > 0.0 && squarePixels(pixel, realIn(shown.child("pixelHeight")))) {
                 photograph.focal = focal / pixel;
                 photograph.principal = {realIn(shown.child("principalPointX")), realIn(shown.child("principalPointY"))};
             }

@@ -148,7 +148,7 @@ CloudBytes MadeE57::bytes(const std::string& xml) const {
     return file;
 }
 
-CloudBytes cloudWithPictures(const std::string& width, std::size_t which) {
+CloudBytes cloudWithPictures(const std::string& width, std::size_t which, const std::string& pixelHeight) {
     const std::string tiny = sourcePath("tests/data/clouds/tiny_pc_and_images.e57");
     const CloudBytes png = photographOfE57(tiny, openCloud(tiny)->head().photographs[which]);
     MadeE57 made;
@@ -158,13 +158,15 @@ CloudBytes cloudWithPictures(const std::string& width, std::size_t which) {
     for (const char* axis : {"X", "Y", "Z"}) {
         fields += "<cartesian" + std::string(axis) + " type=\"Integer\" minimum=\"0\" maximum=\"255\"/>";
     }
-    const std::string pinhole =
-        "<pinholeRepresentation type=\"Structure\"><pngImage type=\"Blob\" fileOffset=\"" + std::to_string(picture) +
-        "\" length=\"" + std::to_string(png.size()) + "\"/><imageWidth type=\"Integer\">" + width +
-        "</imageWidth><imageHeight type=\"Integer\">100</imageHeight>"
-        "<focalLength type=\"Float\">0.02</focalLength><pixelWidth type=\"Float\">0.0001</pixelWidth>"
-        "<pixelHeight type=\"Float\">0.0001</pixelHeight><principalPointX type=\"Float\">48</principalPointX>"
-        "<principalPointY type=\"Float\">53</principalPointY></pinholeRepresentation>";
+    const std::string pinhole = "<pinholeRepresentation type=\"Structure\"><pngImage type=\"Blob\" fileOffset=\"" +
+                                std::to_string(picture) + "\" length=\"" + std::to_string(png.size()) +
+                                "\"/><imageWidth type=\"Integer\">" + width +
+                                "</imageWidth><imageHeight type=\"Integer\">100</imageHeight>"
+                                "<focalLength type=\"Float\">0.02</focalLength><pixelWidth type=\"Float\">0.0001</pixelWidth>"
+                                "<pixelHeight type=\"Float\">" +
+                                pixelHeight +
+                                "</pixelHeight><principalPointX type=\"Float\">48</principalPointX>"
+                                "<principalPointY type=\"Float\">53</principalPointY></pinholeRepresentation>";
     const std::string pose =
         "<pose type=\"Structure\"><translation type=\"Structure\"><x type=\"Float\">10</x><y type=\"Float\">20</y>"
         "<z type=\"Float\">50</z></translation></pose>";

@@ -98,6 +98,7 @@ private:
 /// pose.
 /// @param width    px, as the cloud states it
 /// @param which    which one of a small cloud it holds
-CloudBytes cloudWithPictures(const std::string& width = "100", std::size_t which = 1);
+/// @param pixelHeight  m; their width is 0.1 mm
+CloudBytes cloudWithPictures(const std::string& width = "100", std::size_t which = 1, const std::string& pixelHeight = "0.0001");
 
 }  // namespace rubble::io

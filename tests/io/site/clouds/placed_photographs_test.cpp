@@ -58,6 +58,18 @@ TEST(PlacedPhotographs, AreMatchedToTheCameraThatTheCloudStates) {
     EXPECT_TRUE(std::isfinite(matchPhotograph(photograph, Execution()).placeRadius));
 }
 
+TEST(PlacedPhotographs, WithPixelsThatAreNotSquareHaveNoKnownCamera) {
+    const TemporaryFolder folder;
+    const auto placed = [&](const std::string& height) {
+        const std::string path = layCloud(folder / "pictures.e57", cloudWithPictures("100", 1, height));
+        Findings findings;
+        return placedPhotographs(path, {}, {}, std::nullopt, findings).size();
+    };
+    EXPECT_EQ(placed("0.00010005"), 1U) << "rounded";
+    EXPECT_EQ(placed("0.000075"), 0U);
+    EXPECT_EQ(placed("0"), 1U) << "not stated: square";
+}
+
 TEST(PlacedPhotographs, NeverReplacePicturesOfAnotherCloud) {
     const TemporaryFolder folder;
     const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());

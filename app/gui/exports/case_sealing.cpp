@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/gui/case/file_commands.h"
+#include "app/gui/exports/folder_choice.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "core/base/error.h"
@@ -180,8 +181,7 @@ void CaseSealing::open() {
 }
 
 void CaseSealing::openBundle(const QString& bundle) {
-    const QString folder =
-        QFileDialog::getExistingDirectory(&m_window, tr("Empty folder to unpack into"), QFileInfo(bundle).absolutePath());
+    const QString folder = chooseFolder(m_window, tr("Empty folder to unpack into"), QFileInfo(bundle).absolutePath());
     if (!folder.isEmpty()) {
         openAt(bundle, folder);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/gui/exports/export_source.h"
+#include "app/gui/exports/folder_choice.h"
 #include "app/gui/session/session.h"
 #include "core/fe/north.h"
 #include "io/run/run_cautions.h"
@@ -245,10 +246,10 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
         return;
     }
     choice = dialog.choice();
-    QString path = choice.encoded ? QFileDialog::getSaveFileName(&m_window, tr("Movie"), proposed(QStringLiteral(".mp4")),
-                                                                 tr("Movies (*.mp4)"))
-                                  : QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures of the movie"),
-                                                                      QFileInfo(m_document.base()).absolutePath());
+    QString path =
+        choice.encoded
+            ? QFileDialog::getSaveFileName(&m_window, tr("Movie"), proposed(QStringLiteral(".mp4")), tr("Movies (*.mp4)"))
+            : chooseFolder(m_window, tr("Folder for the pictures of the movie"), QFileInfo(m_document.base()).absolutePath());
     if (path.isEmpty()) {
         return;
     }

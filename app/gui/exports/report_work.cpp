@@ -8,6 +8,7 @@
 #include "app/gui/case/autosave.h"
 #include "app/gui/case/project_files.h"
 #include "app/gui/evidence/causes_display.h"
+#include "app/gui/exports/folder_choice.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
@@ -165,8 +166,7 @@ void ReportWork::write() {
     if (!whyNot().isEmpty() || m_kept.writing) {
         return;
     }
-    const QString folder =
-        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the report"), QFileInfo(m_document.base()).absolutePath());
+    const QString folder = chooseFolder(m_window, tr("Folder for the report"), QFileInfo(m_document.base()).absolutePath());
     if (!folder.isEmpty()) {
         writeTo(folder);
     }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,6 +21,7 @@
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/language.h"
+#include "widgets/basics/panel.h"
 #include "widgets/case/preferences_dialog.h"
 #include "widgets/evidence/report_panel.h"
 
@@ -177,6 +179,35 @@ TEST_F(ReportFields, AComparisonThatWasPrintedIntoAFileBecomesATable) {
     std::ofstream(path) << "{}";
     report();
     EXPECT_FALSE(panel().findChildren<widgets::Notice*>().front()->text().isEmpty()) << "what is wrong with the file is said";
+}
+
+TEST_F(ReportFields, AFolderThatIsNotThereIsNamedAndMade) {
+    const QString made = QString::fromStdString(m_folder / "new place/report");
+    const QString under = QString::fromStdString(m_folder / "small.exo/report");
+    const auto askedFor = [&](const QStringList& names, bool cancels) {
+        whenAsked([names, cancels](QDialog& dialog) {
+            auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            for (const QString& each : names) {
+                name->setText(each);
+                QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
+            }
+            if (cancels) {
+                const auto* notice = dialog.findChild<widgets::Notice*>();
+                EXPECT_TRUE(notice->text().contains(QStringLiteral("small.exo is no folder that you may write to")))
+                    << qPrintable(notice->text());
+                QTest::keyClick(&dialog, Qt::Key_Escape);
+            }
+        });
+        panel().ensureWidgetVisible(&part<QPushButton>("writeReport"));
+        QTest::mouseClick(&part<QPushButton>("writeReport"), Qt::LeftButton);
+    };
+    askedFor({under}, true);
+    EXPECT_FALSE(window->rooms().report->writing());
+    askedFor({under, made}, false);
+    EXPECT_TRUE(window->rooms().report->writing());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().report->writing(); }, patience));
+    EXPECT_TRUE(QFile::exists(made + QStringLiteral("/report.html")))
+        << qPrintable(panel().findChildren<widgets::Notice*>().front()->text());
 }
 
 TEST_F(ReportFields, WhatThePageCausesComparedBecomesATable) {

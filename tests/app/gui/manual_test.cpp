@@ -12,6 +12,7 @@
 #include "app/gui/stage/actions.h"
 #include "app/gui/window/options.h"
 #include "core/scenario/parameters.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble {
 
@@ -68,6 +69,29 @@ TEST(Manual, LinksOpenThePageAndThePlaceTheyName) {
     EXPECT_TRUE(text->toPlainText().startsWith(QLatin1String("Survey"))) << text->toPlainText().left(40).toStdString();
     emit text->anchorClicked(QUrl(QStringLiteral("command-line.md#worlds-made-elsewhere")));
     EXPECT_EQ(text->textCursor().block().text(), QStringLiteral("Worlds made elsewhere"));
+}
+
+TEST(Manual, LinksOfAnOpenPageFollowTheTheme) {
+    widgets::applyTheme(render::Theme::Light);
+    ManualWindow window;
+    window.show();
+    window.showPage(QStringLiteral("Survey"));
+    const auto links = [&] {
+        std::set<QString> colours;
+        const QTextDocument& page = *window.findChild<QTextBrowser*>()->document();
+        for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+            for (auto part = block.begin(); !part.atEnd(); ++part) {
+                if (part.fragment().charFormat().isAnchor()) {
+                    colours.insert(part.fragment().charFormat().foreground().color().name());
+                }
+            }
+        }
+        return colours;
+    };
+    EXPECT_EQ(links(), std::set<QString>{widgets::tints().accent.name()});
+    widgets::applyTheme(render::Theme::Dark);
+    EXPECT_EQ(links(), std::set<QString>{widgets::tints().accent.name()});
+    widgets::applyTheme(render::Theme::Light);
 }
 
 TEST(Manual, EveryLinkOfEveryPageLeadsSomewhere) {

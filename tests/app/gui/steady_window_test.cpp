@@ -7,9 +7,11 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTableWidget>
 #include <QTest>
 #include <QUndoStack>
 #include <QWheelEvent>
@@ -19,6 +21,7 @@
 
 #include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
+#include "widgets/basics/panel.h"
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/case/preferences_dialog.h"
 #include "widgets/views/transport.h"
@@ -284,6 +287,46 @@ TEST_F(SteadyWindow, SentencesTypedBesideAFieldDoNothing) {
     QTest::mouseClick(&window->area().views(), Qt::LeftButton);
     press(Qt::Key_C);
     EXPECT_TRUE(window->area().views().view().clip.has_value());
+}
+
+TEST_F(SteadyWindow, WhatIsTypedIntoTheEditorOfATableStaysInIt) {
+    clickPanel(PanelDeck::Case);
+    QWidget& panel = *window->rooms().deck->stack().currentWidget();
+    const auto typed = [&](const QString& words) {
+        auto* editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        ASSERT_NE(editor, nullptr);
+        editor->selectAll();
+        const render::View view = window->area().views().view();
+        for (const QChar character : words) {
+            QTest::keyClick(QApplication::focusWidget(), character.toLatin1());
+        }
+        EXPECT_EQ(editor->text(), words);
+        EXPECT_EQ(QApplication::focusWidget(), editor);
+        EXPECT_EQ(window->area().views().view(), view);
+        EXPECT_EQ(window->area().views().tool(), widgets::ViewWidget::Tool::Select);
+        EXPECT_FALSE(playing());
+        EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+        QTest::keyClick(editor, Qt::Key_Escape);
+    };
+    QTableWidget* table = nullptr;
+    for (auto* each : panel.findChildren<QTableWidget*>()) {
+        table = each->accessibleName() == QLatin1String("Components") ? each : table;
+    }
+    ASSERT_NE(table, nullptr);
+    QTableWidgetItem* density = table->item(0, table->columnCount() - 1);
+    qobject_cast<widgets::Panel*>(&panel)->ensureWidgetVisible(table);
+    table->scrollToItem(density);
+    table->setFocus();
+    table->setCurrentItem(density);
+    table->editItem(density);
+    typed(QStringLiteral("24131"));
+    table->editItem(density);
+    typed(QStringLiteral("fcmq 4 L"));
+    auto* list = panel.findChild<QListWidget*>(QStringLiteral("scenarioList"));
+    ASSERT_NE(list, nullptr);
+    list->setFocus();
+    list->editItem(list->item(0));
+    typed(QStringLiteral("pier 2 fell first, Cam 1"));
 }
 
 TEST_F(SteadyWindow, EscLeavesAFieldAsItWas) {

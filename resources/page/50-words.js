@@ -131,9 +131,12 @@ const words = {
     noFindings: ['There are none.', '没有。'],
     remedy: ['Remedy', '处理'],
     limits: ['Limits', '局限'],
-    limitPlaces: ['Places of fragments on this page lie within {0} mm of those recorded, at every recorded instant; nodes of the FE ' +
-        'result within {1} mm. Between instants they are interpolated.',
-        '本页碎块位置在每个记录时刻与记录值相差不超过 {0} mm；有限元节点不超过 {1} mm。其间为插值。'],
+    limitPlaces: ['Places of fragments on this page lie within {0} mm of those recorded, at every recorded instant. Between instants ' +
+        'they are interpolated.', '本页碎块位置在每个记录时刻与记录值相差不超过 {0} mm；其间为插值。'],
+    limitNodes: ['Nodes of the FE result lie within {0} mm at every state. Between states they are interpolated.',
+        '有限元节点在每个状态相差不超过 {0} mm；其间为插值。'],
+    limitNodesKept: ['Nodes of the FE result lie within {0} mm at {1} of {2} states; at those between them up to {3} mm from where they ' +
+        'were computed.', '有限元节点在 {2} 个状态中的 {1} 个相差不超过 {0} mm；在其间的状态与计算位置最多相差 {3} mm。'],
     limitStates: ['{0} of {1} states of the FE result are left out to keep the page small; deaths keep their own times.',
         '为减小页面，省略了 {1} 个有限元状态中的 {0} 个；失效时刻保持不变。'],
     limitTerrain: ['Of the terrain every {0} m are drawn; fragments fell on cells of {1} m.', '地形按 {0} m 绘制；碎块实际落在 {1} m 的网格上。'],

@@ -212,9 +212,13 @@ class Panels {
     limitLines() {
         const { precision, ground } = this.facts;
         const up = (metres) => sayNumber(Math.ceil(metres * 10000) / 10);
-        const lines = [say('limitPlaces', up(precision.place), up(precision.node))];
-        if (precision.statesThere > precision.statesKept) {
-            lines.push(say('limitStates', precision.statesThere - precision.statesKept, precision.statesThere));
+        const { statesKept, statesThere } = precision;
+        const lines = [say('limitPlaces', up(precision.place))];
+        if (statesThere > statesKept) {
+            lines.push(say('limitNodesKept', up(precision.node), statesKept, statesThere, up(precision.nodeBetween)),
+                say('limitStates', statesThere - statesKept, statesThere));
+        } else {
+            lines.push(say('limitNodes', up(precision.node)));
         }
         if (ground.terrain && ground.terrain.cell > ground.terrain.ownCell) {
             lines.push(say('limitTerrain', sayNumber(ground.terrain.cell), sayNumber(ground.terrain.ownCell)));

@@ -67,7 +67,8 @@ void writePage(const std::string& path, const std::shared_ptr<const io::RunReade
                   << " mm of those recorded, nodes of the FE result within " << englishNumber(1000.0 * report.nodeError) << " mm\n";
     if (report.statesLeftOut > 0) {
         session.err() << "rubble-cli: note: " << path << ": " << englishInteger(static_cast<std::int64_t>(report.statesLeftOut))
-                      << " states of the FE result are left out to keep the page small\n";
+                      << " states of the FE result are left out to keep the page small; there nodes lie up to "
+                      << englishNumber(1000.0 * report.nodeErrorBetween) << " mm from where they were computed\n";
     }
 }
 

@@ -139,7 +139,7 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
                       const Execution& execution) {
     const Message stage{"io.export.page", "Writing {0}", {path}};
     execution.report(stage, 0.0);
-    PageScene scene = pageScene(run, fe, execution);
+    PageScene scene = pageScene(run, fe, {}, execution);
     json facts = pageFacts(run, fe, extras, scene);
     scene.about["arrays"] = scene.data.contents();
     scene.about["dataBytes"] = scene.data.size();
@@ -163,7 +163,8 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
     parts.data = encodeBase64(scene.data.compressed(execution));
     writeAtomically(path, [&](std::ostream& out) { writeFrame(out, parts); });
     execution.report(stage, 1.0);
-    return {std::filesystem::file_size(path), scene.placeError, scene.nodeError, scene.statesThere - scene.statesKept};
+    return {std::filesystem::file_size(path), scene.placeError, scene.nodeError, scene.nodeErrorBetween,
+            scene.statesThere - scene.statesKept};
 }
 
 }  // namespace rubble::io

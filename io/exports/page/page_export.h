@@ -30,9 +30,10 @@ struct PageExtras {
 
 /// What was written.
 struct PageReport {
-    std::uint64_t bytes = 0;  ///< of the file
-    double placeError = 0.0;  ///< m, largest of a corner at any recorded instant
-    double nodeError = 0.0;   ///< m, largest of a node at the states that are kept
+    std::uint64_t bytes = 0;        ///< of the file
+    double placeError = 0.0;        ///< m, largest of a corner at any recorded instant
+    double nodeError = 0.0;         ///< m, largest of a node at the states that are kept
+    double nodeErrorBetween = 0.0;  ///< m, the same at those that are left out
     std::size_t statesLeftOut = 0;
 };
 
@@ -41,9 +42,9 @@ void checkPage(const RunReader& run, const FeResult& fe);
 
 /// Writes a run as one HTML file that a browser opens without network and without installation: both views with linked cameras,
 /// timeline, picking, measuring, colours, chapters, pictures, health, provenance and limits, in English and Chinese. Places are
-/// rounded and motion is thinned; the largest error is measured against every recorded instant and stands on the page. Atomic. The
-/// file holds its provenance as readProvenance() finds it. Throws UsageError (no fragments; not the FE file of the run; more than a
-/// page can show), WorldError, ParseError, Cancelled.
+/// rounded and motion is thinned; the largest error is measured against every recorded instant, stands on the page and is 5 mm at
+/// most. Atomic. The file holds its provenance as readProvenance() finds it. Throws UsageError (no fragments; not the FE file of
+/// the run; more than a page can show; places that would lie farther off), WorldError, ParseError, Cancelled.
 PageReport exportPage(const std::string& path, const RunReader& run, const FeResult& fe, const PageExtras& extras,
                       const Execution& execution);
 

@@ -232,6 +232,7 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["map"] = mapFacts(extras);
     facts["precision"] = {{"place", scene.placeError},
                           {"node", scene.nodeError},
+                          {"nodeBetween", scene.nodeErrorBetween},
                           {"statesKept", scene.statesKept},
                           {"statesThere", scene.statesThere}};
     return facts;

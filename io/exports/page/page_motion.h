@@ -10,11 +10,15 @@ namespace rubble::io {
 
 /// How exactly a page holds places.
 struct PagePrecision {
-    double placeStep = 1e-3;   ///< m, of the middle of a body
-    double cornerStep = 5e-4;  ///< m, of the corners of what a body carries
-    double nodeStep = 2e-3;    ///< m, of the nodes of the FE result
-    double kept = 2e-3;        ///< m, that a place may lie beside the line between two instants that are kept
-    double turned = 1e-3;      ///< m, that a turn may move the farthest corner beside that line
+    double placeStep = 1e-3;               ///< m, of the middle of a body
+    double cornerStep = 5e-4;              ///< m, of the corners of what a body carries
+    double nodeStep = 2e-3;                ///< m, of the nodes of the FE result
+    double kept = 2e-3;                    ///< m, that a place may lie beside the line between two instants that are kept
+    double turned = 1e-3;                  ///< m, that a turn may move the farthest corner beside that line
+    std::size_t placesMost = 120'000'000;  ///< numbers of the places of nodes, over all states, that a browser is asked to hold
+
+    /// The same in steps a quarter as large.
+    PagePrecision finer() const { return {placeStep / 4, cornerStep / 4, nodeStep / 4, kept / 4, turned / 4, placesMost}; }
 };
 
 /// Motion of the bodies as a page has it.

@@ -16,6 +16,9 @@ namespace rubble::io {
 
 namespace {
 
+/// Times that all is packed again in steps a quarter as large before a page is given up.
+constexpr int tightenings = 3;
+
 /// Something rigid that a body carries: a fragment, or an element of an island.
 struct PagePiece {
     std::size_t body = 0;
@@ -189,40 +192,13 @@ void addShapes(nlohmann::json& about) {
     }
 }
 
-}  // namespace
-
-void checkPage(const RunReader& run, const FeResult& fe) {
-    // Says why there are none.
-    const FragmentPlaces places(run);
-    const FragmentSet& fragments = places.fragments();
-    for (const Fragment& fragment : fragments.list) {
-        if (at(fragment.element) >= fe.mesh().elementCount()) {
-            throw UsageError({"io.series.other_fe", "The run was not made from {0}: it has fewer elements", {fe.contents().path}},
-                             {"io.series.other_fe.remedy", "Give the FE file that the run names.", {}});
-        }
-    }
-    const std::size_t most = std::max(fragments.size(), fe.mesh().elementCount());
-    if (most > pagePiecesMost) {
-        throw UsageError({"io.page.large",
-                          "A page shows at most {0} fragments or elements; the run has {1} fragments of {2} elements",
-                          {pagePiecesMost, fragments.size(), fe.mesh().elementCount()}},
-                         {"io.page.large.remedy", "Share a movie or a report, or export the run for ParaView (vtkhdf).", {}});
-    }
-    if (fragments.size() == 0 || run.frameCount() == 0) {
-        throw UsageError({"io.page.nothing", "The run has no fragments that a page could show", {}},
-                         {"io.page.nothing.remedy", "Choose a run in which elements were deactivated, and let it simulate.", {}});
-    }
-}
-
-PageScene pageScene(const RunReader& run, const FeResult& fe, const Execution& execution) {
-    checkPage(run, fe);
+PageScene packedScene(const RunReader& run, const FeResult& fe, const PagePrecision& precision, const Execution& execution) {
     const std::shared_ptr<const FragmentSet> made = run.fragments();
     const FragmentSet& fragments = *made;
     const Scenario& scenario = run.origin().scenario;
     const std::vector<ComponentId> componentOf =
         groupComponents(fe.mesh(), scenario.regrouping, scenario.components, scenario.assumptions).of;
     PageScene scene;
-    const PagePrecision precision;
     addStructure(scene, run, fe, componentOf, precision, execution);
     const PieceCollector collector(run, fe, fragments);
     const std::vector<PagePiece> pieces = collector.pieces();
@@ -250,6 +226,51 @@ PageScene pageScene(const RunReader& run, const FeResult& fe, const Execution& e
     scene.about["cornerStep"] = precision.cornerStep;
     scene.about["components"] = run.componentNames();
     return scene;
+}
+
+}  // namespace
+
+void checkPage(const RunReader& run, const FeResult& fe) {
+    // Says why there are none.
+    const FragmentPlaces places(run);
+    const FragmentSet& fragments = places.fragments();
+    for (const Fragment& fragment : fragments.list) {
+        if (at(fragment.element) >= fe.mesh().elementCount()) {
+            throw UsageError({"io.series.other_fe", "The run was not made from {0}: it has fewer elements", {fe.contents().path}},
+                             {"io.series.other_fe.remedy", "Give the FE file that the run names.", {}});
+        }
+    }
+    const std::size_t most = std::max(fragments.size(), fe.mesh().elementCount());
+    if (most > pagePiecesMost) {
+        throw UsageError({"io.page.large",
+                          "A page shows at most {0} fragments or elements; the run has {1} fragments of {2} elements",
+                          {pagePiecesMost, fragments.size(), fe.mesh().elementCount()}},
+                         {"io.page.large.remedy", "Share a movie or a report, or export the run for ParaView (vtkhdf).", {}});
+    }
+    if (fragments.size() == 0 || run.frameCount() == 0) {
+        throw UsageError({"io.page.nothing", "The run has no fragments that a page could show", {}},
+                         {"io.page.nothing.remedy", "Choose a run in which elements were deactivated, and let it simulate.", {}});
+    }
+}
+
+PageScene pageScene(const RunReader& run, const FeResult& fe, PagePrecision precision, const Execution& execution) {
+    checkPage(run, fe);
+    for (int tried = 0;; ++tried) {
+        PageScene scene = packedScene(run, fe, precision, execution);
+        const double error = std::max(scene.placeError, scene.nodeError);
+        if (error <= pageErrorMost) {
+            return scene;
+        }
+        if (tried == tightenings) {
+            throw UsageError({"io.page.coarse",
+                              "Places of this run would lie up to {0} m from those recorded; a page allows {1} m",
+                              {error, pageErrorMost}},
+                             {"io.page.coarse.remedy",
+                              "Choose an origin of the frame near the model, or export the run for ParaView (vtkhdf).",
+                              {}});
+        }
+        precision = precision.finer();
+    }
 }
 
 }  // namespace rubble::io

@@ -15,6 +15,7 @@ struct PageScene {
     nlohmann::json about;         ///< what the script needs beside the arrays: counts, steps, names
     double placeError = 0.0;      ///< m, largest of a corner of a fragment or an island at any recorded instant
     double nodeError = 0.0;       ///< m, largest of a node of the FE result at the states that are kept
+    double nodeErrorBetween = 0;  ///< m, the same at those that are left out; 0: none is
     std::size_t statesKept = 0;   ///< of the FE result
     std::size_t statesThere = 0;  ///< that the run reached
 };
@@ -22,8 +23,13 @@ struct PageScene {
 /// Most fragments, and most elements, of a page.
 inline constexpr std::size_t pagePiecesMost = 400000;
 
-/// Packs mesh, places of its nodes state by state, fragments, islands and their motion. Places are local, m, z up.
-/// Throws UsageError (no fragments; not the FE file of the run; more pieces than a page can show), ParseError, Cancelled.
-PageScene pageScene(const RunReader& run, const FeResult& fe, const Execution& execution);
+/// m, by which a place of a page may lie from the recorded one, at recorded instants and at states that are kept.
+inline constexpr double pageErrorMost = 5e-3;
+
+/// Packs mesh, places of its nodes state by state, fragments, islands and their motion. Places are local, m, z up. Where a place
+/// lies farther off than pageErrorMost, all is packed again in smaller steps.
+/// Throws UsageError (no fragments; not the FE file of the run; more pieces than a page can show; places that stay too far off),
+/// ParseError, Cancelled.
+PageScene pageScene(const RunReader& run, const FeResult& fe, PagePrecision precision, const Execution& execution);
 
 }  // namespace rubble::io

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace rubble::io {
 
 namespace {
 
-/// Numbers of the places of nodes over all states that a browser is asked to hold.
-constexpr std::size_t placesMost = 120'000'000;
-
 /// States that the run reached, thinned so that their places stay below what a browser holds; first and last are kept.
-std::vector<std::size_t> keptStates(std::size_t reached, std::size_t nodes) {
+std::vector<std::size_t> keptStates(std::size_t reached, std::size_t nodes, std::size_t placesMost) {
     const std::size_t perState = std::max<std::size_t>(1, 3 * nodes);
     const std::size_t most = std::max<std::size_t>(2, placesMost / perState);
-    const std::size_t stride = (reached + most - 1) / most;
+    // The last one comes on top where the stride misses it.
+    const std::size_t stride = reached <= most ? 1 : (reached - 1 + most - 2) / (most - 1);
     std::vector<std::size_t> kept;
     for (std::size_t k = 0; k < reached; k += stride) {
         kept.push_back(k);
@@ -67,12 +66,12 @@ void addActivity(PageData& data, const FeResult& fe, const std::vector<std::size
     data.add("activity", bits);
 }
 
-/// Nodes of elements that are active at a state.
-std::vector<bool> usedNodes(const FeResult& fe, std::size_t state) {
+/// Nodes of elements of which something holds.
+std::vector<bool> nodesWhere(const FeResult& fe, const std::function<bool(ElementIndex)>& holds) {
     const Mesh& mesh = fe.mesh();
     std::vector<bool> used(mesh.nodeCount(), false);
     for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-        if (fe.activity().active(state, idAt<ElementIndex>(e))) {
+        if (holds(idAt<ElementIndex>(e))) {
             for (const std::uint32_t node : mesh.cornersOf(idAt<ElementIndex>(e))) {
                 used[node] = true;
             }
@@ -88,10 +87,22 @@ public:
 
     void add(const std::vector<Vec3>& places, const std::vector<bool>& used);
 
+    /// Largest distance of a node from where the page has it at a state between the last two that were added.
+    /// @param share  of the way from one to the other
+    /// @param onWay  nodes that the page moves on the straight way
+    /// @param still  nodes that it leaves where the first of the two has them
+    void play(const std::vector<Vec3>& places, double share, const std::vector<bool>& onWay, const std::vector<bool>& still);
+
     PackedIntegers numbers;
-    double largestError = 0.0;
+    double largestError = 0.0;         ///< at the states that were added
+    double largestErrorBetween = 0.0;  ///< at those that were played
 
 private:
+    static Vec3 placeIn(const std::vector<std::int64_t>& places, std::size_t n) {
+        const std::size_t nodes = places.size() / 3;
+        return {static_cast<double>(places[n]), static_cast<double>(places[nodes + n]), static_cast<double>(places[2 * nodes + n])};
+    }
+
     double m_step;
     std::vector<std::int64_t> m_now;
     std::vector<std::int64_t> m_before;
@@ -118,14 +129,44 @@ void NodePacker::add(const std::vector<Vec3>& places, const std::vector<bool>& u
     numbers.addRuns(steps);
     for (std::size_t n = 0; n < nodes; ++n) {
         if (used[n] && places[n].allFinite()) {
-            const Vec3 shown = m_step * Vec3(static_cast<double>(next[n]), static_cast<double>(next[nodes + n]),
-                                             static_cast<double>(next[2 * nodes + n]));
-            largestError = std::max(largestError, (shown - places[n]).norm());
+            largestError = std::max(largestError, (m_step * placeIn(next, n) - places[n]).norm());
         }
     }
     m_before = std::move(m_now);
     m_now = std::move(next);
     ++m_states;
+}
+
+void NodePacker::play(const std::vector<Vec3>& places, double share, const std::vector<bool>& onWay,
+                      const std::vector<bool>& still) {
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        if (!places[n].allFinite()) {
+            continue;
+        }
+        const Vec3 before = m_step * placeIn(m_before, n);
+        if (onWay[n]) {
+            const Vec3 shown = before + share * (m_step * placeIn(m_now, n) - before);
+            largestErrorBetween = std::max(largestErrorBetween, (shown - places[n]).norm());
+        }
+        if (still[n]) {
+            largestErrorBetween = std::max(largestErrorBetween, (before - places[n]).norm());
+        }
+    }
+}
+
+/// Plays the states between two that are kept, by the rule of the page: an element goes on its straight way if it is active at
+/// both, else it waits.
+void playLeftOut(NodePacker& packer, const FeResult& fe, std::size_t first, std::size_t last, const Execution& execution) {
+    const std::vector<double>& times = fe.times();
+    const Activity& activity = fe.activity();
+    for (std::size_t k = first + 1; k < last; ++k) {
+        execution.check();
+        const auto seen = [&](ElementIndex e) { return activity.active(k, e) && activity.active(first, e); };
+        const double share = (times[k] - times[first]) / (times[last] - times[first]);
+        packer.play(fe.state(k)->positions, share,
+                    nodesWhere(fe, [&](ElementIndex e) { return seen(e) && activity.active(last, e); }),
+                    nodesWhere(fe, [&](ElementIndex e) { return seen(e) && !activity.active(last, e); }));
+    }
 }
 
 }  // namespace
@@ -134,19 +175,24 @@ void addStructure(PageScene& scene, const RunReader& run, const FeResult& fe, co
                   const PagePrecision& precision, const Execution& execution) {
     const Message stage{"io.page.structure", "Packing the states of the FE result", {}};
     const std::size_t reached = reachedStates(run, fe);
-    const std::vector<std::size_t> kept = keptStates(reached, fe.mesh().nodeCount());
+    const std::vector<std::size_t> kept = keptStates(reached, fe.mesh().nodeCount(), precision.placesMost);
     addMesh(scene.data, fe.mesh(), componentOf);
     addActivity(scene.data, fe, kept);
     NodePacker packer(fe.mesh().nodeCount(), precision.nodeStep);
     std::vector<double> times;
     for (std::size_t k = 0; k < kept.size(); ++k) {
         execution.report(stage, static_cast<double>(k) / static_cast<double>(kept.size()));
-        packer.add(fe.state(kept[k])->positions, usedNodes(fe, kept[k]));
+        const std::size_t state = kept[k];
+        packer.add(fe.state(state)->positions, nodesWhere(fe, [&](ElementIndex e) { return fe.activity().active(state, e); }));
+        if (k > 0) {
+            playLeftOut(packer, fe, kept[k - 1], state, execution);
+        }
         times.push_back(fe.times()[kept[k]]);
     }
     scene.data.add("nodes", packer.numbers);
     scene.data.add("stateTimes", times);
     scene.nodeError = packer.largestError;
+    scene.nodeErrorBetween = packer.largestErrorBetween;
     scene.statesKept = kept.size();
     scene.statesThere = reached;
     scene.about["nodeCount"] = fe.mesh().nodeCount();

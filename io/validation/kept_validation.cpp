@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/validation/validation_json.h"
 
 namespace rubble::io {
@@ -52,6 +53,15 @@ std::vector<ValidationRecord> keptValidations(const std::string& cache, Findings
         return std::tie(a.id, a.folder) < std::tie(b.id, b.folder);
     });
     return records;
+}
+
+std::vector<ValidationRecord> keptValidations() {
+    try {
+        Findings unread;
+        return keptValidations(cacheFolder(), unread);
+    } catch (const WorldError&) {
+        return {};
+    }
 }
 
 }  // namespace rubble::io

@@ -15,4 +15,7 @@ void keepValidation(const ValidationRecord& record, const std::string& cache);
 /// What is kept of this build, by id. Files that cannot be read are findings.
 std::vector<ValidationRecord> keptValidations(const std::string& cache, Findings& findings);
 
+/// Those in cacheFolder(); none where there is no such folder, or where they cannot be read.
+std::vector<ValidationRecord> keptValidations();
+
 }  // namespace rubble::io

@@ -194,10 +194,10 @@ class Panels {
             parts.push(make('h3', {}, say('watched')), makeTable(null, [[say('energyGain'), share(health.energyGain)],
                 [say('penetration'), `${sayNumber(health.penetration)} m`], [say('ofSide'), share(health.penetrationShare)],
                 [say('speedShare'), share(health.fastest)], [say('farthest'), `${sayNumber(health.farthest)} m`]]),
-            make('h3', {}, say('validation')),
-            makeTable(null, [[say('massError'), share(outcome.massError)], [say('momentumError'), share(outcome.momentumError)]]),
-            make('p', {}, say('validationNote')));
+            make('h3', {}, say('ledger')),
+            makeTable(null, [[say('massError'), share(outcome.massError)], [say('momentumError'), share(outcome.momentumError)]]));
         }
+        parts.push(make('h3', {}, say('validation')), ...this.validation());
         parts.push(make('h3', {}, say('findings')));
         if (findings.length === 0) {
             parts.push(make('p', {}, say('noFindings')));
@@ -207,6 +207,26 @@ class Panels {
                 finding.remedy ? make('p', {}, `${say('remedy')}: ${sayText(finding.remedy)}`) : null))));
         }
         return parts;
+    }
+
+    // How the build that simulated fares against measured falls.
+    validation() {
+        const { validation } = this.facts;
+        if (validation === null) {
+            return [make('p', {}, say('notValidated'))];
+        }
+        const error = ({ error: value, low, high }) => sayNumber(value) +
+            (low === null || high === null ? '' : ` (${say('range', sayNumber(low), sayNumber(high))})`);
+        const tables = validation.map((each) => {
+            const rows = each.quantities.map((quantity) => [sayText(quantity.name) + (quantity.unit ? ` [${sayText(quantity.unit)}]` : ''),
+                sayNumber(quantity.measured), sayNumber(quantity.simulated), error(quantity)]);
+            const asked = each.asked > 0 ? say('asked', each.holds, each.asked) : '';
+            const falls = each.falls > 0 ? say('falls', sayCount(each.falls), sayCount(each.lost)) : '';
+            const words = say('setVariant', sayText(each.set), sayText(each.variant)) + falls + asked;
+            return rows.length > 0 ? makeTable([say('figure'), say('measuredMean'), say('simulatedMean'), say('comparisonError')], rows,
+                words) : make('p', {}, words);
+        });
+        return [make('p', {}, say('validated')), ...tables];
     }
 
     limitLines() {

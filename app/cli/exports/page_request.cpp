@@ -13,6 +13,7 @@
 #include "io/exports/report_facts.h"
 #include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
+#include "io/validation/kept_validation.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/page_pictures.h"
 #include "widgets/figures/report/report_language.h"
@@ -59,6 +60,7 @@ void writePage(const std::string& path, const std::shared_ptr<const io::RunReade
     }
     extras.terrain = scene.terrain;
     extras.around = io::shownFiles(around.shown);
+    extras.validation = io::keptValidations();
     extras.chinese = figures::chineseWords();
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, session.execution()).map);
     addPictures(extras, scene, *run, photographs, session);

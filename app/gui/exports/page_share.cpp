@@ -7,6 +7,7 @@
 #include "io/exports/report_facts.h"
 #include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
+#include "io/validation/kept_validation.h"
 #include "widgets/figures/page_pictures.h"
 #include "widgets/figures/report/report_language.h"
 
@@ -36,6 +37,7 @@ void makePage(const PageOrder& order, const Execution& execution) {
     extras.casePath = order.casePath;
     extras.terrain = order.scene.terrain;
     extras.around = order.around;
+    extras.validation = io::keptValidations();
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, execution).map);
     extras.chinese = figures::chineseWords();
     const std::vector<ReportPhoto> photographs =

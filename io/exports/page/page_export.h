@@ -11,6 +11,7 @@
 #include "core/fe/fe_result.h"
 #include "core/fe/terrain_grid.h"
 #include "core/scenario/case.h"
+#include "core/validation/validation_record.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_file.h"
 
@@ -25,6 +26,7 @@ struct PageExtras {
     std::shared_ptr<const DebrisMap> map;        ///< of the end, whose sums the page prints; null: none
     std::vector<PagePicture> pictures;
     std::vector<ShownFile> around{};                     ///< drawn around the structure in the pictures
+    std::vector<ValidationRecord> validation{};          ///< that the build of now was held against
     std::function<std::string(const Message&)> chinese;  ///< a message in Chinese; unset: messages stay English
 };
 

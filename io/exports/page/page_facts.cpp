@@ -36,6 +36,8 @@ public:
         const std::string english = englishText(message);
         return {{"en", english}, {"zh", m_chinese ? m_chinese(message) : english}};
     }
+    /// A word of a table, such as the name of a setting.
+    json word(std::string_view english) const { return (*this)({"page.word", std::string(english), {}}); }
 
 private:
     std::function<std::string(const Message&)> m_chinese;
@@ -65,6 +67,50 @@ json healthFacts(const RunReader& run, const PageTexts& text) {
         facts["penetrationShare"] = numberOrNull(result->health.penetrationShare);
         facts["fastest"] = numberOrNull(result->health.fastestOverLimit);
         facts["farthest"] = numberOrNull(result->health.farthest);
+    }
+    return facts;
+}
+
+/// "run-out, Plate": the quantity is a word, its group a name.
+json quantityName(const std::string& title, const PageTexts& text) {
+    const std::size_t comma = title.find(", ");
+    json name = text.word(title.substr(0, comma));
+    if (comma != std::string::npos) {
+        for (json& words : name) {
+            words = words.get<std::string>() + title.substr(comma);
+        }
+    }
+    return name;
+}
+
+json variantFacts(const ValidationRecord& record, const VariantRecord& variant, const PageTexts& text) {
+    json quantities = json::array();
+    for (const QuantityRecord& quantity : variant.quantities) {
+        const SampleComparison& c = quantity.comparison;
+        quantities.push_back({{"name", quantityName(quantity.title, text)},
+                              {"unit", text.word(quantity.unit)},
+                              {"measured", numberOrNull(c.measured.mean)},
+                              {"simulated", numberOrNull(c.simulated.mean)},
+                              {"error", numberOrNull(c.error.value)},
+                              {"low", numberOrNull(c.error.low)},
+                              {"high", numberOrNull(c.error.high)}});
+    }
+    return {{"set", text.word(record.title)},   {"variant", text.word(variant.name)},
+            {"falls", variant.falls},           {"lost", variant.moving + variant.left + variant.lost},
+            {"asked", variant.verdicts.size()}, {"holds", std::ranges::count(variant.verdicts, true, &VerdictRecord::within)},
+            {"quantities", quantities}};
+}
+
+/// How the build that simulated fares against measured falls; null: nobody knows here.
+json validationFacts(const RunReader& run, const PageExtras& extras, const PageTexts& text) {
+    if (run.origin().build != buildText() || extras.validation.empty()) {
+        return nullptr;
+    }
+    json facts = json::array();
+    for (const ValidationRecord& record : extras.validation) {
+        for (const VariantRecord& variant : record.variants) {
+            facts.push_back(variantFacts(record, variant, text));
+        }
     }
     return facts;
 }
@@ -224,6 +270,7 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["program"] = "Rubble " + std::string(versionText());
     facts["outcome"] = outcomeFacts(run, fe);
     facts["health"] = healthFacts(run, text);
+    facts["validation"] = validationFacts(run, extras, text);
     facts["findings"] = findingFacts(run, fe, text);
     facts["chapters"] = chapterFacts(run, fe, extras);
     facts["provenance"] = provenanceFacts(run, extras);

@@ -257,16 +257,39 @@ class Motion {
         }
     }
 
-    // Mean speed of a body since the instant that was kept before, m/s.
-    speed(b, time) {
+    // Whether there are bodies at a time.
+    entered(time) {
+        if (this.firstEntry === undefined) {
+            this.firstEntry = this.count > 0 ? Array.from({ length: this.count }, (_, b) => this.times[this.first[b]])
+                .reduce((least, entry) => Math.min(least, entry)) : Infinity;
+        }
+        return time >= this.firstEntry;
+    }
+
+    // The kept instant from which a body is on its way to the next; -1: it is not. What is recorded last says nothing of what
+    // comes after it, so there the way that led to it counts.
+    leg(b, time) {
         const last = this.first[b + 1] - 1;
         const k = this.pointer[b];
-        if (k >= last || time < this.times[k]) {
+        if (k < last) {
+            return time < this.times[k] ? -1 : k;
+        }
+        return k > this.first[b] ? k - 1 : -1;
+    }
+
+    // Mean speed of a body between two instants that were kept, m/s.
+    speed(b, time) {
+        const k = this.leg(b, time);
+        if (k < 0) {
             return 0;
         }
         const p = this.places;
-        return Math.hypot(p[3 * k + 3] - p[3 * k], p[3 * k + 4] - p[3 * k + 1], p[3 * k + 5] - p[3 * k + 2]) /
-            (this.times[k + 1] - this.times[k]);
+        return Math.hypot(p[3 * k + 3] - p[3 * k], p[3 * k + 4] - p[3 * k + 1], p[3 * k + 5] - p[3 * k + 2]) / this.span(k);
+    }
+
+    // s from a kept instant to the next.
+    span(k) {
+        return this.times[k + 1] - this.times[k];
     }
 
     // Takes a point of a body to where it is in the pose that was moved to last.

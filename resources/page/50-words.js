@@ -81,6 +81,7 @@ const words = {
     place: ['place now', '当前位置'],
     movedBy: ['moved from rest', '离开初始位置'],
     speed: ['speed now', '当前速度'],
+    meanSpeed: ['speed now, mean over {0} s', '当前速度，{0} s 内的平均值'],
     lies: ['place at the end', '结束时位置'],
     pathLength: ['length of its path', '路径长度'],
     goBirth: ['To its death', '到失效时刻'],

@@ -356,7 +356,9 @@ class Panels {
             rows.push([say('movedBy'), `${sayNumber(length3(add3(here, rest, -1)), 4)} m`]);
         }
         if (now >= 0) {
-            rows.push([say('speed'), `${sayNumber(motion.speed(pieces.bodies[now], time))} m/s`]);
+            const leg = motion.leg(pieces.bodies[now], time);
+            rows.push([leg < 0 ? say('speed') : say('meanSpeed', sayNumber(motion.span(leg))),
+                `${sayNumber(motion.speed(pieces.bodies[now], time))} m/s`]);
         }
         rows.push([say('lies'), point(last)], [say('pathLength'), `${sayNumber(length, 4)} m`]);
         return { rows, birth: f >= 0 ? pieces.births[f] : null };

@@ -153,6 +153,8 @@ const words = {
     limitStates: ['{0} of {1} states of the FE result are left out to keep the page small; deaths keep their own times.',
         '为减小页面，省略了 {1} 个有限元状态中的 {0} 个；失效时刻保持不变。'],
     limitTerrain: ['Of the terrain every {0} m are drawn; fragments fell on cells of {1} m.', '地形按 {0} m 绘制；碎块实际落在 {1} m 的网格上。'],
+    limitAround: ['The views do not draw what surrounds the structure: {0}.', '视图不绘制结构周围的内容：{0}。'],
+    limitFallenOn: [' Debris that seems to rest on nothing may lie on it.', '看似悬空的碎块可能落在其上。'],
     limitPoints: ['While it plays on a slow machine, fewer pixels are drawn, and small fragments as squares; of those that cover one ' +
         'another only the nearest. FE states are then not interpolated. When it stops, everything is drawn in full.',
     '在较慢的机器上播放时，像素减少，小碎块画为方块，相互遮挡的只画最近的，有限元状态不作插值；停止时完整绘制。'],

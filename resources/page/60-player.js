@@ -427,7 +427,7 @@ class Player {
         const points = [];
         for (let j = 0; j + 1 < terrain.ny; ++j) {
             for (let i = 0; i + 1 < terrain.nx; ++i) {
-                const corners = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]];
+                const corners = cellTriangles.flat();
                 if (corners.some(([a, b]) => terrain.heights[(j + b) * terrain.nx + i + a] < water)) {
                     corners.forEach(([a, b]) => points.push(terrain.x0 + (i + a) * terrain.cell, terrain.y0 + (j + b) * terrain.cell, water));
                 }
@@ -464,10 +464,9 @@ class Player {
         let at = 0;
         for (let j = 0; j + 1 < terrain.ny; ++j) {
             for (let i = 0; i + 1 < terrain.nx; ++i) {
-                for (const [a, b] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) {
-                    points[at++] = terrain.x0 + (i + a) * terrain.cell;
-                    points[at++] = terrain.y0 + (j + b) * terrain.cell;
-                    points[at++] = terrain.heights[(j + b) * terrain.nx + i + a];
+                for (const [a, b] of cellTriangles.flat()) {
+                    points.set(terrainNode(terrain, i + a, j + b), at);
+                    at += 3;
                 }
             }
         }
@@ -572,12 +571,21 @@ class Player {
         const aspect = pane.width / pane.height;
         const ray = this.camera.ray(2 * (px + 0.5 - pane.x) / pane.width - 1, 2 * (py + 0.5 - pane.y) / pane.height - 1, aspect);
         const { element, distance } = this.nearest(ray, index);
-        if (element >= 0) {
+        const ground = this.groundAlong(ray);
+        // A hill hides what lies behind it; what lies on level ground may reach into it.
+        if (element >= 0 && (this.facts.ground.terrain === null || ground === null || distance <= ground)) {
             return { element, pane: index, point: add3(ray.from, ray.way, distance) };
         }
-        const level = this.facts.ground.terrain === null && ray.way[2] < 0;
-        const down = level ? (this.facts.ground.height - ray.from[2]) / ray.way[2] : null;
-        return { element, pane: index, point: level ? add3(ray.from, ray.way, down) : null };
+        return { element: -1, pane: index, point: ground === null ? null : add3(ray.from, ray.way, ground) };
+    }
+
+    // Distance at which a ray meets the ground; null: nowhere.
+    groundAlong(ray) {
+        const { terrain, height } = this.facts.ground;
+        if (terrain !== null) {
+            return rayMeetsTerrain(ray, terrain);
+        }
+        return ray.way[2] < 0 ? (height - ray.from[2]) / ray.way[2] : null;
     }
 
     // The element of a pane that a ray meets first; -1: none.

@@ -243,6 +243,10 @@ class Panels {
         if (ground.terrain && ground.terrain.cell > ground.terrain.ownCell) {
             lines.push(say('limitTerrain', sayNumber(ground.terrain.cell), sayNumber(ground.terrain.ownCell)));
         }
+        const { names, fallenOn } = this.facts.around;
+        if (names.length > 0) {
+            lines.push(say('limitAround', names.join(', ')) + (fallenOn ? say('limitFallenOn') : ''));
+        }
         return [...lines, say('limitPoints'), say('limitSize'), say('limitLoad'), say('limitChaos'), say('limitCluster')];
     }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "core/base/build.h"
 #include "core/fe/north.h"
@@ -245,6 +246,28 @@ json findingFacts(const RunReader& run, const FeResult& fe, const PageTexts& tex
     return facts;
 }
 
+/// Files around the structure that the views of a page do not draw; `fallenOn`: debris may lie on some of them.
+json aroundFacts(const RunReader& run, const PageExtras& extras) {
+    const std::vector<RecordedInput>& meshes = run.origin().surroundings;
+    std::set<std::string> names;
+    const auto add = [&](const std::string& path) { names.insert(std::filesystem::path(path).filename().string()); };
+    for (const RecordedInput& mesh : meshes) {
+        add(mesh.path);
+    }
+    for (const ShownFile& file : extras.around) {
+        add(file.path);
+    }
+    return {{"names", names}, {"fallenOn", !meshes.empty()}};
+}
+
+/// How many the case has; null: there is no case.
+json photographFact(const PageExtras& extras) {
+    if (extras.theCase == nullptr) {
+        return nullptr;
+    }
+    return std::ranges::count(extras.theCase->inputs, InputRole::Photograph, &CaseInput::role);
+}
+
 json mapFacts(const PageExtras& extras) {
     if (extras.map == nullptr) {
         return nullptr;
@@ -277,6 +300,8 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["ground"] = groundFacts(run, extras);
     facts["north"] = northFact(origin);
     facts["map"] = mapFacts(extras);
+    facts["around"] = aroundFacts(run, extras);
+    facts["photographs"] = photographFact(extras);
     facts["precision"] = {{"place", scene.placeError},
                           {"node", scene.nodeError},
                           {"nodeBetween", scene.nodeErrorBetween},

@@ -26,7 +26,7 @@ async function inflated(bytes, size) {
         length += next.value.length;
     }
     if (length !== size) {
-        throw new Error('the data of this page are damaged');
+        throw new Error(`${length} / ${size}`);
     }
     return whole;
 }

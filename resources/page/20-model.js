@@ -365,6 +365,11 @@ class Pieces {
         return found;
     }
 
+    // Whether bodies carry structure that lives.
+    loose() {
+        return this.fragments.some((f) => f < 0);
+    }
+
     shown(p, time) {
         return this.from[p] <= time && time < this.to[p];
     }

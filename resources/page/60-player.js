@@ -3,6 +3,7 @@ const slowFrame = 36;   // ms; above it a playing picture loses pixels
 const quickFrame = 20;  // ms; below it it gets them back
 const coarsest = 0.4;
 const tellEvery = 120;  // ms between two changes of the texts while it plays
+const longestFrame = 250;  // ms; what a picture takes longer, the clock of the page waits
 const lineBeads = 400;
 const largestSquare = 7;  // px; larger pieces stay boxes
 const settleAfter = 300;  // ms without a move, after which a picture is drawn in full
@@ -167,10 +168,8 @@ class Player {
             if (!this.playing) {
                 return;
             }
-            const took = Math.max(0, now - last);
+            this.advance(Math.max(0, now - last));
             last = now;
-            this.adapt(took);
-            this.time = Math.min(this.end, this.time + this.pace * Math.min(took, 250) / 1000);
             this.draw();
             ++this.shownFrames;
             if (now - told > tellEvery) {
@@ -187,15 +186,36 @@ class Player {
         this.tell();
     }
 
+    // The time goes on by what a picture took, ms.
+    advance(took) {
+        this.adapt(took);
+        this.time = Math.min(this.end, this.time + this.pace * Math.min(took, longestFrame) / 1000);
+        const share = Math.min(1, longestFrame / Math.max(1, took));
+        this.kept = this.kept === undefined ? share : 0.5 * (this.kept + share);
+    }
+
+    // Share of its pace at which it plays; less than 1 where pictures take too long.
+    get paceKept() {
+        return this.playing && this.kept < 0.95 ? this.kept : 1;
+    }
+
     stop() {
         if (!this.playing) {
             return;
         }
         this.playing = false;
+        this.kept = undefined;
         this.rate = 1000 * this.shownFrames / Math.max(1, performance.now() - this.began);
         this.quality = 1;
         this.draw();
         this.tell();
+    }
+
+    // Nothing is drawn any more.
+    close() {
+        this.playing = false;
+        clearTimeout(this.settling);
+        this.listeners = [];
     }
 
     // Fewer pixels where a machine is slow, more where it is not.
@@ -216,9 +236,27 @@ class Player {
         }
     }
 
-    // Panes side by side, or one above the other where that shows everything larger.
+    // Panes of the canvas.
     panes() {
-        const { width, height } = this.canvas;
+        return this.panesOf(this.canvas.width, this.canvas.height);
+    }
+
+    // Keeps what is seen in the panes when the page gives them another room.
+    follow() {
+        const size = [this.canvas.clientWidth, this.canvas.clientHeight];
+        if (Math.min(...size) < 1) {
+            return;
+        }
+        const reach = ([width, height]) => {
+            const [pane] = this.panesOf(width, height);
+            return this.camera.distanceFor(pane.width / pane.height);
+        };
+        this.camera.zoom(reach(size) / reach(this.room || size));
+        this.room = size;
+    }
+
+    // Side by side, or one above the other where that shows everything larger.
+    panesOf(width, height) {
         const wide = Math.floor((width - paneGap) / 2);
         const low = Math.floor((height - paneGap) / 2);
         if (this.camera.distanceFor(wide / height) <= this.camera.distanceFor(width / low)) {
@@ -272,6 +310,12 @@ class Player {
         if (this.colourBy === 'speed') {
             this.colourPieces();
         }
+    }
+
+    // Bodies are on their way between two recorded instants: their places are interpolated.
+    betweenFrames() {
+        const frame = lastAtOrBelow(this.frames, this.time);
+        return this.motion.entered(this.time) && Math.abs(this.time - this.frames[frame]) > 1e-9;
     }
 
     draw() {

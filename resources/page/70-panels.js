@@ -14,6 +14,12 @@ function make(tag, attributes = {}, ...children) {
     return element;
 }
 
+function makeSign(colour) {
+    const sign = make('i', { class: 'sign' });
+    sign.style.background = `rgb(${colour.join(',')})`;
+    return sign;
+}
+
 function makeTable(heads, rows, caption) {
     const head = heads ? make('thead', {}, make('tr', {}, heads.map((text) => make('th', { scope: 'col' }, text)))) : null;
     const body = make('tbody', {}, rows.map((row) => make('tr', {}, row.map((cell, i) => {
@@ -24,6 +30,7 @@ function makeTable(heads, rows, caption) {
 }
 
 const panelNames = ['story', 'pick', 'look', 'evidence', 'health', 'about'];
+const panelsOfViews = ['pick', 'look'];
 
 // Tabs beside the views; each is built anew in the language of now.
 class Panels {
@@ -35,12 +42,17 @@ class Panels {
         this.measuring = false;
     }
 
+    // Of those there are; two are of no use without the views.
+    get names() {
+        return this.player ? panelNames : panelNames.filter((name) => !panelsOfViews.includes(name));
+    }
+
     build() {
         const tabs = document.getElementById('tabs');
         const panels = document.getElementById('panels');
         tabs.replaceChildren();
         panels.replaceChildren();
-        for (const name of panelNames) {
+        for (const name of this.names) {
             tabs.append(make('button', {
                 type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': `panel-${name}`, onclick: () => this.show(name),
                 onkeydown: (event) => this.walk(event, name)
@@ -48,13 +60,16 @@ class Panels {
             panels.append(make('div', { role: 'tabpanel', id: `panel-${name}`, 'aria-labelledby': `tab-${name}`, tabindex: '0' },
                 this[name]()));
         }
-        this.show(this.open);
+        this.show(this.names.includes(this.open) ? this.open : 'story');
+        if (this.player) {
+            this.tellMeasured();
+        }
         this.refresh();
     }
 
     show(name) {
         this.open = name;
-        for (const each of panelNames) {
+        for (const each of this.names) {
             const tab = document.getElementById(`tab-${each}`);
             tab.setAttribute('aria-selected', each === name ? 'true' : 'false');
             tab.tabIndex = each === name ? 0 : -1;
@@ -65,7 +80,8 @@ class Panels {
     walk(event, name) {
         const way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (way) {
-            const next = panelNames[(panelNames.indexOf(name) + way + panelNames.length) % panelNames.length];
+            const { names } = this;
+            const next = names[(names.indexOf(name) + way + names.length) % names.length];
             this.show(next);
             document.getElementById(`tab-${next}`).focus();
             event.preventDefault();
@@ -74,9 +90,7 @@ class Panels {
 
     story() {
         const { outcome, chapters } = this.facts;
-        const items = chapters.map(({ time, kind, note }) => make('li', {},
-            make('button', { type: 'button', 'data-time': time, onclick: () => this.jump(time) },
-                make('b', {}, `${time.toFixed(2)} s`), make('span', {}, kind === 'note' ? note : say(kind)))));
+        const items = chapters.map((chapter) => make('li', {}, this.chapter(chapter)));
         const rows = [[say('fragments'), sayCount(outcome.fragments)],
             [say('theirMass'), `${sayNumber(outcome.fragmentMass / 1000, 4)} t`], [say('bodies'), sayCount(outcome.bodies)],
             [say('endsAt'), `${outcome.end.toFixed(2)} s`]];
@@ -88,11 +102,34 @@ class Panels {
             makeTable(null, rows)];
     }
 
+    // A chapter leads to its time in the views, or to the picture nearest to it; one of another time than the run's leads nowhere.
+    chapter({ time, kind, note, outside }) {
+        const words = [make('b', {}, `${time.toFixed(2)} s`), make('span', {}, kind === 'note' ? note : say(kind))];
+        if (outside) {
+            return make('p', { class: 'outside' }, words, make('em', {}, say('outside')));
+        }
+        if (!this.player && this.pictureAt(time) === null) {
+            return make('p', { class: 'outside' }, words);
+        }
+        return make('button', { type: 'button', 'data-time': time, onclick: () => this.jump(time) }, words);
+    }
+
     jump(time) {
         if (this.player) {
             this.player.stop();
             this.player.moveTo(time);
+            return;
         }
+        const picture = this.pictureAt(time);
+        picture.scrollIntoView();
+        picture.focus({ preventScroll: true });
+    }
+
+    // The picture of the views whose time is nearest; null: there are none.
+    pictureAt(time) {
+        const apart = (figure) => Math.abs(Number(figure.dataset.time) - time);
+        return [...document.querySelectorAll('#stills figure')].reduce(
+            (best, each) => (best === null || apart(each) < apart(best) ? each : best), null);
     }
 
     pick() {
@@ -117,16 +154,21 @@ class Panels {
         const choices = [['highlight', 'highlight'], ['component', 'byComponent'], ['birth', 'byBirth'], ['speed', 'bySpeed'],
             ['cluster', 'byCluster']];
         const views = [['side', 'lookSide'], ['end', 'lookEnd'], ['top', 'lookTop'], ['corner', 'lookCorner']];
-        const checked = this.player ? this.player.colourBy : 'highlight';
-        const colour = (by) => this.player && this.player.setColours(by);
-        const structure = (event) => this.player && this.player.showStructure(event.target.checked);
+        const checked = this.player.colourBy;
+        const colour = (by) => {
+            this.player.setColours(by);
+            document.querySelector('.components').hidden = by !== 'component';
+        };
+        const structure = (event) => this.player.showStructure(event.target.checked);
         const button = (from, word) => make('button', { type: 'button', onclick: () => this.lookFrom(from) }, say(word));
         return [make('h2', {}, say('look')),
             make('fieldset', {}, make('legend', {}, say('colours')), choices.map(([by, word]) => make('label', {},
                 make('input', { type: 'radio', name: 'colours', value: by, checked: by === checked, onchange: () => colour(by) }),
                 ` ${say(word)}`))),
+            make('ul', { class: 'components', hidden: checked !== 'component' },
+                this.facts.scene.components.map((name, i) => make('li', {}, makeSign(categoryColour(i)), name))),
             make('label', {}, make('input', {
-                type: 'checkbox', checked: !this.player || this.player.showsStructure, onchange: structure
+                type: 'checkbox', checked: this.player.showsStructure, onchange: structure
             }), ` ${say('showStructure')}`),
             make('h3', {}, say('view')),
             make('div', { class: 'row' }, views.map(([from, word]) => button(from, word)), button(null, 'everything')),
@@ -134,9 +176,6 @@ class Panels {
     }
 
     lookFrom(from) {
-        if (!this.player) {
-            return;
-        }
         const pane = this.player.panes()[0];
         if (from) {
             this.player.camera.look(from, pane.width / pane.height);
@@ -163,8 +202,13 @@ class Panels {
         }
         parts.push(make('h2', {}, say('photographs')));
         const photographs = this.pictures.filter((picture) => picture.kind === 'photograph');
-        if (photographs.length === 0) {
-            parts.push(make('p', {}, say('noEvidence')));
+        const { photographs: ofCase } = this.facts;
+        if (ofCase === null) {
+            parts.push(make('p', {}, say('noCase')));
+        } else if (ofCase === 0) {
+            parts.push(make('p', {}, say('noPhotographs')));
+        } else if (ofCase > photographs.length) {
+            parts.push(make('p', {}, say('unmatched', ofCase - photographs.length, ofCase)));
         }
         for (const photo of photographs) {
             parts.push(make('figure', {}, make('img', { src: photo.source, alt: say('photoAlt', photo.name) }),
@@ -259,8 +303,10 @@ class Panels {
         if (provenance.trajectory) {
             rows.push([say('trajectory'), digest(provenance.trajectory)]);
         }
-        rows.push([say('coordinates'), provenance.coordinates]);
-        const settings = provenance.settings.map((row) => [row.key, row.delivered, row.run + (row.unit ? ` ${row.unit}` : '')]);
+        rows.push([say('coordinates'), sayText(provenance.coordinates)]);
+        const key = (row) => make('div', {}, sayText(row.label), make('div', { class: 'digest' }, row.key));
+        const settings = provenance.settings.map((row) => [key(row), sayText(row.delivered),
+            `${sayText(row.run)} ${sayText(row.unit)}`.trim()]);
         const text = document.getElementById('provenance').textContent;
         return [make('h2', {}, say('limits')), make('ul', {}, this.limitLines().map((line) => make('li', {}, line))),
             make('h2', {}, say('provenance')), makeTable(null, rows),
@@ -271,11 +317,23 @@ class Panels {
             make('details', {}, make('summary', {}, say('download')), make('pre', { class: 'digest', tabindex: '0' }, text))];
     }
 
+    // How far the two marks are apart; nothing where there are not two.
+    tellMeasured() {
+        const { marks } = this.player;
+        let text = '';
+        if (marks.length === 2) {
+            const [dx, dy, dz] = add3(marks[1], marks[0], -1);
+            const lengths = [Math.hypot(dx, dy, dz), Math.hypot(dx, dy), dz].map((x) => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2));
+            text = say('measured', ...lengths);
+        }
+        document.getElementById('measured').textContent = text;
+    }
+
     toggleMeasure() {
         this.measuring = !this.measuring;
         this.player.marks = [];
         document.getElementById('measure').setAttribute('aria-pressed', String(this.measuring));
-        document.getElementById('measured').textContent = '';
+        this.tellMeasured();
         document.getElementById('views').classList.toggle('picking', this.measuring);
         this.player.draw();
     }
@@ -288,11 +346,7 @@ class Panels {
                 return;
             }
             this.player.marks = [...(this.player.marks.length === 2 ? [] : this.player.marks), hit.point];
-            if (this.player.marks.length === 2) {
-                const [dx, dy, dz] = add3(this.player.marks[1], this.player.marks[0], -1);
-                const lengths = [Math.hypot(dx, dy, dz), Math.hypot(dx, dy), dz].map((x) => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2));
-                document.getElementById('measured').textContent = say('measured', ...lengths);
-            }
+            this.tellMeasured();
             this.player.draw();
             return;
         }
@@ -308,7 +362,7 @@ class Panels {
 
     clear() {
         this.player.marks = [];
-        document.getElementById('measured').textContent = '';
+        this.tellMeasured();
         this.player.choose(-1);
     }
 

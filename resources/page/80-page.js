@@ -1,3 +1,5 @@
+const legendComponents = 4;  // that the legend in the views has room for
+
 const readJson = (id) => JSON.parse(document.getElementById(id).textContent);
 
 // The page as a whole: what stands around the views, the keys, the language.
@@ -57,7 +59,7 @@ class Page {
             views.setPointerCapture(event.pointerId);
         });
         views.addEventListener('pointermove', (event) => {
-            if (!drag || !held.has(event.pointerId)) {
+            if (!this.player || !drag || !held.has(event.pointerId)) {
                 return;
             }
             const before = held.get(event.pointerId);
@@ -80,7 +82,7 @@ class Page {
             held.set(event.pointerId, [event.clientX, event.clientY]);
         });
         const release = (event) => {
-            if (drag && !drag.moved && event.type === 'pointerup' && held.size === 1) {
+            if (this.player && drag && !drag.moved && event.type === 'pointerup' && held.size === 1) {
                 const box = views.getBoundingClientRect();
                 this.panels.picked(this.player.pickAt(event.clientX - box.left, event.clientY - box.top));
             }
@@ -170,8 +172,12 @@ class Page {
 
     speak() {
         document.documentElement.lang = speech.chinese ? 'zh-CN' : 'en';
+        const values = (element) => JSON.parse(element.dataset.values || '[]');
         for (const element of document.querySelectorAll('[data-word]')) {
-            element.textContent = say(element.dataset.word);
+            element.textContent = say(element.dataset.word, ...values(element));
+        }
+        for (const element of document.querySelectorAll('[data-alt]')) {
+            element.alt = say(element.dataset.alt, ...values(element));
         }
         for (const element of document.querySelectorAll('[data-label]')) {
             element.setAttribute('aria-label', say(element.dataset.label));
@@ -203,6 +209,7 @@ class Page {
 
     // Opens the views; without WebGL 2 the pictures stay.
     async open() {
+        document.documentElement.classList.add('ran');
         const stage = document.getElementById('stage');
         const stills = document.getElementById('stills');
         try {
@@ -223,29 +230,27 @@ class Page {
             const bytes = await inflated(packed, this.facts.scene.dataBytes);
             this.player = new Player(canvas, started, this.facts, bytes);
         } catch (error) {
-            stage.hidden = true;
-            stills.hidden = false;
             this.fallBack('damaged', error.message);
             return;
         }
         this.panels.player = this.player;
         this.player.onChange(() => this.refresh());
         document.getElementById('loading').hidden = true;
+        document.getElementById('timeline').inert = false;
         const slider = document.getElementById('time');
         slider.min = this.player.start;
         slider.max = this.player.end;
         this.markChapters();
         document.getElementById('canvas').addEventListener('webglcontextlost', () => {
-            this.player.stop();
-            stage.hidden = true;
-            stills.hidden = false;
             this.fallBack('lost');
         });
         this.player.resize();
+        this.player.follow();
         this.panels.lookFrom('side');
         this.panels.build();
         new ResizeObserver(() => {
-            if (this.player.resize()) {
+            if (this.player) {
+                this.player.follow();
                 this.redraw();
             }
         }).observe(document.getElementById('views'));
@@ -253,18 +258,29 @@ class Page {
         this.player.structure.unpackRest();
     }
 
+    // Pictures in place of the views, and why; what works by the views alone goes with them.
     fallBack(word, ...values) {
+        if (this.player) {
+            this.player.close();
+            this.player = null;
+            this.panels.player = null;
+        }
         document.documentElement.classList.remove('opening');
+        document.getElementById('stage').hidden = true;
+        document.getElementById('stills').hidden = false;
+        document.getElementById('skip').hidden = true;
+        document.getElementById('noStills').hidden = document.querySelector('#stills figure') !== null;
         const reason = document.getElementById('reason');
-        delete reason.dataset.word;
-        const none = document.querySelector('#stills figure') === null ? ` ${say('noPictures')}` : '';
-        reason.textContent = say(word, ...values) + none;
+        reason.dataset.word = word;
+        reason.dataset.values = JSON.stringify(values);
+        this.speak();
+        announce(reason.textContent);
         document.documentElement.dataset.ready = word;
     }
 
     markChapters() {
         const { start, end } = this.player;
-        document.getElementById('marks').replaceChildren(...this.facts.chapters.map((chapter) => {
+        document.getElementById('marks').replaceChildren(...this.facts.chapters.filter((each) => !each.outside).map((chapter) => {
             const mark = make('i');
             mark.style.left = `${100 * (chapter.time - start) / (end - start)}%`;
             return mark;
@@ -281,6 +297,8 @@ class Page {
         slider.value = player.time;
         slider.setAttribute('aria-valuetext', clock);
         document.getElementById('clock').textContent = clock;
+        const { paceKept } = player;
+        document.getElementById('lag').textContent = paceKept < 1 ? say('lag', sayNumber(player.pace * paceKept, 2)) : '';
         const play = document.getElementById('play');
         play.textContent = player.playing ? '❚❚' : '▶';
         play.setAttribute('aria-label', say(player.playing ? 'pause' : 'play'));
@@ -297,9 +315,12 @@ class Page {
         const captions = [
             `${say('fePane')} (${say('computed')}): ${say('atState', state + 1, structure.times.length)}${between}; ` +
                 say('activeCount', sayCount(player.activeCount)),
-            `${say('fragmentPane')} (${say('simulated')}): ${say('pieceCount', sayCount(player.pieceCount))}`];
+            `${say('fragmentPane')} (${say('simulated')}${player.betweenFrames() ? `, ${say('between')}` : ''}): ` +
+                say('pieceCount', sayCount(player.pieceCount))];
         const scale = player.canvas.clientWidth / player.canvas.width;
-        player.panes().forEach((pane, i) => {
+        const panes = player.panes();
+        document.getElementById('views').classList.toggle('stacked', panes[0].x === panes[1].x);
+        panes.forEach((pane, i) => {
             const box = document.getElementById(['feCaption', 'fragmentCaption'][i]);
             box.textContent = captions[i];
             box.style.left = `${pane.x * scale + 8}px`;
@@ -310,7 +331,7 @@ class Page {
         const ring = document.getElementById('crosshair');
         ring.style.left = `${cross.x}px`;
         ring.style.top = `${cross.y}px`;
-        this.scaleBar(player.panes()[0].height * scale);
+        this.scaleBar(panes[0].height * scale);
     }
 
     // A round length at the distance of the middle.
@@ -342,22 +363,34 @@ class Page {
             return;
         }
         this.legendKey = key;
-        const entry = (colour, text) => {
-            const sign = make('i');
-            sign.style.background = `rgb(${colour.join(',')})`;
-            return make('span', {}, sign, text);
-        };
+        const entry = (colour, text) => make('span', {}, makeSign(colour), text);
         const entries = [entry(tones.structure, say('structure'))];
+        const { components } = this.facts.scene;
         if (player.colourBy === 'highlight') {
-            entries.push(entry(tones.fragment, say('fragments')), entry(tones.released, say('released')));
+            entries.push(entry(tones.fragment, say('fragments')));
         } else if (player.colourBy === 'component') {
-            this.facts.scene.components.forEach((name, i) => entries.push(entry(categoryColour(i), name)));
+            // All of them stand beside the choice of the colours.
+            const named = components.length > legendComponents ? legendComponents - 1 : components.length;
+            components.slice(0, named).forEach((name, i) => entries.push(entry(categoryColour(i), name)));
+            if (named < components.length) {
+                entries.push(make('span', {}, say('moreComponents', components.length - named)));
+            }
+        } else if (player.colourBy === 'cluster') {
+            const sign = make('i', { class: 'bar' });
+            const share = 100 / categories.length;
+            const bands = categories.map((colour, i) => `rgb(${colour.join(',')}) ${share * i}% ${share * (i + 1)}%`);
+            sign.style.background = `linear-gradient(90deg, ${bands.join(', ')})`;
+            entries.push(make('span', {}, sign, say('clusterColours', categories.length)));
         } else if (player.colourBy === 'birth' || player.colourBy === 'speed') {
             const sign = make('i', { class: 'bar' });
             sign.style.background = `linear-gradient(90deg, ${[0, 0.25, 0.5, 0.75, 1].map((s) => `rgb(${heat(s).join(',')})`).join(', ')})`;
             const ends = player.colourBy === 'birth' ? player.spanOfBirths().map((t) => `${t.toFixed(2)} s`)
                 : ['0', `${sayNumber(player.fastest)} m/s`];
             entries.push(make('span', {}, `${ends[0]} `, sign, ends[1]));
+        }
+        // Loose structure has no birth and no cluster.
+        if (['highlight', 'birth', 'cluster'].includes(player.colourBy) && player.pieces.loose()) {
+            entries.push(entry(tones.released, say('released')));
         }
         document.getElementById('legend').replaceChildren(...entries);
     }

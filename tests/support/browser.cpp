@@ -108,6 +108,10 @@ Browser::Browser(const std::string& folder, int width, int height, const std::ve
     for (const char* domain : {"Page.enable", "Runtime.enable", "Network.enable", "Log.enable"}) {
         command(domain, json::object());
     }
+    resize(width, height);
+}
+
+void Browser::resize(int width, int height) {
     command("Emulation.setDeviceMetricsOverride",
             {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }

@@ -33,6 +33,8 @@ public:
     std::string screenshot();
     /// Presses and lets go a key: "Tab", "Enter", " ".
     void press(const std::string& key);
+    /// Gives the window another size, px.
+    void resize(int width, int height);
     /// Clicks at a place of the page, px.
     void click(double x, double y);
 

@@ -90,9 +90,11 @@ std::string stills(const PageExtras& extras) {
     std::string figures;
     for (const PagePicture& picture : extras.pictures) {
         if (picture.kind == PagePictureKind::Views) {
-            const std::string caption = "t = " + englishNumber(picture.time) + " s";
-            figures += "<figure><img alt=\"FE result | fragments, " + caption + "\" src=\"" + sourceOf(picture) +
-                       "\"><figcaption>" + caption + "</figcaption></figure>\n";
+            const std::string time = englishNumber(picture.time);
+            figures += "<figure data-time=\"" + json(picture.time).dump() +
+                       "\" tabindex=\"-1\"><img alt=\"FE result and fragments, t = " + time +
+                       " s\" data-alt=\"stillAlt\" data-values='[\"" + time + "\"]' src=\"" + sourceOf(picture) +
+                       "\"><figcaption>t = " + time + " s</figcaption></figure>\n";
         }
     }
     return figures;

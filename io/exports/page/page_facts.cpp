@@ -44,6 +44,22 @@ private:
     std::function<std::string(const Message&)> m_chinese;
 };
 
+/// Switches and choices are words; numbers and texts stand as in the case.
+json valueFact(const Parameter& row, const ParameterValue& value, const PageTexts& text) {
+    if (std::holds_alternative<std::monostate>(value)) {
+        return text.word("auto");
+    }
+    if (const auto* on = std::get_if<bool>(&value)) {
+        return text.word(*on ? "on" : "off");
+    }
+    std::string words = valueText(value);
+    if (row.kind != ParameterKind::Choice) {
+        return {{"en", words}, {"zh", words}};
+    }
+    std::ranges::replace(words, '_', ' ');
+    return text.word(words);
+}
+
 json healthFacts(const RunReader& run, const PageTexts& text) {
     const Taint taint = taintOf(run);
     const auto result = run.result();
@@ -156,6 +172,9 @@ json chapterFacts(const RunReader& run, const FeResult& fe, const PageExtras& ex
     chapters.push_back({{"time", end}, {"kind", "end"}});
     for (const Bookmark& bookmark : extras.theCase != nullptr ? extras.theCase->bookmarks : std::vector<Bookmark>()) {
         chapters.push_back({{"time", bookmark.time}, {"kind", "note"}, {"note", bookmark.note}});
+        if (bookmark.time < fe.times().front() || bookmark.time > end) {
+            chapters.back()["outside"] = true;
+        }
     }
     std::stable_sort(chapters.begin(), chapters.end(),
                      [](const json& a, const json& b) { return a["time"].get<double>() < b["time"].get<double>(); });
@@ -167,7 +186,7 @@ json fileFacts(const std::string& role, const std::string& path, const std::stri
     return {{"role", role}, {"name", std::filesystem::path(path).filename().string()}, {"sha256", sha256}};
 }
 
-json provenanceFacts(const RunReader& run, const PageExtras& extras) {
+json provenanceFacts(const RunReader& run, const PageExtras& extras, const PageTexts& text) {
     const RunOrigin& origin = run.origin();
     json files = json::array({fileFacts("fe", origin.fePath, origin.feSha256)});
     if (!origin.terrainPath.empty()) {
@@ -183,17 +202,19 @@ json provenanceFacts(const RunReader& run, const PageExtras& extras) {
     }
     json settings = json::array();
     for (const SharedDifference& difference : sharedDifferences(differencesBetween(Scenario{}, origin.scenario))) {
+        const Parameter& row = *difference.change.row;
         settings.push_back({{"key", difference.key()},
-                            {"delivered", valueText(difference.change.first)},
-                            {"run", valueText(difference.change.second)},
-                            {"unit", difference.change.row->unit}});
+                            {"label", text.word(row.label)},
+                            {"delivered", valueFact(row, difference.change.first, text)},
+                            {"run", valueFact(row, difference.change.second, text)},
+                            {"unit", text.word(row.unit)}});
     }
     json facts = {{"files", files},
                   {"settings", settings},
                   {"runBuild", origin.build},
                   {"pageBuild", buildText()},
                   {"fingerprint", origin.fingerprint.hex()},
-                  {"coordinates", std::string(SitePlace(origin.frame, origin.site).words())},
+                  {"coordinates", text.word(SitePlace(origin.frame, origin.site).words())},
                   {"made", utcNow()}};
     if (const auto result = run.result()) {
         facts["trajectory"] = result->trajectoryHash.hex();
@@ -296,7 +317,7 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["validation"] = validationFacts(run, extras, text);
     facts["findings"] = findingFacts(run, fe, text);
     facts["chapters"] = chapterFacts(run, fe, extras);
-    facts["provenance"] = provenanceFacts(run, extras);
+    facts["provenance"] = provenanceFacts(run, extras, text);
     facts["ground"] = groundFacts(run, extras);
     facts["north"] = northFact(origin);
     facts["map"] = mapFacts(extras);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -11,6 +12,9 @@
 
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
+#include "io/validation/kept_validation.h"
+#include "tests/scenes/validation_records.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/browser.h"
 #include "tests/support/photographed_case.h"
 #include "tests/support/small_collapse.h"
@@ -31,8 +35,11 @@ protected:
             return;
         }
         PhotoOfCase::SetUp();
-        m_case.bookmarks = {{0.25, "The second block goes."}};
-        const Outcome outcome = cli({"export", m_out, "--case", save(), "--export", "page=" + m_page});
+        m_case.bookmarks = {{0.25, "The second block goes."}, {99.0, "Long after."}};
+        io::keepValidation(scenes::tossRecord(), m_folder / "cache");
+        const Outcome outcome = CommandRun()
+                                    .with("RUBBLE_CACHE", m_folder / "cache")
+                                    .cli({"export", m_out, "--case", save(), "--export", "page=" + m_page});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("mm of those recorded"));
         m_browser = std::make_unique<Browser>(m_folder / "profile", 1280, 800);
@@ -46,6 +53,16 @@ protected:
         }
     }
     nlohmann::json said(const std::string& expression) { return m_browser->evaluate(expression); }
+    /// A copy of the page, changed; its path. It ends as the page does, for the sake of TearDown().
+    std::string changed(const std::function<void(std::string&)>& change) {
+        std::string text = textOf(m_page);
+        change(text);
+        const std::string path = m_folder / "changed-small.html";
+        std::ofstream(path, std::ios::binary) << text;
+        return path;
+    }
+    /// What the page says where its pictures stand in place of the views.
+    void expectPicturesInBothLanguages(Browser& browser, const std::string& chinese);
     /// Rows of fragments.csv by the column names.
     std::vector<std::map<std::string, std::string>> table();
 
@@ -53,6 +70,28 @@ protected:
     std::unique_ptr<Browser> m_browser;
     std::string m_ready;
 };
+
+void PageInBrowser::expectPicturesInBothLanguages(Browser& browser, const std::string& chinese) {
+    const auto told = [&](const std::string& expression) { return browser.evaluate(expression); };
+    EXPECT_EQ(told("document.getElementById('stills').hidden"), false);
+    EXPECT_EQ(told("document.getElementById('stage').hidden"), true);
+    EXPECT_EQ(told("[...document.querySelectorAll('[role=tab]')].map((each) => each.id)"),
+              (nlohmann::json{"tab-story", "tab-evidence", "tab-health", "tab-about"}))
+        << "picking and looking need the views";
+    // A chapter leads to the picture of its time.
+    told("document.querySelector('.chapters button[data-time=\"0.25\"]').click()");
+    EXPECT_EQ(told("document.activeElement.dataset.time"), "0.25");
+    EXPECT_EQ(told("(() => { const box = document.activeElement.getBoundingClientRect();"
+                   " return box.bottom > 0 && box.top < innerHeight; })()"),
+              true);
+    told("document.getElementById('chinese').click()");
+    EXPECT_THAT(told("document.getElementById('reason').textContent").get<std::string>(), HasSubstr(chinese));
+    EXPECT_THAT(told("document.querySelector('#stills img').alt").get<std::string>(), HasSubstr("碎块"));
+    told("document.getElementById('english').click()");
+    EXPECT_THAT(told("document.getElementById('reason').textContent").get<std::string>(), Not(HasSubstr(chinese)));
+    EXPECT_THAT(told("document.querySelector('#stills img').alt").get<std::string>(), HasSubstr("FE result and fragments"));
+    EXPECT_THAT(browser.complaints(), testing::IsEmpty());
+}
 
 std::vector<std::map<std::string, std::string>> PageInBrowser::table() {
     cli({"export", m_out, "--export", "fragments=" + (m_folder / "f.csv")});
@@ -180,6 +219,7 @@ TEST_F(PageInBrowser, WithoutWebGlThePicturesStandThere) {
     }
     Browser plain(m_folder / "plain", 800, 600, {"--disable-3d-apis"});
     EXPECT_EQ(plain.open(m_page), "noWebGl");
+    expectPicturesInBothLanguages(plain, "此浏览器没有 WebGL 2");
     EXPECT_EQ(plain.evaluate("document.getElementById('stills').hidden"), false);
     EXPECT_NE(plain.evaluate("getComputedStyle(document.getElementById('stills')).display"), "none");
     EXPECT_EQ(
@@ -191,6 +231,171 @@ TEST_F(PageInBrowser, WithoutWebGlThePicturesStandThere) {
         plain.evaluate("[...document.querySelectorAll('#stills img')].every((each) => each.complete && each.naturalWidth > 100)"),
         true);
     EXPECT_THAT(plain.evaluate("document.getElementById('panel-story').textContent").get<std::string>(), HasSubstr("fragments"));
+}
+
+TEST_F(PageInBrowser, DamagedDataAndALostContextLeaveThePictures) {
+    if (!m_browser) {
+        return;
+    }
+    const std::string damaged = changed([](std::string& text) {
+        const std::size_t data = text.find("id=\"data\">");
+        text.replace(text.find("</script>", data) - 400, 200, std::string(200, 'A'));
+    });
+    Browser other(m_folder / "other", 1280, 800);
+    EXPECT_EQ(other.open(damaged), "damaged");
+    expectPicturesInBothLanguages(other, "无法显示视图");
+    said("page.player.play()");
+    said("page.player.renderer.gl.getExtension('WEBGL_lose_context').loseContext()");
+    m_browser->waitFor("document.documentElement.dataset.ready === 'lost'");
+    expectPicturesInBothLanguages(*m_browser, "浏览器失去了图形环境");
+}
+
+TEST_F(PageInBrowser, APageThatWasCutShortSaysSo) {
+    if (!m_browser) {
+        return;
+    }
+    const std::string cut = changed([](std::string& text) { text.resize(text.find("id=\"data\">") + 100); });
+    Browser other(m_folder / "other", 1280, 800);
+    EXPECT_EQ(other.open(cut), "unread");
+    const auto seen = [](Browser& browser) {
+        return browser.evaluate("getComputedStyle(document.getElementById('unread')).display !== 'none'");
+    };
+    EXPECT_EQ(seen(other), true);
+    EXPECT_EQ(other.evaluate("getComputedStyle(document.getElementById('stills')).display !== 'none'"), true);
+    EXPECT_EQ(seen(*m_browser), false) << "the script of the whole page ran";
+}
+
+TEST_F(PageInBrowser, WordsFitWhatIsShown) {
+    if (!m_browser) {
+        return;
+    }
+    const auto caption = [&](const std::string& time) {
+        said("page.jump(" + time + ")");
+        return said("document.getElementById('fragmentCaption').textContent").get<std::string>();
+    };
+    EXPECT_THAT(caption("page.player.frames[page.player.frames.length - 2]"), HasSubstr("(simulated)"));
+    EXPECT_THAT(caption("0.5 * (page.player.frames[page.player.frames.length - 2] + page.player.end)"),
+                HasSubstr("(simulated, interpolated)"));
+    EXPECT_THAT(caption("0"), HasSubstr("(simulated)")) << "there is nothing yet";
+    // A bookmark after the end is told and leads nowhere.
+    EXPECT_THAT(said("document.querySelector('.chapters .outside').textContent").get<std::string>(),
+                testing::AllOf(HasSubstr("Long after."), HasSubstr("outside the time of the run")));
+    EXPECT_EQ(said("document.querySelectorAll('.chapters button[data-time=\"99\"]').length"), 0);
+    EXPECT_EQ(said("[...document.querySelectorAll('#marks i')].every((each) => parseFloat(each.style.left) <= 100)"), true);
+    // Legends.
+    said("page.facts.scene.components = Array.from({ length: 23 }, (_, i) => `part ${i}`)");
+    said("page.player.setColours('component')");
+    EXPECT_THAT(said("document.getElementById('legend').textContent").get<std::string>(), HasSubstr("20 more"));
+    said("page.panels.build()");
+    EXPECT_EQ(said("[...document.querySelectorAll('.components li')].length"), 23);
+    EXPECT_EQ(said("document.querySelector('.components').hidden"), false);
+    said("page.player.setColours('cluster')");
+    EXPECT_THAT(said("document.getElementById('legend').textContent").get<std::string>(), HasSubstr("a colour for each cluster"));
+    // Tables of source and health.
+    const auto health = [&] { return said("document.getElementById('panel-health').textContent").get<std::string>(); };
+    EXPECT_THAT(health(), testing::AllOf(HasSubstr("Tosses of a cube, blind. 32 falls simulated, of which 3 are in no mean."),
+                                         HasSubstr("run-out, Plate [m]"), HasSubstr("-0.25 (-0.375 to -0.125)"),
+                                         HasSubstr("0 of 1 figures are as asked")));
+    said("document.getElementById('chinese').click()");
+    EXPECT_THAT(health(),
+                testing::AllOf(HasSubstr("盲算"), HasSubstr("散落距离, Plate [m]"), HasSubstr("-0.25 (-0.375 至 -0.125)")));
+    const std::string source =
+        said("[...document.querySelectorAll('#panel-about tr')].map((each) => each.textContent).join()").get<std::string>();
+    EXPECT_THAT(source,
+                testing::AllOf(HasSubstr("已加上坐标框架原点"), HasSubstr("稳定时间"), Not(HasSubstr("origin of the frame"))));
+    said("page.facts.validation = null, page.panels.build()");
+    EXPECT_THAT(health(), HasSubstr("未与实测的下落比较过"));
+    // A photograph of which nothing is known is not said to be one of no case.
+    said("page.facts.photographs = 2, page.panels.build()");
+    EXPECT_THAT(said("document.getElementById('panel-evidence').textContent").get<std::string>(), HasSubstr("2 张照片中有 1 张"));
+}
+
+TEST_F(PageInBrowser, WhatWasMeasuredStaysInTheOtherLanguage) {
+    if (!m_browser) {
+        return;
+    }
+    said(
+        "page.panels.toggleMeasure(), page.panels.picked({ element: -1, point: [0, 0, 0] }),"
+        " page.panels.picked({ element: -1, point: [3, 4, 0] })");
+    const auto measured = [&] { return said("document.getElementById('measured').textContent").get<std::string>(); };
+    EXPECT_THAT(measured(), HasSubstr("5.00 m apart"));
+    said("document.getElementById('chinese').click()");
+    EXPECT_THAT(measured(), HasSubstr("相距 5.00 m"));
+    said("page.panels.clear()");
+    EXPECT_EQ(measured(), "");
+}
+
+TEST_F(PageInBrowser, AnotherSizeOfTheWindowKeepsWhatIsSeen) {
+    if (!m_browser) {
+        return;
+    }
+    m_browser->resize(390, 800);
+    m_browser->waitFor("page.player.room[0] < 400");
+    m_browser->resize(1920, 1080);
+    m_browser->waitFor("page.player.room[0] > 1000");
+    const double followed = said("page.player.camera.distance").get<double>();
+    said("page.panels.lookFrom(null)");
+    EXPECT_NEAR(followed, said("page.player.camera.distance").get<double>(), 1e-6 * followed);
+}
+
+TEST_F(PageInBrowser, APaceThatIsNotKeptIsTold) {
+    if (!m_browser) {
+        return;
+    }
+    const std::string text = ", page.refresh(), document.getElementById('lag').textContent";
+    EXPECT_EQ(said("page.player.play(), page.player.advance(40)" + text), "");
+    said("page.player.stop(), page.jump(0)");
+    EXPECT_THAT(said("page.player.play(), page.player.advance(1000)" + text).get<std::string>(), HasSubstr("plays at 0.25"));
+    EXPECT_EQ(said("page.player.stop()" + text), "");
+}
+
+TEST_F(SmallRun, WhatMovesAtTheEndHasItsSpeedThere) {
+    if (Browser::program().empty()) {
+        std::cout << "not run: no Chromium here\n";
+        return;
+    }
+    const nlohmann::json made = run({}, "0");
+    ASSERT_GT(made["still_moving"].get<int>(), 0) << made;
+    const std::string page = m_folder / "small.html";
+    ASSERT_EQ(cli({"export", m_out, "--export", "page=" + page}).exitCode, 0);
+    Browser browser(m_folder / "profile", 1280, 800);
+    browser.open(page);
+    const auto fastest = [&](const std::string& time) {
+        browser.evaluate("page.jump(" + time + ")");
+        return browser
+            .evaluate(
+                "Math.max(...[...page.player.pieces.live].map((p) =>"
+                " page.player.motion.speed(page.player.pieces.bodies[p], page.player.time)))")
+            .get<double>();
+    };
+    const double before = fastest("page.player.end - 1e-4");
+    EXPECT_GT(before, 1.0);
+    EXPECT_NEAR(fastest("page.player.end"), before, 1e-6 * before);
+    browser.evaluate("page.player.choose(page.player.pieces.elements[page.player.pieces.live[0]])");
+    EXPECT_THAT(browser.evaluate("document.getElementById('chosen').textContent").get<std::string>(), HasSubstr("mean over"));
+}
+
+TEST_F(SmallRun, AMeasureMeetsTheTerrain) {
+    if (Browser::program().empty()) {
+        std::cout << "not run: no Chromium here\n";
+        return;
+    }
+    const std::string terrain = io::AsciiGrid().write(m_folder / "slope.asc", [](double x, double) { return 0.05 * x - 1.0; });
+    run({"--terrain", terrain}, "0.2");
+    const std::string page = m_folder / "small.html";
+    ASSERT_EQ(cli({"export", m_out, "--export", "page=" + page}).exitCode, 0);
+    Browser browser(m_folder / "profile", 1280, 800);
+    browser.open(page);
+    browser.evaluate("page.panels.lookFrom('corner')");
+    const auto hit = browser.evaluate(R"js((() => {
+        const pane = page.player.panes()[1];
+        const scale = page.player.canvas.clientWidth / page.player.canvas.width;
+        return page.player.pickAt(scale * (pane.x + pane.width / 2), scale * (page.player.canvas.height - pane.y) - 40);
+    })())js");
+    EXPECT_EQ(hit["element"], -1);
+    ASSERT_TRUE(hit["point"].is_array()) << hit;
+    // Heights on the page are rounded to a millimetre.
+    EXPECT_NEAR(hit["point"][2].get<double>(), 0.05 * hit["point"][0].get<double>() - 1.0, 1e-3);
 }
 
 TEST_F(SmallRun, APageCarriesItsProvenanceAndNoAddressOfOthers) {

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QTranslator>
 
+#include <array>
 #include <cassert>
 
 #include "widgets/figures/report/spoken_text.h"
@@ -13,9 +14,21 @@ namespace {
 
 const char* const catalogueFile = ":/translations/rubble_zh_CN.qm";
 
+/// Where words of tables have their translations, beside messages. Values of messages are not looked up here: a component may be
+/// called as a material is.
+constexpr std::array tables{"parameters", "choices", "validation", "rubble::figures::ValidationRows", "rubble"};
+
 /// Names of components and files have no translation and stay as they are.
 std::string inChinese(const QTranslator& catalogue, const std::string& english) {
     const QString said = catalogue.translate("messages", english.c_str());
+    return said.isEmpty() ? english : said.toStdString();
+}
+
+std::string patternInChinese(const QTranslator& catalogue, const std::string& english) {
+    QString said = catalogue.translate("messages", english.c_str());
+    for (const char* const* table = tables.begin(); said.isEmpty() && table != tables.end(); ++table) {
+        said = catalogue.translate(*table, english.c_str());
+    }
     return said.isEmpty() ? english : said.toStdString();
 }
 
@@ -28,7 +41,7 @@ std::function<std::string(const Message&)> chineseWords() {
     return [catalogue](const Message& message) {
         Message said = message;
         sayArguments(said, [&](const std::string& words) { return inChinese(*catalogue, words); });
-        said.pattern = inChinese(*catalogue, message.pattern);
+        said.pattern = patternInChinese(*catalogue, message.pattern);
         return englishText(said);
     };
 }

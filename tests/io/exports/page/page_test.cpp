@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/fe/mesh.h"
 #include "io/base/base64.h"
@@ -16,6 +17,7 @@
 #include "io/run/fragment_places.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/io/sample_run.h"
+#include "tests/scenes/validation_records.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 
@@ -287,6 +289,128 @@ TEST_F(Page, NodesLieWhereTheResultHasThem) {
     }
     EXPECT_LE(worst, m_report.nodeError + 1e-9);
     EXPECT_LE(m_report.nodeError, 2e-3);
+}
+
+TEST_F(Page, StatesThatAreLeftOutArePlayedAndTheirErrorIsTold) {
+    record(12, 12);
+    PagePrecision few;
+    few.placesMost = 3 * m_fe->mesh().nodeCount() * 3;
+    const PageScene scene = pageScene(*m_run, *m_fe, few, Execution());
+    ASSERT_EQ(m_fe->stateCount(), 7u);
+    ASSERT_EQ(scene.statesThere, 7u);
+    ASSERT_EQ(scene.statesKept, 3u) << "0, 3 and 6";
+    // What dies before the next state that is kept waits at the one before.
+    double worst = 0.0;
+    for (const std::size_t first : {0u, 3u}) {
+        for (std::size_t k = first + 1; k < first + 3; ++k) {
+            for (std::size_t e = 0; e < m_fe->mesh().elementCount(); ++e) {
+                const auto active = [&](std::size_t state) { return m_fe->activity().active(state, idAt<ElementIndex>(e)); };
+                for (const std::uint32_t node : m_fe->mesh().cornersOf(idAt<ElementIndex>(e))) {
+                    const Vec3 from = m_fe->state(first)->positions[node];
+                    const double share = active(first + 3) ? static_cast<double>(k - first) / 3.0 : 0.0;
+                    const Vec3 shown = from + share * (m_fe->state(first + 3)->positions[node] - from);
+                    const double error = (shown - m_fe->state(k)->positions[node]).norm();
+                    worst = std::max(worst, active(k) && active(first) ? error : 0.0);
+                }
+            }
+        }
+    }
+    EXPECT_GT(worst, 0.4) << "nodes fall half a metre from state to state";
+    EXPECT_NEAR(scene.nodeErrorBetween, worst, 2.0 * few.nodeStep);
+    EXPECT_LE(scene.nodeError, few.nodeStep);
+    EXPECT_EQ(pageScene(*m_run, *m_fe, {}, Execution()).nodeErrorBetween, 0.0) << "all states are kept";
+}
+
+TEST_F(Page, NoMoreStatesAreKeptThanABrowserHolds) {
+    record(6, 6);
+    for (const std::size_t most : {2u, 3u, 4u, 5u, 6u, 7u, 8u}) {
+        PagePrecision few;
+        few.placesMost = 3 * m_fe->mesh().nodeCount() * most;
+        EXPECT_LE(pageScene(*m_run, *m_fe, few, Execution()).statesKept, most);
+    }
+}
+
+TEST_F(Page, CoarseStepsAreTightenedUntilPlacesLieWithinTheBound) {
+    record(12, 12);
+    const PagePrecision coarse{0.02, 0.01, 0.04, 0.02, 0.02, PagePrecision().placesMost};
+    const PageScene scene = pageScene(*m_run, *m_fe, coarse, Execution());
+    EXPECT_LE(scene.placeError, pageErrorMost);
+    EXPECT_LE(scene.nodeError, pageErrorMost);
+    EXPECT_LT(scene.about["nodeStep"].get<double>(), coarse.nodeStep);
+    const PagePrecision hopeless{20.0, 10.0, 40.0, 20.0, 20.0, PagePrecision().placesMost};
+    try {
+        pageScene(*m_run, *m_fe, hopeless, Execution());
+        FAIL() << "nothing was refused";
+    } catch (const UsageError& error) {
+        EXPECT_EQ(error.message().id, "io.page.coarse");
+        EXPECT_FALSE(error.remedy().empty());
+    }
+}
+
+TEST_F(Page, ValidationIsThatOfTheBuildThatSimulated) {
+    record(8, 8);
+    PageExtras extras;
+    extras.validation = {scenes::tossRecord()};
+    EXPECT_TRUE(exported(extras).facts["validation"].is_null()) << "another build simulated";
+    m_sample.origin.build = buildText();
+    m_sample.feed(*createRun(m_folder / "own.run.h5", m_sample.origin), 8);
+    m_run = openRun(m_folder / "own.run.h5");
+    EXPECT_TRUE(exported().facts["validation"].is_null()) << "it was held against nothing";
+    const json facts = exported(extras).facts["validation"];
+    ASSERT_EQ(facts.size(), 2u);
+    EXPECT_EQ(facts[0]["falls"], 32);
+    EXPECT_EQ(facts[0]["lost"], 3);
+    EXPECT_EQ(facts[0]["asked"], 1);
+    EXPECT_EQ(facts[0]["holds"], 0);
+    EXPECT_EQ(facts[1]["holds"], 1);
+    EXPECT_EQ(facts[0]["quantities"][0]["name"]["en"], "run-out, Plate");
+    EXPECT_EQ(facts[0]["quantities"][0]["error"], -0.25);
+    EXPECT_EQ(facts[0]["quantities"][0]["high"], -0.125);
+}
+
+TEST_F(Page, SurroundingsThatTheViewsDoNotDrawAreNamed) {
+    record(8, 8);
+    EXPECT_EQ(exported().facts["around"]["names"], json::array());
+    m_sample.origin.surroundings = {{"/site/roof.obj", "aa", Vec3::Zero()}};
+    m_sample.feed(*createRun(m_folder / "roof.run.h5", m_sample.origin), 8);
+    m_run = openRun(m_folder / "roof.run.h5");
+    PageExtras extras;
+    extras.around = {{"orthophoto", "/site/ortho.tif", "bb"}};
+    const json facts = exported(extras).facts["around"];
+    EXPECT_EQ(facts["names"], (json::array({"ortho.tif", "roof.obj"})));
+    EXPECT_EQ(facts["fallenOn"], true);
+}
+
+TEST_F(Page, ABookmarkOutsideOfTheRunIsMarked) {
+    record(8, 8);
+    Case theCase;
+    theCase.bookmarks = {{0.2, "within"}, {99.0, "after"}, {-1.0, "before"}};
+    theCase.inputs = {{"north", InputRole::Photograph, "north.png", "aa"}};
+    PageExtras extras;
+    extras.theCase = &theCase;
+    const ReadPage page = exported(extras);
+    for (const json& chapter : page.facts["chapters"]) {
+        const std::string note = chapter.value("note", "");
+        EXPECT_EQ(chapter.value("outside", false), note == "after" || note == "before") << chapter;
+    }
+    EXPECT_EQ(page.facts["photographs"], 1);
+    EXPECT_TRUE(exported().facts["photographs"].is_null()) << "there is no case";
+}
+
+TEST_F(Page, SettingsHaveNamesAndValuesInBothLanguages) {
+    m_sample = runOverFe(11, 8, m_fe);
+    m_sample.origin.scenario.simulation.substeps = 3;
+    m_sample.feed(*createRun(m_folder / "a.run.h5", m_sample.origin), 8);
+    m_run = openRun(m_folder / "a.run.h5");
+    PageExtras extras;
+    extras.chinese = [](const Message& message) { return "zh:" + message.pattern; };
+    const ReadPage page = exported(extras);
+    ASSERT_FALSE(page.facts["provenance"]["settings"].empty());
+    for (const json& row : page.facts["provenance"]["settings"]) {
+        EXPECT_EQ(row["label"]["zh"], "zh:" + row["label"]["en"].get<std::string>());
+        EXPECT_TRUE(row["run"].contains("zh")) << row;
+    }
+    EXPECT_EQ(page.facts["provenance"]["coordinates"]["zh"], "zh:metres, z up, origin of the frame added");
 }
 
 TEST_F(Page, ARunThatWasStoppedSaysSo) {

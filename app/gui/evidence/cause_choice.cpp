@@ -205,8 +205,10 @@ QString CauseChoice::whyNot(const CaseInput& survey) const {
     const auto isIt = [&, base = m_document.base().toStdString()](const io::KeptCauses::File& added) {
         return io::surveyOfFile(m_document.theCase(), base, added.file.path) == &survey;
     };
+    const Findings far = m_reach.of(survey);
     return survey.before    ? tr("It was taken before the collapse and shows no debris.")
            : survey.instant ? notAtRest()
+           : !far.empty()   ? widgets::worded(far.list().front().what)
            : std::any_of(m_kept.files.begin(), m_kept.files.end(), isIt)
                ? tr("It is listed below as well, as what it was added as: that counts.")
                : QString();
@@ -227,10 +229,8 @@ std::vector<CauseChoice::Evidence> CauseChoice::evidence() const {
             const auto survey = std::find_if(theCase.inputs.begin(), theCase.inputs.end(),
                                              [&](const CaseInput& each) { return each.id == row.id; });
             const io::EvidenceFile file{io::EvidenceFile::Kind::Survey, io::inputPath(m_document.base().toStdString(), *survey)};
-            const Findings far = m_reach.of(*survey);
-            const QString tip = far.empty() ? tr("A survey of this case: noise, areas and registration count as the case says")
-                                            : widgets::worded(far.list().front().what);
-            all.push_back({file, row.id, name, tip, whyNot(*survey), used});
+            all.push_back({file, row.id, name, tr("A survey of this case: noise, areas and registration count as the case says"),
+                           whyNot(*survey), used});
         }
     }
     for (const io::KeptCauses::File& each : m_kept.files) {

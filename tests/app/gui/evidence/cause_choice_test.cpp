@@ -8,6 +8,7 @@
 #include "app/gui/evidence/causes_display.h"
 #include "app/gui/evidence/evidence_studies.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/survey_reach.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/ascii_grid.h"
@@ -105,8 +106,18 @@ TEST_F(CauseChoices, SurveysOfTheCaseAreEvidenceAsTheCaseSays) {
         input.instant = 0.5;
     });
     EXPECT_TRUE(evidence.item(0)->toolTip().contains(QStringLiteral("not taken at rest")));
+    // One that lies elsewhere does not count either.
+    edit([](CaseInput& input) {
+        input.instant.reset();
+        input.registration.emplace().shift = Vec3(9'000.0, 0.0, 0.0);
+    });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->part<SurveyReach>().busy(); }, patience));
+    EXPECT_EQ(evidence.item(0)->checkState(), Qt::Unchecked);
+    EXPECT_TRUE(evidence.item(0)->toolTip().contains(QStringLiteral("the structure stands at")));
+    edit([](CaseInput& input) { input.registration.reset(); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->part<SurveyReach>().busy(); }, patience));
+    EXPECT_EQ(evidence.item(0)->checkState(), Qt::Checked);
     // Added as something else it does not count twice.
-    edit([](CaseInput& input) { input.instant.reset(); });
     causes().addEvidence(io::EvidenceFile::Kind::Heights, {pathOf("after.asc")});
     ASSERT_EQ(evidence.count(), 2);
     EXPECT_EQ(evidence.item(0)->checkState(), Qt::Unchecked);

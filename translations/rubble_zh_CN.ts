@@ -13,6 +13,21 @@
     </message>
 </context>
 <context>
+    <name>FolderChoice</name>
+    <message>
+        <source>%1 is a file, and no folder can have its name.</source>
+        <translation>%1 是文件，文件夹不能与其同名。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2 is no folder that you may write to.</source>
+        <translation>无法建立 %1：%2 不是您可写入的文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose another place, or another name.</source>
+        <translation>请选择其他位置或其他名称。</translation>
+    </message>
+</context>
+<context>
     <name>HealthGrade</name>
     <message>
         <source>notice</source>
@@ -797,10 +812,6 @@
         <translation>视图…</translation>
     </message>
     <message>
-        <source>Save what the views show and how, for rubble-cli figure --view and for later</source>
-        <translation>保存视图所示内容和方式，供命令行和以后使用</translation>
-    </message>
-    <message>
         <source>Open a view…</source>
         <translation>打开视图…</translation>
     </message>
@@ -982,19 +993,19 @@
     </message>
     <message>
         <source>Add survey…</source>
-        <translation>添加测量…</translation>
+        <translation>添加测绘…</translation>
     </message>
     <message>
         <source>Add a surveyed height model or outline of the real debris to the case</source>
-        <translation>将实际堆积物的测量高程模型或轮廓加入案例</translation>
+        <translation>将实际堆积物的测绘高程模型或轮廓加入案例</translation>
     </message>
     <message>
         <source>Compare with survey</source>
-        <translation>与测量比较</translation>
+        <translation>与测绘比较</translation>
     </message>
     <message>
         <source>Hold the debris at rest against the survey that is chosen</source>
-        <translation>将静止的堆积物与所选测量对照</translation>
+        <translation>将静止的堆积物与所选测绘对照</translation>
     </message>
     <message>
         <source>Ensemble</source>
@@ -1142,7 +1153,15 @@
     </message>
     <message>
         <source>Draw the points of the surveyed cloud that is chosen in the Evidence panel</source>
-        <translation>画出“证据”面板中所选测量点云的点</translation>
+        <translation>画出“证据”面板中所选测绘点云的点</translation>
+    </message>
+    <message>
+        <source>It acts on the views, which a page covers now: Esc closes the page</source>
+        <translation>它作用于视图，而视图现被一页遮住：Esc 关闭该页</translation>
+    </message>
+    <message>
+        <source>Save what the views show and how, for rubble-cli figure and for later</source>
+        <translation>保存视图所示内容和方式，供命令行和以后使用</translation>
     </message>
 </context>
 <context>
@@ -1378,6 +1397,41 @@
     <message>
         <source>bricks</source>
         <translation>砖块</translation>
+    </message>
+</context>
+<context>
+    <name>compass</name>
+    <message>
+        <source>E</source>
+        <translation>东</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>东北</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished">北</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>西北</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>西南</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>东南</translation>
     </message>
 </context>
 <context>
@@ -2080,10 +2134,6 @@
         <translation>请在该磁盘腾出空间或为计算文件选择其他位置，然后重新计算；已写出的帧可以读取。</translation>
     </message>
     <message>
-        <source>Give --force to replace it, or another name.</source>
-        <translation>请用 --force 覆盖，或改用其他名称。</translation>
-    </message>
-    <message>
         <source>Give a distance above zero.</source>
         <translation>请给出大于零的距离。</translation>
     </message>
@@ -2626,10 +2676,6 @@
     <message>
         <source>Open a *.rubble file or an FE result.</source>
         <translation>请打开 *.rubble 文件或有限元结果。</translation>
-    </message>
-    <message>
-        <source>Open a *.run.h5 file that `rubble-cli run --out` wrote.</source>
-        <translation>请打开由 `rubble-cli run --out` 写出的 *.run.h5 文件。</translation>
     </message>
     <message>
         <source>Open it with a newer Rubble.</source>
@@ -3314,10 +3360,6 @@
     <message>
         <source>Time of arrival</source>
         <translation>到达时刻</translation>
-    </message>
-    <message>
-        <source>Time them again on a quiet machine: --retime, or Measure times again in the Accuracy panel.</source>
-        <translation>请在空闲机器上重新计时：--retime，或精度面板中的“重新测量时间”。</translation>
     </message>
     <message>
         <source>Times must be finite: write the file again, or give a .pvd with the times.</source>
@@ -5529,7 +5571,7 @@
     </message>
     <message>
         <source>live structure that is released at the end of the FE result can fall on what stands (islands: {0}, by {1})</source>
-        <translation>有限元结果结束时释放的存活结构可能落在仍立着的部分上（孤立部分 {0} 个，重叠 {1}）</translation>
+        <translation>有限元结果结束时释放的未失效结构可能落在仍立着的部分上（孤立部分 {0} 个，重叠 {1}）</translation>
     </message>
     <message>
         <source>the engine moves loose structure, which can fall on what stands</source>
@@ -5541,11 +5583,11 @@
     </message>
     <message>
         <source>live structure that is released at the end of the FE result can meet other bodies (islands: {0})</source>
-        <translation>有限元结果结束时释放的存活结构可能与其他刚体相遇（孤立部分 {0} 个）</translation>
+        <translation>有限元结果结束时释放的未失效结构可能与其他刚体相遇（孤立部分 {0} 个）</translation>
     </message>
     <message>
         <source>Islands of live structure without a finite place, mass or inertia are held where they are</source>
-        <translation>没有有限的位置、质量或惯量的存活孤立部分固定于原处</translation>
+        <translation>没有有限的位置、质量或惯量的未失效结构孤立部分固定于原处</translation>
     </message>
     <message>
         <source>{0} lie in one plane, which leaves the focal length open.</source>
@@ -6137,7 +6179,7 @@
     </message>
     <message>
         <source>A setting of the survey comparison is no size</source>
-        <translation>测量比较的某项设置不是有效尺寸</translation>
+        <translation>测绘比较的某项设置不是有效尺寸</translation>
     </message>
     <message>
         <source>Accounting for every death</source>
@@ -6173,7 +6215,7 @@
     </message>
     <message>
         <source>Check the coordinate systems of survey and case, the origin of the frame and the control points.</source>
-        <translation>请检查测量与案例的坐标系、坐标框架原点以及控制点。</translation>
+        <translation>请检查测绘与案例的坐标系、坐标框架原点以及控制点。</translation>
     </message>
     <message>
         <source>Check the coordinate systems of the outline and of the case.</source>
@@ -6221,7 +6263,7 @@
     </message>
     <message>
         <source>Choose larger cells, or cut the survey to the site.</source>
-        <translation>请选择更大的单元，或将测量数据裁剪到场地范围。</translation>
+        <translation>请选择更大的单元，或将测绘数据裁剪到场地范围。</translation>
     </message>
     <message>
         <source>Choose points as far apart as the site allows.</source>
@@ -6297,7 +6339,7 @@
     </message>
     <message>
         <source>Give the outline of the debris as one or more polygons.</source>
-        <translation>请以一个或多个多边形给出残骸轮廓。</translation>
+        <translation>请以一个或多个多边形给出堆积物轮廓。</translation>
     </message>
     <message>
         <source>Give three, such as 0.25, 0.5 and 1 m.</source>
@@ -6333,7 +6375,7 @@
     </message>
     <message>
         <source>Make both with the same cells, instant and counting of fallen structure.</source>
-        <translation>请用相同的单元格、时刻以及倒塌结构的计入方式建立两者。</translation>
+        <translation>请用相同的单元格、时刻以及坠落结构的计入方式建立两者。</translation>
     </message>
     <message>
         <source>Make it simpler, to 5,000,000 triangles or fewer.</source>
@@ -6369,7 +6411,7 @@
     </message>
     <message>
         <source>Measuring the debris</source>
-        <translation>正在量测碎块堆</translation>
+        <translation>正在测量堆积物</translation>
     </message>
     <message>
         <source>Members go from 1 to 10,000, seeds from 0 to 4,294,967,295.</source>
@@ -6393,7 +6435,7 @@
     </message>
     <message>
         <source>Neither the survey nor the simulation has debris to fit to</source>
-        <translation>测量和模拟都没有可供配准的残骸</translation>
+        <translation>测绘和模拟都没有可供配准的堆积物</translation>
     </message>
     <message>
         <source>No hypothesis has a member that can be held against the evidence.</source>
@@ -6445,7 +6487,7 @@
     </message>
     <message>
         <source>Register it to the debris, or not at all.</source>
-        <translation>请配准到残骸，或不配准。</translation>
+        <translation>请配准到堆积物，或不配准。</translation>
     </message>
     <message>
         <source>Rename the run file, or put the XDMF file beside it.</source>
@@ -6493,11 +6535,11 @@
     </message>
     <message>
         <source>Survey and debris take {0} by {1} cells of {2}</source>
-        <translation>测量与残骸需要 {0} × {1} 个 {2} 的单元</translation>
+        <translation>测绘与堆积物需要 {0} × {1} 个 {2} 的单元</translation>
     </message>
     <message>
         <source>Take a survey with ground around the debris, or compare without registration.</source>
-        <translation>请使用包含残骸周围地面的测量，或不经配准直接比较。</translation>
+        <translation>请使用包含堆积物周围地面的测绘，或不经配准直接比较。</translation>
     </message>
     <message>
         <source>Take the file as it was exported, or export it again.</source>
@@ -6541,11 +6583,11 @@
     </message>
     <message>
         <source>The survey covers no cell of the site</source>
-        <translation>测量数据未覆盖场地的任何单元</translation>
+        <translation>测绘数据未覆盖场地的任何单元</translation>
     </message>
     <message>
         <source>The survey shows only {0} cells of ground beside the debris</source>
-        <translation>测量在残骸旁仅有 {0} 个地面单元</translation>
+        <translation>测绘在堆积物旁仅有 {0} 个地面单元</translation>
     </message>
     <message>
         <source>There is no evidence to hold the hypotheses against.</source>
@@ -6565,7 +6607,7 @@
     </message>
     <message>
         <source>There is no survey {0}, or it is empty</source>
-        <translation>没有测量 {0}，或文件为空</translation>
+        <translation>没有测绘 {0}，或文件为空</translation>
     </message>
     <message>
         <source>There is no way from the system &quot;{0}&quot; of {1} to &quot;{2}&quot; of the case</source>
@@ -6653,7 +6695,7 @@
     </message>
     <message>
         <source>debris cannot fall on the surroundings: the case has no terrain that they could be part of</source>
-        <translation>残骸无法落在周边上：案例没有可纳入它们的地形</translation>
+        <translation>堆积物无法落在周边上：案例没有可纳入它们的地形</translation>
     </message>
     <message>
         <source>fe, terrain, photograph, survey, orthophoto or surroundings</source>
@@ -6721,7 +6763,7 @@
     </message>
     <message>
         <source>look at the place of the survey, or allow a longer shift</source>
-        <translation>请检查测量的位置，或允许更大的平移</translation>
+        <translation>请检查测绘的位置，或允许更大的平移</translation>
     </message>
     <message>
         <source>look at these places; make the raster without poles, birds and marks of no data</source>
@@ -6729,7 +6771,7 @@
     </message>
     <message>
         <source>make sure that the survey lies in the right place in plan</source>
-        <translation>请确认测量在平面上的位置正确</translation>
+        <translation>请确认测绘在平面上的位置正确</translation>
     </message>
     <message>
         <source>mass per area that 5 % of the members stay below</source>
@@ -6757,7 +6799,7 @@
     </message>
     <message>
         <source>remove the attribute &quot;of&quot; where they belong to the debris</source>
-        <translation>若属于残骸，请删除属性“of”</translation>
+        <translation>若属于堆积物，请删除属性“of”</translation>
     </message>
     <message>
         <source>says no place of its values</source>
@@ -6781,7 +6823,7 @@
     </message>
     <message>
         <source>simulated less surveyed</source>
-        <translation>模拟减去测量</translation>
+        <translation>模拟减去测绘</translation>
     </message>
     <message>
         <source>simulated, at rest</source>
@@ -6797,7 +6839,7 @@
     </message>
     <message>
         <source>take a survey of the whole site if that is not meant</source>
-        <translation>若非有意，请使用覆盖整个场地的测量</translation>
+        <translation>若非有意，请使用覆盖整个场地的测绘</translation>
     </message>
     <message>
         <source>the arrays of a field</source>
@@ -6805,7 +6847,7 @@
     </message>
     <message>
         <source>the best shift of the survey is as far as was looked: {0}</source>
-        <translation>测量的最佳平移已达搜索上限：{0}</translation>
+        <translation>测绘的最佳平移已达搜索上限：{0}</translation>
     </message>
     <message>
         <source>the case has {0} orthophotos; the first is used</source>
@@ -6829,7 +6871,7 @@
     </message>
     <message>
         <source>the ground beside the debris is too level to find a shift in plan; only heights were moved</source>
-        <translation>残骸旁的地面过于平坦，无法确定平面平移；仅调整了高程</translation>
+        <translation>堆积物旁的地面过于平坦，无法确定平面平移；仅调整了高程</translation>
     </message>
     <message>
         <source>the ids of scenarios of the case: choice:scenario-1:scenario-2</source>
@@ -6989,11 +7031,11 @@
     </message>
     <message>
         <source>{0} of simulated debris lies where nothing was surveyed and is left out</source>
-        <translation>{0} 的模拟残骸位于未测量区域，未计入</translation>
+        <translation>{0} 的模拟堆积物位于未测绘区域，未计入</translation>
     </message>
     <message>
         <source>{0} outlines of live structure in the file were left out</source>
-        <translation>文件中 {0} 个存活结构的轮廓未计入</translation>
+        <translation>文件中 {0} 个未失效结构的轮廓未计入</translation>
     </message>
     <message>
         <source>{0} promises more heights than it can hold</source>
@@ -7096,10 +7138,6 @@
         <translation>若它是某 d3plot 系列的状态文件，请将该系列的首个文件 {0} 放在其旁。可读取的格式：{1}。</translation>
     </message>
     <message>
-        <source>Install Slurm&apos;s client programs (Debian: slurm-client) and its slurm.conf, or use --executor commands.</source>
-        <translation>请安装 Slurm 的客户端程序（Debian：slurm-client）及其 slurm.conf，或使用 --executor commands。</translation>
-    </message>
-    <message>
         <source>Members keep their debris at rest; draw around the debris on photographs of it.</source>
         <translation>成员只保留静止后的堆积物；请在静止后的照片上圈出堆积物。</translation>
     </message>
@@ -7133,7 +7171,7 @@
     </message>
     <message>
         <source>The survey is not the one the case was saved with</source>
-        <translation>该测量不是案例保存时所用的测量</translation>
+        <translation>该测绘不是案例保存时所用的测绘</translation>
     </message>
     <message>
         <source>There is no job {0} in {1}.</source>
@@ -7369,11 +7407,11 @@
     </message>
     <message>
         <source>Fallen live structure is left out of the simulated side; the survey shows it.</source>
-        <translation>模拟一侧略去坠落的未失效结构；测量显示它。</translation>
+        <translation>模拟一侧略去坠落的未失效结构；测绘显示它。</translation>
     </message>
     <message>
         <source>Fallen live structure is left out of the simulated side; whether the survey shows it is not known.</source>
-        <translation>模拟一侧略去坠落的未失效结构；测量是否显示它未知。</translation>
+        <translation>模拟一侧略去坠落的未失效结构；测绘是否显示它未知。</translation>
     </message>
     <message>
         <source>The evidence lies farther from the members of the closest hypothesis than these lie from each other: perhaps none of the hypotheses is the cause.</source>
@@ -7381,11 +7419,11 @@
     </message>
     <message>
         <source>The simulated side holds fallen live structure, what moved farther than {0}; the survey does not.</source>
-        <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测量不包含。</translation>
+        <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测绘不包含。</translation>
     </message>
     <message>
         <source>The simulated side holds fallen live structure, what moved farther than {0}; whether the survey does is not known.</source>
-        <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测量是否包含未知。</translation>
+        <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测绘是否包含未知。</translation>
     </message>
     <message>
         <source>This evidence cannot tell &quot;{0}&quot; from &quot;{1}&quot;, and it lies outside of what the members of &quot;{0}&quot; do: perhaps none of the hypotheses is the cause.</source>
@@ -7397,19 +7435,15 @@
     </message>
     <message>
         <source>fallen live structure counts as simulated debris, {0} elements of {1}, and the survey does not hold such structure</source>
-        <translation>坠落的未失效结构计为模拟的堆积物（{0} 个单元，{1}），而测量不包含这类结构</translation>
+        <translation>坠落的未失效结构计为模拟的堆积物（{0} 个单元，{1}），而测绘不包含这类结构</translation>
     </message>
     <message>
         <source>live structure fell, {0} elements of {1}, and it is not known whether the survey shows such structure</source>
-        <translation>有未失效结构坠落：{0} 个单元，{1}；测量是否显示这类结构未知</translation>
+        <translation>有未失效结构坠落：{0} 个单元，{1}；测绘是否显示这类结构未知</translation>
     </message>
     <message>
         <source>not known</source>
         <translation>未知</translation>
-    </message>
-    <message>
-        <source>say what the survey shows (--survey-live, or beside the survey in the window)</source>
-        <translation>请说明测量显示什么（--survey-live，或在窗口中测量旁边）</translation>
     </message>
     <message>
         <source>set live_islands=released and simulate again</source>
@@ -7417,7 +7451,7 @@
     </message>
     <message>
         <source>the survey shows fallen live structure, and that of the simulation, {0} elements of {1}, is left out</source>
-        <translation>测量显示坠落的未失效结构，而模拟的（{0} 个单元，{1}）被略去</translation>
+        <translation>测绘显示坠落的未失效结构，而模拟的（{0} 个单元，{1}）被略去</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; is closer to the evidence than the others, but the evidence lies outside of what its members do: perhaps none of the hypotheses is the cause.</source>
@@ -7425,7 +7459,7 @@
     </message>
     <message>
         <source>{0} loose parts of live structure were held where the FE result ends; in the survey they have fallen</source>
-        <translation>{0} 个松脱的未失效部分被固定在有限元结果结束处；在测量中它们已坠落</translation>
+        <translation>{0} 个松脱的未失效部分被固定在有限元结果结束处；在测绘中它们已坠落</translation>
     </message>
     <message>
         <source>Heights above the ground have no ground that could be laid on another</source>
@@ -7437,11 +7471,11 @@
     </message>
     <message>
         <source>Register the survey to the debris, or not at all.</source>
-        <translation>将测量配准到堆积物，或不作配准。</translation>
+        <translation>将测绘配准到堆积物，或不作配准。</translation>
     </message>
     <message>
         <source>Take it as a survey, or give a height model of the site.</source>
-        <translation>将其作为测量，或给出现场的高程模型。</translation>
+        <translation>将其作为测绘，或给出现场的高程模型。</translation>
     </message>
     <message>
         <source>VTKHDF (*.vtkhdf)</source>
@@ -7453,7 +7487,7 @@
     </message>
     <message>
         <source>the survey is a debris map: its heights are taken above the ground</source>
-        <translation>该测量是堆积物图：其高度按从地面算起处理</translation>
+        <translation>该测绘是堆积物图：其高度按从地面算起处理</translation>
     </message>
     <message>
         <source>{0} is a debris map: its heights are above the ground, not those of a ground</source>
@@ -7625,7 +7659,7 @@
     </message>
     <message>
         <source>{0} of {1} heights of the survey have no value ({2} %): nothing was surveyed there</source>
-        <translation>测量的 {1} 个高程中有 {0} 个没有值（{2} %）：该处未测量</translation>
+        <translation>测绘的 {1} 个高程中有 {0} 个没有值（{2} %）：该处未测绘</translation>
     </message>
     <message>
         <source>{0} points or lines in the file were left out</source>
@@ -7686,10 +7720,6 @@
     <message>
         <source>Give a mesh with faces; a cloud of points has no surface.</source>
         <translation>请给出带面的网格；点云没有表面。</translation>
-    </message>
-    <message>
-        <source>Give the offset that was taken off its coordinates (Site… in the Case menu, or --mesh-offset), put the offset file beside it, or check system and control points of the case.</source>
-        <translation>请给出从其坐标中减去的偏移（“案例”菜单中的“场地…”，或 --mesh-offset），将偏移文件放在其旁，或检查案例的坐标系和控制点。</translation>
     </message>
     <message>
         <source>Leave the offset out, or add the mesh to the case.</source>
@@ -7929,7 +7959,7 @@
     </message>
     <message>
         <source>the control point &quot;{0}&quot; is {1} off in height, where the points are {2} apart; heights of terrain and surveys are off by as much</source>
-        <translation>控制点“{0}”高程偏差 {1}，点间距离 {2}；地形和测量的高程也偏差这么多</translation>
+        <translation>控制点“{0}”高程偏差 {1}，点间距离 {2}；地形和测绘的高程也偏差这么多</translation>
     </message>
     <message>
         <source>the control point &quot;{0}&quot; is {1} off in plan, where the points are {2} apart; maps are off by as much</source>
@@ -8569,11 +8599,11 @@
     </message>
     <message>
         <source>Check the coordinate systems of area, survey and case, the origin of the frame and the control points.</source>
-        <translation>检查区域、测量和案例的坐标系、坐标框架的原点以及控制点。</translation>
+        <translation>检查区域、测绘和案例的坐标系、坐标框架的原点以及控制点。</translation>
     </message>
     <message>
         <source>None of the {0} cells that were surveyed is compared: the area of interest reaches from x = {1} to {2}, y = {3} to {4}</source>
-        <translation>{0} 个测量单元都不参与比较：关注区域范围为 x = {1} 至 {2}，y = {3} 至 {4}</translation>
+        <translation>{0} 个测绘单元都不参与比较：关注区域范围为 x = {1} 至 {2}，y = {3} 至 {4}</translation>
     </message>
     <message>
         <source>What is compared of {0} holds none of its {1} cells with debris</source>
@@ -8581,11 +8611,11 @@
     </message>
     <message>
         <source>What is left out holds all {0} cells that were surveyed</source>
-        <translation>略去的部分包含全部 {0} 个测量单元</translation>
+        <translation>略去的部分包含全部 {0} 个测绘单元</translation>
     </message>
     <message>
         <source>all that was surveyed</source>
-        <translation>测量的全部</translation>
+        <translation>测绘的全部</translation>
     </message>
     <message>
         <source>all {0} of simulated debris lie outside of what is compared</source>
@@ -8597,7 +8627,7 @@
     </message>
     <message>
         <source>check place, time, unit and vertical datum of the survey, or register it to the ground</source>
-        <translation>检查测量的地点、时间、单位和高程基准，或将其配准到地面</translation>
+        <translation>检查测绘的地点、时间、单位和高程基准，或将其配准到地面</translation>
     </message>
     <message>
         <source>check the area of interest, its coordinate system and that of the case</source>
@@ -8605,11 +8635,11 @@
     </message>
     <message>
         <source>far from all simulated debris the survey lies {0} above the ground, in the median of {1} cells</source>
-        <translation>在远离所有模拟堆积物处，测量高于地面 {0}（{1} 个单元的中位数）</translation>
+        <translation>在远离所有模拟堆积物处，测绘高于地面 {0}（{1} 个单元的中位数）</translation>
     </message>
     <message>
         <source>far from all simulated debris the survey lies {0} below the ground, in the median of {1} cells</source>
-        <translation>在远离所有模拟堆积物处，测量低于地面 {0}（{1} 个单元的中位数）</translation>
+        <translation>在远离所有模拟堆积物处，测绘低于地面 {0}（{1} 个单元的中位数）</translation>
     </message>
     <message>
         <source>give a finer raster, or turn the local frame by control points so that its axes run along the rows, if that is too much</source>
@@ -8618,10 +8648,6 @@
     <message>
         <source>heights count from {0} on, the level of detection, and not from the least height of {1}: what lies lower may be noise</source>
         <translation>高度从检测限 {0} 起计入，而不是从最小高度 {1} 起：更低者可能只是噪声</translation>
-    </message>
-    <message>
-        <source>if that is no debris (vehicles, trees, houses), give an area of interest or leave it out (--area, --leave-out, or beside the survey in the window)</source>
-        <translation>若那不是堆积物（车辆、树木、房屋），请给出关注区域或将其略去（--area、--leave-out，或在窗口中测量旁）</translation>
     </message>
     <message>
         <source>metres, not below zero</source>
@@ -8645,7 +8671,7 @@
     </message>
     <message>
         <source>state the noise of survey and ground if it is less, or register the survey to the ground</source>
-        <translation>若测量和地面的噪声较小，请给定，或将测量配准到地面</translation>
+        <translation>若测绘和地面的噪声较小，请给定，或将测绘配准到地面</translation>
     </message>
     <message>
         <source>{0} of what was surveyed lie apart from all simulated debris, {1} to {2} away, in {3} places; the largest is around x = {4}, y = {5}</source>
@@ -8858,10 +8884,6 @@
     <message>
         <source>leave the system away, or have the file written anew with the right one</source>
         <translation>请不要指定坐标系，或让文件以正确的坐标系重新写出</translation>
-    </message>
-    <message>
-        <source>lines with too few numbers for a point were left out</source>
-        <translation>数字太少、不足一个点的行已略去</translation>
     </message>
     <message>
         <source>lists stand in front of its points</source>
@@ -9548,10 +9570,6 @@
         <translation>所有长度以文件的单位计，每单位 {0}</translation>
     </message>
     <message>
-        <source>ask for metres (--metres), and give all lengths in them</source>
-        <translation>请要求以米计（--metres），并以米给出所有长度</translation>
-    </message>
-    <message>
         <source>core points have no distance: no point of either cloud lies in their cylinder</source>
         <translation>核心点没有距离：其圆柱中没有任何一个点云的点</translation>
     </message>
@@ -9856,16 +9874,8 @@
         <translation>除非控制点比拟合更准，请不要给出</translation>
     </message>
     <message>
-        <source>make sure that both are in the same one, or name that of the cloud (--crs)</source>
-        <translation>请确认两者在同一坐标系中，或写明点云的坐标系（--crs）</translation>
-    </message>
-    <message>
         <source>name an area of interest (--area)</source>
         <translation>请指明关注区域（--area）</translation>
-    </message>
-    <message>
-        <source>name the places of the scanners (--scanner) if it was taken from the ground</source>
-        <translation>如果是从地面扫描的，请指明扫描仪的位置（--scanner）</translation>
     </message>
     <message>
         <source>points beyond the area of interest, or within what is left out, were not compared</source>
@@ -10304,16 +10314,8 @@
         <translation>{0} 至 {1}，假定</translation>
     </message>
     <message>
-        <source>Correct z, or the datum of one of the two, or lift them out with --lift.</source>
-        <translation>请更正 z 或两者之一的高程基准，或用 --lift 将其抬出。</translation>
-    </message>
-    <message>
         <source>Delete the file named and validate again.</source>
         <translation>请删除所列文件并重新验证。</translation>
-    </message>
-    <message>
-        <source>Give them places or times of their own, or let them fall without meeting: --apart.</source>
-        <translation>请给出各自的位置或时刻，或让它们互不相遇地下落：--apart。</translation>
     </message>
     <message>
         <source>What was kept of a validation is damaged and left out.</source>
@@ -10322,10 +10324,6 @@
     <message>
         <source>correct z where that is more than half a side</source>
         <translation>若超过边长的一半，请更正 z</translation>
-    </message>
-    <message>
-        <source>correct z, or lift them out with --lift</source>
-        <translation>更正 z，或用 --lift 将其抬出</translation>
     </message>
     <message>
         <source>give a terrain that covers where they run</source>
@@ -10404,16 +10402,8 @@
         <translation>ECDSA（SHA-256）</translation>
     </message>
     <message>
-        <source>Find the file and save the case anew, or seal without it: --leave-out {0}; its digest stays.</source>
-        <translation>请找到文件并重新保存案例，或不带它封存：--leave-out {0}；其摘要保留。</translation>
-    </message>
-    <message>
         <source>Get the bundle anew from whoever sealed it, or from another copy.</source>
         <translation>请向封存者重新索取封存包，或使用另一份副本。</translation>
-    </message>
-    <message>
-        <source>Get the file, and say where it is: --input ID=FILE.</source>
-        <translation>请取得该文件，并说明在何处：--input ID=FILE。</translation>
     </message>
     <message>
         <source>Give the passphrase of the key.</source>
@@ -10506,10 +10496,6 @@
     <message>
         <source>A bundle holds at most {0} files</source>
         <translation>封存包最多容纳 {0} 个文件</translation>
-    </message>
-    <message>
-        <source>Join an input of many files first (rubble-cli convert), or seal without it: --leave-out ID.</source>
-        <translation>请先合并由许多文件组成的输入（rubble-cli convert），或不带它封存：--leave-out ID。</translation>
     </message>
     <message>
         <source>Sealed bundles (*.rubblecase)</source>
@@ -10724,10 +10710,6 @@
         <translation>处理“健康”面板所指出之处，或说明理由予以确认</translation>
     </message>
     <message>
-        <source>name who answers for it: --by, or in the panel</source>
-        <translation>写明由谁负责：--by，或在面板中</translation>
-    </message>
-    <message>
         <source>neither the statement nor a record has the digest {0} that is known of it</source>
         <translation>声明和各记录都没有已知的摘要 {0}</translation>
     </message>
@@ -10812,12 +10794,8 @@
         <translation>由密钥 {0} 签名，而不是预期的 {1}</translation>
     </message>
     <message>
-        <source>state it in the words of whoever asked: --question, or in the panel</source>
-        <translation>用提问者的话写明：--question，或在面板中</translation>
-    </message>
-    <message>
         <source>surveys are in the case, and nothing is compared with them</source>
-        <translation>案例中有测量，但没有与之比较</translation>
+        <translation>案例中有测绘，但没有与之比较</translation>
     </message>
     <message>
         <source>the case has no journal, so who changed what in it cannot be told</source>
@@ -10889,7 +10867,7 @@
     </message>
     <message>
         <source>the result is held against no photograph and no survey</source>
-        <translation>结果没有与任何照片或测量对照</translation>
+        <translation>结果没有与任何照片或测绘对照</translation>
     </message>
     <message>
         <source>the results have no intervals: nothing was repeated</source>
@@ -11029,7 +11007,7 @@
     </message>
     <message>
         <source>A survey is placed by three pairs or more, not by {0}</source>
-        <translation>测量由三对或更多的点对放置，而不是 {0} 对</translation>
+        <translation>测绘由三对或更多的点对放置，而不是 {0} 对</translation>
     </message>
     <message>
         <source>Pick places that lie far apart and not on a line.</source>
@@ -11041,15 +11019,15 @@
     </message>
     <message>
         <source>Check its numbers and the systems of survey and case.</source>
-        <translation>请检查其数值以及测量和案例的坐标系。</translation>
+        <translation>请检查其数值以及测绘和案例的坐标系。</translation>
     </message>
     <message>
         <source>lengths of the survey are {0} times as long in the case</source>
-        <translation>测量中的长度在案例中为其 {0} 倍</translation>
+        <translation>测绘中的长度在案例中为其 {0} 倍</translation>
     </message>
     <message>
         <source>check the unit of the survey (feet, millimetres) and the pairs</source>
-        <translation>请检查测量的单位（英尺、毫米）和点对</translation>
+        <translation>请检查测绘的单位（英尺、毫米）和点对</translation>
     </message>
     <message>
         <source>pairs lie farther than {0} from where the others place them</source>
@@ -11069,11 +11047,11 @@
     </message>
     <message>
         <source>debris was removed from places, and when the survey was taken is not known</source>
-        <translation>有些地方的堆积物已被运走，而测量的时间未知</translation>
+        <translation>有些地方的堆积物已被运走，而测绘的时间未知</translation>
     </message>
     <message>
         <source>say when the survey was taken; until then these places are compared</source>
-        <translation>请说明测量何时拍摄；在此之前这些地方仍参与比较</translation>
+        <translation>请说明测绘何时拍摄；在此之前这些地方仍参与比较</translation>
     </message>
     <message>
         <source>{0} was taken before the collapse: it shows no debris</source>
@@ -11105,7 +11083,7 @@
     </message>
     <message>
         <source>the registration tilts the survey by {0} degrees: its highest and lowest places lie up to {1} from where they should in plan</source>
-        <translation>配准使测量倾斜 {0} 度：最高和最低处在平面上与应在之处相差至多 {1}</translation>
+        <translation>配准使测绘倾斜 {0} 度：最高和最低处在平面上与应在之处相差至多 {1}</translation>
     </message>
     <message>
         <source>register the points of the cloud before a raster is made of them</source>
@@ -11129,7 +11107,7 @@
     </message>
     <message>
         <source>Take the registration of this survey out of the case.</source>
-        <translation>请从案例中去掉该测量的配准。</translation>
+        <translation>请从案例中去掉该测绘的配准。</translation>
     </message>
     <message>
         <source>{0} has no point of the classes that are to be the ground: {1}</source>
@@ -11221,7 +11199,7 @@
     </message>
     <message>
         <source>steps are as long as the heights of the survey lie apart: {0}</source>
-        <translation>步长取为测量高程的间距：{0}</translation>
+        <translation>步长取为测绘高程的间距：{0}</translation>
     </message>
     <message>
         <source>The bodies that {0} allow are fragments alone. The engine moves loose structure beside them (loose_structure), {1} of {2} elements at one time (at {3}), which takes from that rate</source>
@@ -11261,7 +11239,7 @@
     </message>
     <message>
         <source>Give points of the picture the names that they have in the survey.</source>
-        <translation>给照片中的点取其在测量中的名称。</translation>
+        <translation>给照片中的点取其在测绘中的名称。</translation>
     </message>
     <message>
         <source>Give points their names: a column of a table, or texts of a drawing beside its points.</source>
@@ -11388,10 +11366,6 @@
         <translation>给出几个案例或有限元结果，或一个含几个方案的案例。</translation>
     </message>
     <message>
-        <source>Make it anew: rubble-cli compare CAUSES --against KIND=FILE --json &gt; FILE.</source>
-        <translation>重新生成：rubble-cli compare CAUSES --against KIND=FILE --json &gt; FILE。</translation>
-    </message>
-    <message>
         <source>There are no two causes that further evidence could tell apart.</source>
         <translation>没有两个可由进一步证据区分的原因。</translation>
     </message>
@@ -11454,18 +11428,6 @@
     <message>
         <source>{0}, line {1}: {2} is no part of what a report lets its author say</source>
         <translation>{0} 第 {1} 行：{2} 不属于报告中由作者说明的部分</translation>
-    </message>
-    <message>
-        <source>let at least two repeats be simulated: --repeats 2, or in the panel</source>
-        <translation>请至少模拟两次重复：--repeats 2，或在面板中</translation>
-    </message>
-    <message>
-        <source>let the self-test run: --self-test closed-form, or in the panel</source>
-        <translation>请运行自检：--self-test closed-form，或在面板中</translation>
-    </message>
-    <message>
-        <source>make a case of the FE result and report the run with it: --case, or save it in the window</source>
-        <translation>请由有限元结果建立案例并与计算一同报告：--case，或在窗口中保存</translation>
     </message>
     <message>
         <source>simulate the ensemble of the case: rubble-cli ensemble, or on the page Ensemble</source>
@@ -11720,20 +11682,16 @@
         <translation>请设为每秒 1 至 120 幅、快慢 0.00000001 至 1000，总共至多 {0} 幅。</translation>
     </message>
     <message>
-        <source>add it: --report FILE</source>
-        <translation>将其加入：--report FILE</translation>
-    </message>
-    <message>
         <source>the comparison of causes that the report names does not travel by itself</source>
         <translation>报告所引用的原因比较不会自动随包携带</translation>
     </message>
     <message>
         <source>far from all debris the survey lies {0} above the ground, in the median of {1} cells</source>
-        <translation>在远离所有堆积物处，测量高于地面 {0}（{1} 个单元的中位数）</translation>
+        <translation>在远离所有堆积物处，测绘高于地面 {0}（{1} 个单元的中位数）</translation>
     </message>
     <message>
         <source>far from all debris the survey lies {0} below the ground, in the median of {1} cells</source>
-        <translation>在远离所有堆积物处，测量低于地面 {0}（{1} 个单元的中位数）</translation>
+        <translation>在远离所有堆积物处，测绘低于地面 {0}（{1} 个单元的中位数）</translation>
     </message>
     <message>
         <source>heights count from {0} on; the level of detection (95 %) is {1}, of a noise of {2} estimated from {3} cells far from all debris</source>
@@ -11753,11 +11711,11 @@
     </message>
     <message>
         <source>state the noise of the survey and of the ground in the case</source>
-        <translation>请在案例中给出测量和地面的噪声</translation>
+        <translation>请在案例中给出测绘和地面的噪声</translation>
     </message>
     <message>
         <source>the noise of surveyed heights is not known: none is stated, and too few cells lie far from all debris; heights count from {0} on</source>
-        <translation>测量高度的噪声未知：没有给出，且远离所有堆积物的单元太少；高度从 {0} 起计入</translation>
+        <translation>测绘高度的噪声未知：没有给出，且远离所有堆积物的单元太少；高度从 {0} 起计入</translation>
     </message>
     <message>
         <source>{0} of {1} that were seen lie farther than {2} from the debris of every member of every hypothesis</source>
@@ -11966,6 +11924,178 @@
     <message>
         <source>what qualifies its author, and what binds them to a party</source>
         <translation>作者有何资质，与哪一方有何关系</translation>
+    </message>
+    <message>
+        <source>Bring both to one unit.</source>
+        <translation>请将两者换算为同一单位。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate systems of the polygons and of the cloud.</source>
+        <translation>请检查多边形和点云的坐标系。</translation>
+    </message>
+    <message>
+        <source>Choose an origin of the frame near the model, or export the run for ParaView (vtkhdf).</source>
+        <translation>在模型附近选择坐标框架原点，或将计算导出到 ParaView (vtkhdf)。</translation>
+    </message>
+    <message>
+        <source>Correct the heading, or name the system that the numbers are in.</source>
+        <translation>请更正表头，或给出这些数所在的坐标系。</translation>
+    </message>
+    <message>
+        <source>Correct z, or the datum of one of the two, or lift them out: rubble-cli drop --lift.</source>
+        <translation>请更正 z 或两者之一的高程基准，或将其抬出：rubble-cli drop --lift。</translation>
+    </message>
+    <message>
+        <source>Find the file and save the case anew, or seal without it: rubble-cli seal --leave-out {0}; its digest stays.</source>
+        <translation>请找到文件并重新保存案例，或不带它封存：rubble-cli seal --leave-out {0}；其摘要保留。</translation>
+    </message>
+    <message>
+        <source>Get the file, and say where it is: rubble-cli open-sealed --input ID=FILE.</source>
+        <translation>请取得该文件，并说明在何处：rubble-cli open-sealed --input ID=FILE。</translation>
+    </message>
+    <message>
+        <source>Give another name, or replace it: rubble-cli convert --force.</source>
+        <translation>请改用其他名称，或覆盖它：rubble-cli convert --force。</translation>
+    </message>
+    <message>
+        <source>Give the offset that was taken off its coordinates (--mesh-offset), put the offset file beside it, or check system and control points of the case.</source>
+        <translation>请给出从其坐标中减去的偏移（--mesh-offset），将偏移文件放在其旁，或检查案例的坐标系和控制点。</translation>
+    </message>
+    <message>
+        <source>Give them places or times of their own, or let them fall without meeting: rubble-cli drop --apart.</source>
+        <translation>请给出各自的位置或时刻，或让它们互不相遇地下落：rubble-cli drop --apart。</translation>
+    </message>
+    <message>
+        <source>Install Slurm&apos;s client programs (Debian: slurm-client) and its slurm.conf, or compute elsewhere (--executor commands).</source>
+        <translation>请安装 Slurm 的客户端程序（Debian：slurm-client）及其 slurm.conf，或在别处计算（--executor commands）。</translation>
+    </message>
+    <message>
+        <source>Join an input of many files first (rubble-cli convert), or seal without it: rubble-cli seal --leave-out ID.</source>
+        <translation>请先合并由许多文件组成的输入（rubble-cli convert），或不带它封存：rubble-cli seal --leave-out ID。</translation>
+    </message>
+    <message>
+        <source>Make it anew: rubble-cli compare --json.</source>
+        <translation>重新生成：rubble-cli compare --json。</translation>
+    </message>
+    <message>
+        <source>None of {0} core points of {1} lies within the area of interest and outside of what is left out</source>
+        <translation>{1} 的 {0} 个核心点中没有一个位于关注区域之内且在不计部分之外</translation>
+    </message>
+    <message>
+        <source>Open a *.run.h5 file that the window saved, or rubble-cli run --out.</source>
+        <translation>请打开由窗口或 rubble-cli run --out 保存的 *.run.h5 文件。</translation>
+    </message>
+    <message>
+        <source>Places of this run would lie up to {0} m from those recorded; a page allows {1} m</source>
+        <translation>此计算的位置与记录值最多会相差 {0} m；网页允许 {1} m</translation>
+    </message>
+    <message>
+        <source>Time them again on a quiet machine (--retime).</source>
+        <translation>请在空闲机器上重新计时（--retime）。</translation>
+    </message>
+    <message>
+        <source>Write the unit as m, cm, mm, km, ft or US ft, or leave the brackets out.</source>
+        <translation>请用米、厘米、毫米、千米、英尺或美国测量英尺的缩写写明单位，或去掉括号。</translation>
+    </message>
+    <message>
+        <source>a kind of evidence</source>
+        <translation>证据的一个种类</translation>
+    </message>
+    <message>
+        <source>add it: rubble-cli seal --add FILE</source>
+        <translation>将其加入：rubble-cli seal --add FILE</translation>
+    </message>
+    <message>
+        <source>ask for metres (rubble-cli cloud --metres), and give all lengths in them</source>
+        <translation>请要求以米计（rubble-cli cloud --metres），并以米给出所有长度</translation>
+    </message>
+    <message>
+        <source>check the coordinate systems of survey and case and the control points, or place the survey by pairs</source>
+        <translation>检查测量和案例的坐标系及控制点，或按点对放置测量</translation>
+    </message>
+    <message>
+        <source>correct z, or lift them out: rubble-cli drop --lift</source>
+        <translation>更正 z，或将其抬出：rubble-cli drop --lift</translation>
+    </message>
+    <message>
+        <source>if that is no debris (vehicles, trees, houses), give an area of interest or leave it out (--area, --leave-out)</source>
+        <translation>若那不是堆积物（车辆、树木、房屋），请给出关注区域或将其略去（--area、--leave-out）</translation>
+    </message>
+    <message>
+        <source>let at least two repeats be simulated (--repeats)</source>
+        <translation>请至少模拟两次重复（--repeats）</translation>
+    </message>
+    <message>
+        <source>let the self-test run (--self-test)</source>
+        <translation>请运行自检（--self-test）</translation>
+    </message>
+    <message>
+        <source>lines that are no points were left out, the first of them line {0}: they have too few numbers, or words for them</source>
+        <translation>不是点的行已略去，其中第一行为第 {0} 行：数的个数太少，或写的不是数</translation>
+    </message>
+    <message>
+        <source>make a case of the FE result and report the run with it (--case)</source>
+        <translation>请由有限元结果建立案例并与计算一同报告（--case）</translation>
+    </message>
+    <message>
+        <source>make sure that both are in the same one, or name that of the cloud (rubble-cli cloud --crs)</source>
+        <translation>请确认两者在同一坐标系中，或写明点云的坐标系（rubble-cli cloud --crs）</translation>
+    </message>
+    <message>
+        <source>name the places of the scanners (rubble-cli cloud --scanner) if it was taken from the ground</source>
+        <translation>如果是从地面扫描的，请指明扫描仪的位置（rubble-cli cloud --scanner）</translation>
+    </message>
+    <message>
+        <source>name the places of the scanners where distances are measured (--scanner), or export the scans with their poses</source>
+        <translation>量距时请指明扫描仪的位置（--scanner），或连同位姿重新导出测站</translation>
+    </message>
+    <message>
+        <source>name who answers for it (--by)</source>
+        <translation>写明由谁负责（--by）</translation>
+    </message>
+    <message>
+        <source>none is needed: they lie everywhere; name a smaller area to fit every part of it</source>
+        <translation>无需处理：它们遍布各处；如需拟合每一部分，请指定较小的区域</translation>
+    </message>
+    <message>
+        <source>pictures have pixels of {0} by {1}: they are not taken as photographs with a known camera</source>
+        <translation>图片的像素为 {0} × {1}：不作为相机已知的照片采用</translation>
+    </message>
+    <message>
+        <source>say what the survey shows (--survey-live)</source>
+        <translation>请说明测绘显示什么（--survey-live）</translation>
+    </message>
+    <message>
+        <source>scans state a pose at which no scanner can have stood, by how their points lie about it; it is taken as not stated</source>
+        <translation>测站写明的位姿处不可能有扫描仪站立（由点在其四周的分布可知）；按未写明处理</translation>
+    </message>
+    <message>
+        <source>state it in the words of whoever asked (--question)</source>
+        <translation>用提问者的话写明（--question）</translation>
+    </message>
+    <message>
+        <source>the survey lies {0} from the structure; debris of this site is not expected there</source>
+        <translation>测量距结构 {0}；此现场的堆积物不会到达那里</translation>
+    </message>
+    <message>
+        <source>what did not move has too many points for a fit: one to each cube of side {0} was taken</source>
+        <translation>未移动部分的点太多，无法全部参加拟合：每个边长为 {0} 的立方体取一个点</translation>
+    </message>
+    <message>
+        <source>write them out with rubble-cli cloud --photographs, bring them to square pixels and place them by pairs of points</source>
+        <translation>用 rubble-cli cloud --photographs 写出，改为正方形像素，并用点对放置</translation>
+    </message>
+    <message>
+        <source>{0}: &quot;{1}&quot; behind &quot;{2}&quot; is no unit of length that is known</source>
+        <translation>{0}：“{2}”之后的“{1}”不是已知的长度单位</translation>
+    </message>
+    <message>
+        <source>{0}: its headings name a unit of {1}, and its coordinate system has another one</source>
+        <translation>{0}：其表头写明的单位为 {1}，而其坐标系采用另一单位</translation>
+    </message>
+    <message>
+        <source>{0}: its headings name different units for x and y</source>
+        <translation>{0}：其表头为 x 和 y 写明不同的单位</translation>
     </message>
 </context>
 <context>
@@ -12896,6 +13026,11 @@
         <comment>names of a list</comment>
         <translation>%1、%2</translation>
     </message>
+    <message>
+        <source>%1 under “%2”</source>
+        <comment>fields, and the panel or menu that they stand under</comment>
+        <translation>“%2”下的%1</translation>
+    </message>
 </context>
 <context>
     <name>rubble::AccuracyDisplay</name>
@@ -13091,31 +13226,70 @@
     </message>
 </context>
 <context>
-    <name>rubble::CausesDisplay</name>
-    <message>
-        <source>No outline of the debris is drawn on it.</source>
-        <translation>其上没有绘制堆积物的轮廓。</translation>
-    </message>
+    <name>rubble::CauseChoice</name>
     <message>
         <source>It was not taken at rest: members keep their debris at rest.</source>
-        <translation>它不是静止后拍摄的：成员只保留静止后的堆积物。</translation>
+        <translation type="unfinished">它不是静止后拍摄的：成员只保留静止后的堆积物。</translation>
+    </message>
+    <message>
+        <source>No outline of the debris is drawn on it.</source>
+        <translation type="unfinished">其上没有绘制堆积物的轮廓。</translation>
     </message>
     <message>
         <source>Its camera is not matched.</source>
-        <translation>它的相机尚未匹配。</translation>
+        <translation type="unfinished">它的相机尚未匹配。</translation>
     </message>
     <message>
         <source>footprint</source>
-        <translation>覆盖范围</translation>
+        <translation type="unfinished">覆盖范围</translation>
     </message>
     <message>
         <source>heights</source>
-        <translation>高度</translation>
+        <translation type="unfinished">高度</translation>
     </message>
     <message>
         <source>surface</source>
-        <translation>表面</translation>
+        <translation type="unfinished">表面</translation>
     </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation type="unfinished">%1，位于 %2, %3</translation>
+    </message>
+    <message>
+        <source>Debris came within %1 of this place so long after the first debris that came down anywhere, give or take %2</source>
+        <translation type="unfinished">碎块在任一处首次落下之后经过这段时间，有碎块到达距此处 %1 以内，误差 %2</translation>
+    </message>
+    <message>
+        <source>There is no file %1 any more.</source>
+        <translation>文件 %1 已不在。</translation>
+    </message>
+    <message>
+        <source>Put it back, or take it off the list.</source>
+        <translation>把它放回，或从列表中移除。</translation>
+    </message>
+    <message>
+        <source>A scenario of this case</source>
+        <translation type="unfinished">本案例的一个方案</translation>
+    </message>
+    <message>
+        <source>It was taken before the collapse and shows no debris.</source>
+        <translation>它在倒塌之前取得，其中没有堆积物。</translation>
+    </message>
+    <message>
+        <source>It is listed below as well, as what it was added as: that counts.</source>
+        <translation>它也作为加入的文件列在下面：以那一项计入。</translation>
+    </message>
+    <message>
+        <source>A photograph of this case, taken at rest</source>
+        <translation type="unfinished">本案例的一张照片，静止后拍摄</translation>
+    </message>
+    <message>
+        <source>A survey of this case: noise, areas and registration count as the case says</source>
+        <translation>本案例的一份测量：噪声、区域和配准按案例所述计入</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CausesDisplay</name>
     <message>
         <source>Cases of the same site</source>
         <translation>同一现场的案例</translation>
@@ -13130,7 +13304,7 @@
     </message>
     <message>
         <source>Heights that were surveyed</source>
-        <translation>测量的高度</translation>
+        <translation>测绘的高度</translation>
     </message>
     <message>
         <source>Polygons (*.gpkg *.geojson *.json *.shp);;All files (*)</source>
@@ -13165,18 +13339,6 @@
         <translation>原因已比较</translation>
     </message>
     <message>
-        <source>A scenario of this case</source>
-        <translation>本案例的一个方案</translation>
-    </message>
-    <message>
-        <source>photograph: %1</source>
-        <translation>照片：%1</translation>
-    </message>
-    <message>
-        <source>A photograph of this case, taken at rest</source>
-        <translation>本案例的一张照片，静止后拍摄</translation>
-    </message>
-    <message>
         <source>Each gets %1 members with what is varied under Ensemble.</source>
         <translation>每个原因得到 %1 个成员，变动内容见“系综”。</translation>
     </message>
@@ -13195,14 +13357,6 @@
     <message>
         <source>GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)</source>
         <translation>GeoTIFF (*.tif);;表格 (*.csv);;图像 (*.png)</translation>
-    </message>
-    <message>
-        <source>%1 at %2, %3</source>
-        <translation>%1，位于 %2, %3</translation>
-    </message>
-    <message>
-        <source>Debris came within %1 of this place so long after the first debris that came down anywhere, give or take %2</source>
-        <translation>碎块在任一处首次落下之后经过这段时间，有碎块到达距此处 %1 以内，误差 %2</translation>
     </message>
 </context>
 <context>
@@ -13714,7 +13868,7 @@
     </message>
     <message>
         <source>The survey</source>
-        <translation>测量</translation>
+        <translation>测绘</translation>
     </message>
     <message>
         <source>Locate…</source>
@@ -14186,7 +14340,7 @@
     </message>
     <message>
         <source>Photographs</source>
-        <translation>照片列表</translation>
+        <translation>照片</translation>
     </message>
     <message>
         <source>Ensemble</source>
@@ -14595,15 +14749,15 @@
     <name>rubble::SurveyDisplay</name>
     <message>
         <source>Add a survey</source>
-        <translation>添加测量</translation>
+        <translation>添加测绘</translation>
     </message>
     <message>
         <source>survey %1 added</source>
-        <translation>已添加测量 %1</translation>
+        <translation>已添加测绘 %1</translation>
     </message>
     <message>
         <source>survey removed</source>
-        <translation>已移除测量</translation>
+        <translation>已移除测绘</translation>
     </message>
     <message>
         <source>Difference map</source>
@@ -14623,7 +14777,7 @@
     </message>
     <message>
         <source>what the survey shows</source>
-        <translation>测量显示的内容</translation>
+        <translation>测绘显示的内容</translation>
     </message>
     <message>
         <source>area of interest removed</source>
@@ -14635,7 +14789,7 @@
     </message>
     <message>
         <source>noise of the survey</source>
-        <translation>测量的噪声</translation>
+        <translation>测绘的噪声</translation>
     </message>
     <message>
         <source>area of interest drawn</source>
@@ -14671,15 +14825,15 @@
     </message>
     <message>
         <source>Surveys (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
-        <translation>测量 (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
+        <translation>测绘 (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
     </message>
     <message>
         <source>when the survey was taken</source>
-        <translation>测量的拍摄时间</translation>
+        <translation>测绘的拍摄时间</translation>
     </message>
     <message>
         <source>survey unplaced</source>
-        <translation>测量的放置已取消</translation>
+        <translation>测绘的放置已取消</translation>
     </message>
     <message>
         <source>Pairs of places</source>
@@ -14691,11 +14845,11 @@
     </message>
     <message>
         <source>There is no survey to place, or the FE result is not open.</source>
-        <translation>没有可放置的测量，或有限元结果未打开。</translation>
+        <translation>没有可放置的测绘，或有限元结果未打开。</translation>
     </message>
     <message>
         <source>survey placed by pairs</source>
-        <translation>测量已按点对放置</translation>
+        <translation>测绘已按点对放置</translation>
     </message>
     <message>
         <source>when debris was removed</source>
@@ -15372,7 +15526,7 @@
     </message>
     <message>
         <source>fallen live structure, apart from the fragments</source>
-        <translation>倒下的未失效结构，与碎块分开</translation>
+        <translation>坠落的未失效结构，与碎块分开</translation>
     </message>
     <message>
         <source>Fragments by component</source>
@@ -15512,7 +15666,7 @@
     </message>
     <message>
         <source>No settings of this scene have been compared with the reference, in which every fragment is its own body; how far this run is from it is not known. The panel Accuracy and rubble-cli accuracy measure it.</source>
-        <translation>此场景没有任何设置与基准(每个碎块各为一个刚体)比较过；本次计算与基准相差多少未知。精度面板和 rubble-cli accuracy 可以量测。</translation>
+        <translation>此场景没有任何设置与基准(每个碎块各为一个刚体)比较过；本次计算与基准相差多少未知。精度面板和 rubble-cli accuracy 可以测量。</translation>
     </message>
     <message>
         <source>Settings of this scene that were compared with the reference, by their number of bodies</source>
@@ -15915,10 +16069,6 @@
         <translation>分布</translation>
     </message>
     <message>
-        <source>Spread over %1 members: mean with its standard error, standard deviation of the members, and the values that one member in twenty lies below and above</source>
-        <translation>%1 个成员间的离散：平均值及其标准误差、成员的标准差，以及二十个成员中有一个低于和高于的值</translation>
-    </message>
-    <message>
         <source>figure</source>
         <translation>指标</translation>
     </message>
@@ -16044,19 +16194,19 @@
     </message>
     <message>
         <source>The case has no survey of the debris; heights and outline were not held against one.</source>
-        <translation>案例没有堆积物的测量；高度和轮廓未与测量对照。</translation>
+        <translation>案例没有堆积物的测绘；高度和轮廓未与测绘对照。</translation>
     </message>
     <message>
         <source>Surveys</source>
-        <translation>测量对照</translation>
+        <translation>测绘对照</translation>
     </message>
     <message>
         <source>Surveys: surveyed debris against the simulated</source>
-        <translation>测量：测得的堆积物与模拟的堆积物</translation>
+        <translation>测绘：测得的堆积物与模拟的堆积物</translation>
     </message>
     <message>
         <source>survey</source>
-        <translation>测量</translation>
+        <translation>测绘</translation>
     </message>
     <message>
         <source>surveyed</source>
@@ -16184,11 +16334,11 @@
     </message>
     <message>
         <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that.</source>
-        <translation>测量按单元在其所在位置比较，不作移动；体积位于地面与顶面之间，包含空隙。陡峭的边缘使测得的面积偏大：两侧以同样方式测量的数值不受此影响。</translation>
+        <translation>测绘按单元在其所在位置比较，不作移动；体积位于地面与顶面之间，包含空隙。陡峭的边缘使测得的面积偏大：两侧以同样方式测绘的数值不受此影响。</translation>
     </message>
     <message>
         <source>area, both surveyed alike</source>
-        <translation>面积，两侧以同样方式测量</translation>
+        <translation>面积，两侧以同样方式测绘</translation>
     </message>
     <message>
         <source>IoU that a perfect simulation reaches on this grid</source>
@@ -16196,7 +16346,7 @@
     </message>
     <message>
         <source>IoU, both surveyed alike</source>
-        <translation>IoU，两侧以同样方式测量</translation>
+        <translation>IoU，两侧以同样方式测绘</translation>
     </message>
     <message>
         <source>surveyed fill</source>
@@ -16264,11 +16414,11 @@
     </message>
     <message>
         <source>&lt;b&gt;The evidence was not asked&lt;/b&gt;: no photograph and no survey was held against this run. What follows is what the simulation says, under the assumptions of this report.</source>
-        <translation>&lt;b&gt;未询问证据&lt;/b&gt;：没有照片或测量与本次计算对照。以下是模拟在本报告的假设下所说的。</translation>
+        <translation>&lt;b&gt;未询问证据&lt;/b&gt;：没有照片或测绘与本次计算对照。以下是模拟在本报告的假设下所说的。</translation>
     </message>
     <message>
         <source>The evidence was asked: photographs held against this run: %1, surveys: %2 (see section Evidence).</source>
-        <translation>已询问证据：与本次计算对照的照片：%1，测量：%2（见“证据”一节）。</translation>
+        <translation>已询问证据：与本次计算对照的照片：%1，测绘：%2（见“证据”一节）。</translation>
     </message>
     <message>
         <source>Its figures should not be relied on (see section Health).</source>
@@ -16305,10 +16455,6 @@
     <message>
         <source>over the ensemble, 5 to 95 %</source>
         <translation>系综，5 至 95 %</translation>
-    </message>
-    <message>
-        <source>With what is not known drawn anew %1 times, nine of ten members have a run-out of %2 m, cover %3 m² and reach %4 m at the highest cell (see section What is not known).</source>
-        <translation>未知之处重新抽取 %1 次，十个成员中有九个的散落距离为 %2 m，覆盖 %3 m²，最高单元格达 %4 m（见“未知的量”一节）。</translation>
     </message>
     <message>
         <source>What is not known of friction, restitution and births was not varied: what it does to these figures is not known.</source>
@@ -16670,6 +16816,46 @@
         <source>Signature: %1</source>
         <translation>签名：%1</translation>
     </message>
+    <message>
+        <source>laid on cells of %1 m with fallen live structure</source>
+        <translation>按 %1 m 的单元格计，含坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>laid on cells of %1 m without fallen live structure</source>
+        <translation>按 %1 m 的单元格计，不含坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>nine of ten among %1 members</source>
+        <translation>%1 个成员中的九成</translation>
+    </message>
+    <message>
+        <source>all %1 members</source>
+        <translation>全部 %1 个成员</translation>
+    </message>
+    <message>
+        <source>With what is not known drawn anew, %1 have a run-out of %2 m. Their debris, %3, covers %4 m², and its highest cell is %5 m high in the mean (see section What is not known).</source>
+        <translation>未知之处重新抽取后，%1的散落距离为 %2 m。其堆积物（%3）覆盖 %4 m²，最高单元格的平均高度为 %5 m（见“未知的量”一节）。</translation>
+    </message>
+    <message>
+        <source>Spread over %1 members, %2: mean with its standard error, standard deviation of the members, and the values that one member in twenty lies below and above</source>
+        <translation>%1 个成员的离散，%2：平均值及其标准误差、成员的标准差，以及二十个成员中有一个低于和高于的值</translation>
+    </message>
+    <message>
+        <source>Spread over %1 members, %2: mean with its standard error, standard deviation of the members, and the least and the most of them, for they are too few for quantiles</source>
+        <translation>%1 个成员的离散，%2：平均值及其标准误差、成员的标准差，以及其中的最小和最大值，因为成员太少，没有分位数</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation type="unfinished">最小值</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>over the ensemble, least to most</source>
+        <translation>系综范围，最小至最大</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -16738,7 +16924,7 @@
     </message>
     <message>
         <source>surveyed only</source>
-        <translation>仅测量</translation>
+        <translation>仅测绘</translation>
     </message>
     <message>
         <source>both</source>
@@ -16746,11 +16932,11 @@
     </message>
     <message>
         <source>Simulated less surveyed [m]</source>
-        <translation>模拟减测量 [m]</translation>
+        <translation>模拟减测绘 [m]</translation>
     </message>
     <message>
         <source>edge of the survey</source>
-        <translation>测量边缘</translation>
+        <translation>测绘边缘</translation>
     </message>
     <message>
         <source>edge of the simulation</source>
@@ -16758,11 +16944,11 @@
     </message>
     <message>
         <source>not surveyed</source>
-        <translation>未测量</translation>
+        <translation>未测绘</translation>
     </message>
     <message>
         <source>Simulated debris at t = %1 against the survey; IoU %2, cells of %3; fallen live structure %4</source>
-        <translation>t = %1 时的模拟残骸与测量；IoU %2，单元 %3；坠落的存活结构%4</translation>
+        <translation>t = %1 时的模拟堆积物与测绘；IoU %2，单元 %3；坠落的未失效结构%4</translation>
     </message>
     <message>
         <source>counted</source>
@@ -17285,10 +17471,6 @@
         <translation>设置比较完成</translation>
     </message>
     <message>
-        <source>Save all settings that are done as CSV, with the columns of rubble-cli accuracy --csv</source>
-        <translation>将所有已完成的设置保存为 CSV，列与 rubble-cli accuracy --csv 相同</translation>
-    </message>
-    <message>
         <source>Save the chart as SVG or PNG</source>
         <translation>将图表保存为 SVG 或 PNG</translation>
     </message>
@@ -17363,6 +17545,10 @@
     <message>
         <source>What agreement with the reference costs</source>
         <translation>与基准的一致性需付出的代价</translation>
+    </message>
+    <message>
+        <source>Save all settings that are done as CSV, with the columns of rubble-cli accuracy</source>
+        <translation>将所有已完成的设置保存为 CSV，列与 rubble-cli accuracy 相同</translation>
     </message>
 </context>
 <context>
@@ -17694,10 +17880,6 @@
         <translation>案例允许的刚体数取典型堆积体在目标帧率下的数目；可一步撤销</translation>
     </message>
     <message>
-        <source>Save the measured points as CSV, with the columns of rubble-cli calibrate --csv</source>
-        <translation>将测得的点保存为 CSV，列与 rubble-cli calibrate --csv 相同</translation>
-    </message>
-    <message>
         <source>Save the chart as SVG or PNG</source>
         <translation>将图表保存为 SVG 或 PNG</translation>
     </message>
@@ -17740,6 +17922,10 @@
     <message>
         <source>Measuring this machine</source>
         <translation>正在测量本机</translation>
+    </message>
+    <message>
+        <source>Save the measured points as CSV, with the columns of rubble-cli calibrate</source>
+        <translation>将测得的点保存为 CSV，列与 rubble-cli calibrate 相同</translation>
     </message>
 </context>
 <context>
@@ -18260,6 +18446,14 @@ What the file fits: %2.</source>
         <source>No evidence tells the first two apart: at best the closest cause is closer than the next in %1 of the pairs of members.</source>
         <translation>没有证据能区分前两个原因：最多在 %1 的成员配对中，最接近的原因比下一个更接近。</translation>
     </message>
+    <message>
+        <source>least to most</source>
+        <translation>最小至最大</translation>
+    </message>
+    <message>
+        <source>All members lie in between</source>
+        <translation>所有成员都在其间</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::CausesPanel</name>
@@ -18336,10 +18530,6 @@ What the file fits: %2.</source>
         <translation>含堆积物的表面高度，栅格…</translation>
     </message>
     <message>
-        <source>Add a file of what was found. Photographs are added under Photographs</source>
-        <translation>添加现场所见的文件。照片在“照片”中添加</translation>
-    </message>
-    <message>
         <source>Take the chosen file off the list; it stays where it is</source>
         <translation>从列表中移除所选文件；文件仍在原处</translation>
     </message>
@@ -18354,10 +18544,6 @@ What the file fits: %2.</source>
     <message>
         <source>none: a blind test</source>
         <translation>无：进行盲测</translation>
-    </message>
-    <message>
-        <source>Evidence that is ticked counts: footprints, surveyed heights, times at which debris reached a place, and photographs of this case taken at rest with an outline of the debris</source>
-        <translation>所勾选的证据计入：覆盖范围、测量高度、堆积物到达某处的时刻，以及本案例静止后拍摄并绘有堆积物轮廓的照片</translation>
     </message>
     <message>
         <source>Time at which debris reached a place…</source>
@@ -18406,6 +18592,14 @@ What the file fits: %2.</source>
     <message>
         <source>After the first debris came down anywhere: by a witness, a video, a gauge</source>
         <translation>自任一处首次落下碎块之后：据目击者、录像或仪器</translation>
+    </message>
+    <message>
+        <source>Evidence that is ticked counts: surveys of this case, its photographs taken at rest with an outline of the debris, and footprints, heights and times that are added</source>
+        <translation>所勾选的证据计入：本案例的测量、静止后拍摄并绘有堆积物轮廓的照片，以及加入的覆盖范围、高度和时刻</translation>
+    </message>
+    <message>
+        <source>Add a file of what was found. Photographs and surveys of the case are added under Photographs</source>
+        <translation>添加现场所见的文件。案例的照片和测量在“照片列表”中添加</translation>
     </message>
 </context>
 <context>
@@ -18913,6 +19107,18 @@ What the file fits: %2.</source>
         <source>With %1 members the probability of a cell may be off by %2 in the mean and by %3 at most, one standard error. That covers what was varied and nothing else.</source>
         <translation>有 %1 个成员时，单元的概率平均可能偏差 %2，最多 %3，均为一个标准误差。这只涵盖所变动的量，别无其他。</translation>
     </message>
+    <message>
+        <source>least</source>
+        <translation type="unfinished">最小值</translation>
+    </message>
+    <message>
+        <source>Of all members, which are few</source>
+        <translation>取自全部成员，其数很少</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>最大值</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::EnsemblePanel</name>
@@ -18938,7 +19144,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Fallen structure counts as debris</source>
-        <translation>倒塌结构计入堆积物</translation>
+        <translation>坠落结构计入堆积物</translation>
     </message>
     <message>
         <source>At the end of the FE result</source>
@@ -19148,11 +19354,11 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Survey</source>
-        <translation>测量</translation>
+        <translation>测绘</translation>
     </message>
     <message>
         <source>The difference map of the survey instead of the photograph</source>
-        <translation>显示测量差异图而非照片</translation>
+        <translation>显示测绘差异图而非照片</translation>
     </message>
 </context>
 <context>
@@ -19223,7 +19429,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Fallen structure counts as debris</source>
-        <translation>倒塌结构计入堆积物</translation>
+        <translation>坠落结构计入堆积物</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -19235,7 +19441,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Photographs</source>
-        <translation>照片列表</translation>
+        <translation>照片</translation>
     </message>
     <message>
         <source>The photograph that is shown</source>
@@ -19535,7 +19741,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Survey</source>
-        <translation>测量</translation>
+        <translation>测绘</translation>
     </message>
     <message>
         <source>time taken unknown</source>
@@ -19614,7 +19820,11 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Photographs, surveys, clouds, outlines and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
-        <translation>照片、测量、点云、轮廓和控制点：各自所示的内容、其位置已知到多少米（95 %），以及计算与之重合多少</translation>
+        <translation>照片、测绘、点云、轮廓和控制点：各自所示的内容、其位置已知到多少米（95 %），以及计算与之重合多少</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>在别处</translation>
     </message>
 </context>
 <context>
@@ -21659,7 +21869,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Read pairs from a table with the columns of rubble-cli camera, for surveyed points</source>
-        <translation>从具有命令行相机匹配各列的表格读取点对，用于测量点</translation>
+        <translation>从具有命令行相机匹配各列的表格读取点对，用于测绘点</translation>
     </message>
     <message>
         <source>Delete the chosen pair (Delete)</source>
@@ -21739,7 +21949,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>%1 of the point of the model or survey, in the frame of the case</source>
-        <translation>模型或测量点的 %1，在案例坐标框架中</translation>
+        <translation>模型或测绘点的 %1，在案例坐标框架中</translation>
     </message>
     <message>
         <source>no.</source>
@@ -21836,19 +22046,19 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Place the survey by pairs</source>
-        <translation>按点对放置测量</translation>
+        <translation>按点对放置测绘</translation>
     </message>
     <message>
         <source>Place survey</source>
-        <translation>放置测量</translation>
+        <translation>放置测绘</translation>
     </message>
     <message>
         <source>Survey from above</source>
-        <translation>从上方所见的测量</translation>
+        <translation>从上方所见的测绘</translation>
     </message>
     <message>
         <source>Model beside the survey</source>
-        <translation>测量旁的模型</translation>
+        <translation>测绘旁的模型</translation>
     </message>
     <message>
         <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
@@ -21888,11 +22098,11 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Nothing was surveyed there: click where the survey has heights.</source>
-        <translation>该处没有测量：请单击有高程的地方。</translation>
+        <translation>该处没有测绘：请单击有高程的地方。</translation>
     </message>
     <message>
         <source>Cancel leaves without placing the survey.</source>
-        <translation>“取消”离开而不放置测量。</translation>
+        <translation>“取消”离开而不放置测绘。</translation>
     </message>
     <message>
         <source>Moved by %1 m, turned by %2°.</source>
@@ -21904,7 +22114,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>The survey has a height every %1 m: a click is no better.</source>
-        <translation>测量每 %1 m 有一个高程：单击不会更准。</translation>
+        <translation>测绘每 %1 m 有一个高程：单击不会更准。</translation>
     </message>
     <message>
         <source>Now click the same place in the model, at the right; nodes are caught. Esc takes the click back.</source>
@@ -21912,15 +22122,15 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Now click the same place in the survey, at the left. Esc takes the click back.</source>
-        <translation>现在在左侧的测量中单击同一处。Esc 撤回单击。</translation>
+        <translation>现在在左侧的测绘中单击同一处。Esc 撤回单击。</translation>
     </message>
     <message>
         <source>Click a place that did not move in the survey, then the same place in the model. Pairs: %1 of at least 3, far apart and not on a line.</source>
-        <translation>在测量中单击没有移动的一处，再在模型中单击同一处。点对：%1，至少 3 对，相距要远且不在一条线上。</translation>
+        <translation>在测绘中单击没有移动的一处，再在模型中单击同一处。点对：%1，至少 3 对，相距要远且不在一条线上。</translation>
     </message>
     <message>
         <source>Place the survey, or add pairs: more of them show better how well it lies.</source>
-        <translation>可放置测量，或添加点对：点对越多，越能看出放置得如何。</translation>
+        <translation>可放置测绘，或添加点对：点对越多，越能看出放置得如何。</translation>
     </message>
     <message>
         <source>Keep as table…</source>
@@ -22483,7 +22693,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Date and time by the clock of the site, such as 2021-06-25 16:30: of the chosen place, or of the next one. Surveys taken later are compared without it. Kept in the case</source>
-        <translation>按现场时钟的日期和时间，如 2021-06-25 16:30：所选一处的，或下一处的。此后拍摄的测量比较时不计该处。保存在案例中</translation>
+        <translation>按现场时钟的日期和时间，如 2021-06-25 16:30：所选一处的，或下一处的。此后拍摄的测绘比较时不计该处。保存在案例中</translation>
     </message>
     <message>
         <source>Places whose debris was removed</source>
@@ -22645,10 +22855,6 @@ What the file fits: %2.</source>
         <translation>比较</translation>
     </message>
     <message>
-        <source>A comparison of causes that becomes a table of the report: that of the page Causes, or what rubble-cli compare --json printed into a file</source>
-        <translation>成为报告中一个表的原因比较：原因页的，或命令行写入文件的</translation>
-    </message>
-    <message>
         <source>What it lacks</source>
         <translation>缺少什么</translation>
     </message>
@@ -22687,6 +22893,10 @@ What the file fits: %2.</source>
     <message>
         <source>What qualifies you for this report, and what binds you to a party; stands above the signature</source>
         <translation>您编写本报告的资质，以及与哪一方的关系；位于签名之上</translation>
+    </message>
+    <message>
+        <source>A comparison of causes that becomes a table of the report: that of the page Causes, or what rubble-cli compare printed into a file</source>
+        <translation>成为报告中一个表的原因比较：原因页的，或命令行写入文件的</translation>
     </message>
 </context>
 <context>
@@ -22860,7 +23070,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Outlines that were surveyed, and the areas in which surveys are compared</source>
-        <translation>测得的轮廓，以及比较测量的区域</translation>
+        <translation>测得的轮廓，以及比较测绘的区域</translation>
     </message>
     <message>
         <source>Mapping the debris …</source>
@@ -23067,7 +23277,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Parts of the structure alive at the end without a path to a support</source>
-        <translation>结束时没有路径通向支座的存活结构部分</translation>
+        <translation>结束时没有路径通向支座的未失效结构部分</translation>
     </message>
     <message>
         <source>Ledger, fragments</source>
@@ -23474,7 +23684,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Of another run, survey or place: draw the section again.</source>
-        <translation>属于另一次计算、测量或位置：请重新绘制剖面。</translation>
+        <translation>属于另一次计算、测绘或位置：请重新绘制剖面。</translation>
     </message>
     <message>
         <source>Cutting…</source>
@@ -23494,11 +23704,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Simulated less surveyed: %1 m in the mean, %2 m RMS.</source>
-        <translation>模拟减测量：平均 %1 m，均方根 %2 m。</translation>
+        <translation>模拟减测绘：平均 %1 m，均方根 %2 m。</translation>
     </message>
     <message>
         <source>Area above the ground over %1 m with heights: %2 m² surveyed, %3 m² simulated.</source>
-        <translation>有高程的 %1 m 上地面以上的面积：测量 %2 m²，模拟 %3 m²。</translation>
+        <translation>有高程的 %1 m 上地面以上的面积：测绘 %2 m²，模拟 %3 m²。</translation>
     </message>
 </context>
 <context>
@@ -23644,7 +23854,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Coordinate system of the case, such as EPSG:25832: terrain, orthophoto and surveys in another one are projected to it, and maps are written in it. Needs eastings and northings, not degrees</source>
-        <translation>案例的坐标系，如 EPSG:25832：其他坐标系中的地形、正射影像和测量会投影到此坐标系，地图也以此写出。须为东北坐标，不能是度</translation>
+        <translation>案例的坐标系，如 EPSG:25832：其他坐标系中的地形、正射影像和测绘会投影到此坐标系，地图也以此写出。须为东北坐标，不能是度</translation>
     </message>
     <message>
         <source>Coordinate system</source>
@@ -23652,7 +23862,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Added to the heights of terrain, surroundings and surveys, m (-10,000 to 10,000): the difference between their vertical datum and that of the case</source>
-        <translation>加到地形、周围环境和测量高程上的值，m（-10,000 至 10,000）：其高程基准与案例高程基准之差</translation>
+        <translation>加到地形、周围环境和测绘高程上的值，m（-10,000 至 10,000）：其高程基准与案例高程基准之差</translation>
     </message>
     <message>
         <source>Height shift, m</source>
@@ -23887,7 +24097,7 @@ Program: %3</source>
     <name>rubble::widgets::SurveyBox</name>
     <message>
         <source>Add survey…</source>
-        <translation>添加测量…</translation>
+        <translation>添加测绘…</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -23895,7 +24105,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Cells of the survey comparison</source>
-        <translation>测量比较的单元格</translation>
+        <translation>测绘比较的单元格</translation>
     </message>
     <message>
         <source>Least height of debris</source>
@@ -23903,11 +24113,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Fallen structure counts as debris</source>
-        <translation>倒塌结构计入堆积物</translation>
+        <translation>坠落结构计入堆积物</translation>
     </message>
     <message>
         <source>Compare with survey</source>
-        <translation>与测量比较</translation>
+        <translation>与测绘比较</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -23919,15 +24129,15 @@ Program: %3</source>
     </message>
     <message>
         <source>Surveys</source>
-        <translation>测量列表</translation>
+        <translation>测绘列表</translation>
     </message>
     <message>
         <source>The survey that is compared</source>
-        <translation>用于比较的测量</translation>
+        <translation>用于比较的测绘</translation>
     </message>
     <message>
         <source>Take this survey out of the case; its file stays</source>
-        <translation>将此测量移出案例；文件保留</translation>
+        <translation>将此测绘移出案例；文件保留</translation>
     </message>
     <message>
         <source>Side of the cells that are compared, 0.05 to 10 m</source>
@@ -23939,7 +24149,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Height above the ground from which there is debris, 0 to 5 m; what lies lower is noise of the survey</source>
-        <translation>高出地面达到此值即为堆积物，0 至 5 m；更低者为测量噪声</translation>
+        <translation>高出地面达到此值即为堆积物，0 至 5 m；更低者为测绘噪声</translation>
     </message>
     <message>
         <source>Least height, m</source>
@@ -23947,7 +24157,7 @@ Program: %3</source>
     </message>
     <message>
         <source>where it was surveyed</source>
-        <translation>保持测量位置</translation>
+        <translation>保持测绘位置</translation>
     </message>
     <message>
         <source>moved to the ground beside it</source>
@@ -23959,11 +24169,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Registration of the survey</source>
-        <translation>测量的配准</translation>
+        <translation>测绘的配准</translation>
     </message>
     <message>
         <source>Where the survey is taken to lie: as it is, shifted by least squares to the ground beside the debris (errors of its place go), or to the simulated debris, at most 5 m (only the shape is compared then)</source>
-        <translation>测量的位置：保持原样；按最小二乘移至堆积物旁的地面（消除位置误差）；或移至模拟的堆积物，至多 5 m（此时只比较形状）</translation>
+        <translation>测绘的位置：保持原样；按最小二乘移至堆积物旁的地面（消除位置误差）；或移至模拟的堆积物，至多 5 m（此时只比较形状）</translation>
     </message>
     <message>
         <source>Registration</source>
@@ -23971,11 +24181,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Whether live structure that moved farther than 1 m belongs to the simulated debris, as it does to the surveyed; said on the result</source>
-        <translation>移动超过 1 m 的存活结构是否像在测量中那样计入模拟堆积物；结果中会注明</translation>
+        <translation>移动超过 1 m 的未失效结构是否像在测绘中那样计入模拟堆积物；结果中会注明</translation>
     </message>
     <message>
         <source>Hold the debris at rest against the survey</source>
-        <translation>将静止的堆积物与测量对照</translation>
+        <translation>将静止的堆积物与测绘对照</translation>
     </message>
     <message>
         <source>Stop comparing</source>
@@ -23987,7 +24197,7 @@ Program: %3</source>
     </message>
     <message>
         <source>surveyed</source>
-        <translation>测量</translation>
+        <translation>测绘</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -23995,7 +24205,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Surveyed and simulated debris</source>
-        <translation>测量与模拟的堆积物</translation>
+        <translation>测绘与模拟的堆积物</translation>
     </message>
     <message>
         <source>run-out, m</source>
@@ -24055,11 +24265,11 @@ Program: %3</source>
     </message>
     <message>
         <source>The survey lies where it was surveyed.</source>
-        <translation>测量位于其测得之处。</translation>
+        <translation>测绘位于其测得之处。</translation>
     </message>
     <message>
         <source>The survey was moved by %1, %2, %3 m; what was fitted went from %4 to %5 RMS.</source>
-        <translation>测量移动了 %1、%2、%3 m；拟合量的均方根由 %4 变为 %5。</translation>
+        <translation>测绘移动了 %1、%2、%3 m；拟合量的均方根由 %4 变为 %5。</translation>
     </message>
     <message>
         <source>not known</source>
@@ -24075,11 +24285,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Whether the survey shows fallen structure</source>
-        <translation>测量是否显示坠落的结构</translation>
+        <translation>测绘是否显示坠落的结构</translation>
     </message>
     <message>
         <source>Whether structure that fell whole lies in the survey: yes of a scan of all that was there, no where such pieces were taken out; kept in the case</source>
-        <translation>整体坠落的结构是否在测量中：扫描了现场全部物体为是，已除去这类部分为否；保存在案例中</translation>
+        <translation>整体坠落的结构是否在测绘中：扫描了现场全部物体为是，已除去这类部分为否；保存在案例中</translation>
     </message>
     <message>
         <source>Fallen structure in it</source>
@@ -24103,11 +24313,11 @@ Program: %3</source>
     </message>
     <message>
         <source>The level of detection is not known: state the noise of survey and ground.</source>
-        <translation>检测限未知：请给定测量和地面的噪声。</translation>
+        <translation>检测限未知：请给定测绘和地面的噪声。</translation>
     </message>
     <message>
         <source>Noise of the survey</source>
-        <translation>测量的噪声</translation>
+        <translation>测绘的噪声</translation>
     </message>
     <message>
         <source>Noise of the ground</source>
@@ -24127,7 +24337,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Noise, survey, m</source>
-        <translation>测量噪声，m</translation>
+        <translation>测绘噪声，m</translation>
     </message>
     <message>
         <source>Noise, ground, m</source>
@@ -24183,11 +24393,11 @@ Program: %3</source>
     </message>
     <message>
         <source>area surveyed alike, m²</source>
-        <translation>同样测量的面积，m²</translation>
+        <translation>同样测绘的面积，m²</translation>
     </message>
     <message>
         <source>A perfect simulation reaches %1 on this grid; with both sides surveyed alike it is %2.</source>
-        <translation>完美模拟在此网格上达到 %1；两侧以同样方式测量时为 %2。</translation>
+        <translation>完美模拟在此网格上达到 %1；两侧以同样方式测绘时为 %2。</translation>
     </message>
     <message>
         <source>Surveyed fill %1, cut %2, net %3 m³.</source>
@@ -24199,11 +24409,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Add a surveyed height model, a point cloud, or the outline of the real debris as polygons</source>
-        <translation>添加测量的高程模型、点云，或以多边形表示的实际堆积物轮廓</translation>
+        <translation>添加测绘的高程模型、点云，或以多边形表示的实际堆积物轮廓</translation>
     </message>
     <message>
         <source>Offset error of the survey</source>
-        <translation>测量的偏移误差</translation>
+        <translation>测绘的偏移误差</translation>
     </message>
     <message>
         <source>Offset error, m</source>
@@ -24219,7 +24429,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Draw a line on the difference map: run and survey are cut along it, drawn and measured together</source>
-        <translation>在差异图上画一条线：沿线剖切计算和测量，一起绘出并量取</translation>
+        <translation>在差异图上画一条线：沿线剖切计算和测绘，一起绘出并量取</translation>
     </message>
     <message>
         <source>Neither side has debris: there is no overlap, and heights are not compared.</source>
@@ -24266,7 +24476,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Instant that the survey shows</source>
-        <translation>测量所示的时刻</translation>
+        <translation>测绘所示的时刻</translation>
     </message>
     <message>
         <source>Write date and time, such as 2021-06-25 16:30</source>
@@ -24278,7 +24488,7 @@ Program: %3</source>
     </message>
     <message>
         <source>When the survey was taken</source>
-        <translation>测量的拍摄时间</translation>
+        <translation>测绘的拍摄时间</translation>
     </message>
     <message>
         <source>not known</source>
@@ -24302,11 +24512,11 @@ Program: %3</source>
     </message>
     <message>
         <source>Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, x_m, y_m, z_m</source>
-        <translation>用三处或更多的地方把测量移到应在之处，取自含 survey_x、survey_y、survey_z、x_m、y_m、z_m 各列的表</translation>
+        <translation>用三处或更多的地方把测绘移到应在之处，取自含 survey_x、survey_y、survey_z、x_m、y_m、z_m 各列的表</translation>
     </message>
     <message>
         <source>Let the survey lie as its coordinates say</source>
-        <translation>使测量按自身坐标放置</translation>
+        <translation>使测绘按自身坐标放置</translation>
     </message>
     <message>
         <source>Pick pairs…</source>
@@ -24318,7 +24528,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Move the survey to where it belongs: click three places or more in it and in the model, and see at once how well they fit</source>
-        <translation>把测量移到其所在之处：在测量和模型中单击三处或更多，并立即看到其相符程度</translation>
+        <translation>把测绘移到其所在之处：在测绘和模型中单击三处或更多，并立即看到其相符程度</translation>
     </message>
     <message>
         <source>control points to %1 m</source>
@@ -24330,7 +24540,7 @@ Program: %3</source>
     </message>
     <message>
         <source>Instant on the clock of the FE result that the survey shows; empty: all lay at rest. Kept in the case</source>
-        <translation>测量所示的时刻，按有限元结果的时间；留空：全部已静止。保存在案例中</translation>
+        <translation>测绘所示的时刻，按有限元结果的时间；留空：全部已静止。保存在案例中</translation>
     </message>
     <message>
         <source>Shows</source>
@@ -24341,11 +24551,11 @@ Program: %3</source>
     <name>rubble::widgets::SurveyView</name>
     <message>
         <source>Difference map of the survey</source>
-        <translation>测量差异图</translation>
+        <translation>测绘差异图</translation>
     </message>
     <message>
         <source>The difference map of a survey stands here: add a survey in the panel and compare.</source>
-        <translation>测量差异图在此显示：请在面板中添加测量并比较。</translation>
+        <translation>测绘差异图在此显示：请在面板中添加测绘并比较。</translation>
     </message>
     <message>
         <source>Click around what is compared; double-click or Enter closes, Backspace takes one back, Esc ends.</source>

@@ -96,7 +96,7 @@ TEST_F(Exports, ARunIsSharedAsAPageOnceItIsFinished) {
     ASSERT_TRUE(idle());
     const std::string html = textOf(page);
     EXPECT_NE(html.find(session->computation().currentRun()->outcome->trajectoryHash.hex()), std::string::npos);
-    EXPECT_NE(html.find("<figure><img alt="), std::string::npos) << "pictures for browsers without WebGL";
+    EXPECT_NE(html.find("<figure data-time="), std::string::npos) << "pictures for browsers without WebGL";
     EXPECT_NE(html.find("\"kind\":\"map\""), std::string::npos);
     EXPECT_EQ(html.find("{{"), std::string::npos);
 }

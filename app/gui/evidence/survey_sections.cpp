@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "app/gui/session/session.h"
-#include "core/evidence/surveys/stated_survey.h"
-#include "core/scenario/scope_cover.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
@@ -50,7 +48,6 @@ std::optional<SectionLine> SurveySections::line() const {
 
 void SurveySections::cut(const OutlineRing& ends, const CaseInput& survey, std::shared_ptr<const SurveyWork::Made> made) {
     m_order = Order{{ends.front(), ends.back()}, survey, std::move(made)};
-    m_order->survey.scope = scopeWhenTaken(m_document.theCase(), survey, m_order->said);
     cutAgain();
     m_dialog->show();
     m_dialog->raise();
@@ -87,15 +84,13 @@ void SurveySections::cutAgain() {
                         mapped.terrain = nullptr;
                         SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
                         const Survey& survey = order.made->input.survey;
-                        const SurveyScope& scope = order.survey.scope;
-                        Findings findings = order.said;
+                        Findings findings;
                         std::vector<Vec3> measured;
                         if (!survey.isFootprint && io::holdsCloud(path)) {
-                            measured = io::readMeasuredPoints({path, {}, frame, site, order.survey.registration, scope}, findings,
-                                                              execution);
+                            measured =
+                                io::readMeasuredPoints({path, {}, frame, site, order.survey.registration}, findings, execution);
                         } else if (!survey.isFootprint) {
                             measured = heightsBeside(survey.heights, ground, order.line);
-                            std::erase_if(measured, [&](const Vec3& place) { return !covers(scope, place.head<2>()); });
                             takeStep(order.line, survey.heights, findings);
                         }
                         *outcome = io::cutRun(std::move(shape), ground, order.line, measured, execution);

@@ -40,7 +40,6 @@ private:
         SectionLine line;
         CaseInput survey;
         std::shared_ptr<const SurveyWork::Made> made;
-        Findings said = {};  ///< of what of it is compared
     };
     void cutAgain();
     void show(const QString& complaint = {});

@@ -187,7 +187,8 @@ TEST_F(CloudCommand, VolumesOfWhatNobodyMeasuredAreNotKnown) {
         const std::string place =
             std::to_string(5.0 * std::fmod(0.754877666 * k, 1.0)) + ',' + std::to_string(5.0 * std::fmod(0.569840291 * k, 1.0));
         low += place + ",0\n";
-        high += place + ",30\n";
+        // Within the reach of the cores, but beyond the depth.
+        high += place + ",2.04\n";
     }
     std::vector<std::string> words{"cloud",
                                    lay("low.csv", low),
@@ -228,8 +229,8 @@ TEST_F(CloudCommand, ComparesTwoCloudsWithinAnAreaAndWithoutWhatIsLeftOut) {
         after += place + std::to_string((x < 8.0 ? 1.0 : car ? 1.4 : 0.0) - noise) + '\n';
     }
     const auto square = [&](const std::string& name, const std::string& corners) {
-        return lay(name, R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
-                         R"({"type":"Polygon","coordinates":[[)" +
+        return lay(name, R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},)"
+                         R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" +
                              corners + "]]}}]}");
     };
     const std::string area = square("area.geojson", "[9,-1],[30,-1],[30,30],[9,30],[9,-1]");

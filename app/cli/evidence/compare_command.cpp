@@ -470,7 +470,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
 Command compareCommand() {
     std::vector<Option> options{
         {"--against", "KIND=FILE", true,
-         "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER of the surface, "
+         "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER or point cloud of the surface, "
          "time=SECONDS,X,Y[,RADIUS[,ACCURACY]] at which debris reached a place, or photographs of the first case"},
         areaOption(),
         leaveOutOption(),

@@ -24,6 +24,15 @@ protected:
         std::ofstream(m_folder / name) << text;
         return m_folder / name;
     }
+
+    /// From one cloud to another, in scales of half a metre.
+    static std::vector<std::string> between(const std::string& first, const std::string& second,
+                                            const std::vector<std::string>& more) {
+        std::vector<std::string> words{"cloud", first,     "--against", second, "--normal-scale", "0.5", "--projection-scale",
+                                       "0.5",   "--depth", "2"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
 };
 
 TEST_F(CloudCommand, TellsWhatIsInAScan) {
@@ -190,20 +199,8 @@ TEST_F(CloudCommand, VolumesOfWhatNobodyMeasuredAreNotKnown) {
         // Within the reach of the cores, but beyond the depth.
         high += place + ",2.04\n";
     }
-    std::vector<std::string> words{"cloud",
-                                   lay("low.csv", low),
-                                   "--against",
-                                   lay("high.csv", high),
-                                   "--normal-scale",
-                                   "0.5",
-                                   "--projection-scale",
-                                   "0.5",
-                                   "--depth",
-                                   "2",
-                                   "--registration-error",
-                                   "0",
-                                   "--cell",
-                                   "1"};
+    std::vector<std::string> words =
+        between(lay("low.csv", low), lay("high.csv", high), {"--registration-error", "0", "--cell", "1"});
     EXPECT_THAT(cli(words).out, HasSubstr("not known: no cell was measured"));
     words.push_back("--json");
     const nlohmann::json volumes = cli(words).json()["volumes"];
@@ -235,22 +232,11 @@ TEST_F(CloudCommand, ComparesTwoCloudsWithinAnAreaAndWithoutWhatIsLeftOut) {
     };
     const std::string area = square("area.geojson", "[9,-1],[30,-1],[30,30],[9,30],[9,-1]");
     const std::string car = square("car.geojson", "[13,8],[17,8],[17,12],[13,12],[13,8]");
-    const std::vector<std::string> words{"cloud",
-                                         lay("before.csv", before),
-                                         "--against",
-                                         lay("after.csv", after),
-                                         "--normal-scale",
-                                         "0.5",
-                                         "--projection-scale",
-                                         "0.5",
-                                         "--depth",
-                                         "2",
-                                         "--cell",
-                                         "1",
-                                         "--json"};
+    const std::string first = lay("before.csv", before);
+    const std::string second = lay("after.csv", after);
     const auto with = [&](std::vector<std::string> more) {
-        more.insert(more.begin(), words.begin(), words.end());
-        const Outcome outcome = cli(more);
+        more.insert(more.end(), {"--cell", "1", "--json"});
+        const Outcome outcome = cli(between(first, second, more));
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         return outcome.exitCode == 0 ? outcome.json() : nlohmann::json();
     };
@@ -264,8 +250,7 @@ TEST_F(CloudCommand, ComparesTwoCloudsWithinAnAreaAndWithoutWhatIsLeftOut) {
     EXPECT_LT(rest["volumes"]["fill_m3"], 0.3);
     EXPECT_NEAR(rest["distance"]["most"], 0.0, 0.02);
     const Outcome nothing =
-        cli({"cloud", m_folder / "before.csv", "--against", m_folder / "after.csv", "--normal-scale", "0.5", "--projection-scale",
-             "0.5", "--depth", "2", "--leave-out", square("all.geojson", "[-9,-9],[30,-9],[30,30],[-9,30],[-9,-9]")});
+        cli(between(first, second, {"--leave-out", square("all.geojson", "[-9,-9],[30,-9],[30,30],[-9,30],[-9,-9]")}));
     EXPECT_EQ(nothing.exitCode, 1);
     EXPECT_THAT(nothing.err, HasSubstr("core points"));
 }

@@ -42,6 +42,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/fragments/fragment_set.h
     core/pipeline/pipeline.h
     core/scenario/case.h
+    core/scenario/cloud_request.h
     core/scenario/ensemble.h
     core/scenario/journal.h
     core/scenario/materials.h

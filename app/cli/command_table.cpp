@@ -59,6 +59,14 @@ Option groundClassOption() {
             "classes of a point cloud whose points are the terrain, such as 2,9 (default: as the case says, else 2)"};
 }
 
+Option columnsOption(std::string_view name) {
+    return {name, "LIST", false, "columns of a table in their order, such as skip,y,x,z,intensity (default: by its heading)"};
+}
+
+Option systemOption(std::string_view name) {
+    return {name, "SYSTEM", false, "coordinate system of a cloud or table that names none: EPSG code, WKT or PROJ"};
+}
+
 Option meshOffsetOption() {
     return {"--mesh-offset", "E,N,H", false,
             "easting, northing and height that are added to the meshes of surroundings, m; in place of those of the case"};

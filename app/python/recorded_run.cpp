@@ -59,8 +59,9 @@ const Inputs& RecordedRun::inputs(const std::optional<std::string>& fe, const Ex
     if (!origin.terrainPath.empty()) {
         const std::string& kept = origin.terrainSha256;
         checkDigest(origin.terrainPath, io::digestOfInput(origin.terrainPath, InputRole::Terrain, execution).against(kept), kept);
-        inputs.terrain =
-            io::openTerrain(origin.terrainPath, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution, origin.site).grid;
+        inputs.terrain = io::openTerrain(origin.terrainPath, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution,
+                                         origin.site, origin.terrainRead)
+                             .grid;
     }
     m_inputs = std::move(inputs);
     return *m_inputs;

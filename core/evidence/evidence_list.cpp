@@ -12,7 +12,8 @@ namespace {
 
 constexpr double confidence = 1.96;
 
-EvidenceForm formOf(const std::string& path) {
+/// What nobody looked into is told by the ending of its file.
+EvidenceForm formByEnding(const std::string& path) {
     std::string ending = path.substr(std::min(path.size(), path.rfind('.')));
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -29,13 +30,22 @@ EvidenceForm formOf(const std::string& path) {
     return EvidenceForm::Heights;
 }
 
+EvidenceForm formOf(const CaseInput& survey) {
+    if (!survey.kind) {
+        return formByEnding(survey.path);
+    }
+    return *survey.kind == SurveyKind::Cloud     ? EvidenceForm::Cloud
+           : *survey.kind == SurveyKind::Outline ? EvidenceForm::Outline
+                                                 : EvidenceForm::Heights;
+}
+
 Message instantOf(const std::optional<double>& instant) {
     return instant ? Message{"evidence.at", "the debris at {0}", {{*instant, "s"}}}
                    : Message{"evidence.at_rest", "the debris at rest", {}};
 }
 
 EvidenceRow surveyRow(const CaseInput& input) {
-    EvidenceRow row{input.id, formOf(input.path), input.path, input.taken, instantOf(input.instant)};
+    EvidenceRow row{input.id, formOf(input), input.path, input.taken, instantOf(input.instant)};
     if (input.before) {
         row.says = {"evidence.before", "the site before the collapse", {}};
     }

@@ -10,7 +10,7 @@
 
 namespace rubble {
 
-/// What evidence is, surveys by the ending of their file.
+/// What evidence is; a survey of a case of before, where that was not kept, by the ending of its file.
 enum class EvidenceForm { Photograph, Heights, Cloud, Outline, Points };
 /// "photograph", "heights", "cloud", "outline", "points"
 inline constexpr std::array<const char*, 5> evidenceFormNames{"photograph", "heights", "cloud", "outline", "points"};

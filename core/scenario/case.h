@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/fe/frame.h"
+#include "core/scenario/cloud_request.h"
 #include "core/scenario/ensemble.h"
 #include "core/scenario/journal.h"
 #include "core/scenario/photograph.h"
@@ -16,6 +20,10 @@
 namespace rubble {
 
 enum class InputRole { Fe, Terrain, Photograph, Survey, Orthophoto, Surroundings };
+
+/// What a file of a survey holds.
+enum class SurveyKind { Heights, Cloud, Outline };
+inline constexpr std::array<std::string_view, 3> surveyKindNames{"heights", "cloud", "outline"};
 
 /// A file that a case stands on, by relative path and SHA-256.
 struct CaseInput {
@@ -39,6 +47,10 @@ struct CaseInput {
     bool before = false;     ///< of a survey: it was taken before the collapse and shows no debris
     /// Of a survey: s on the clock of the FE file, the instant of the collapse that it shows; unset: all lies at rest.
     std::optional<double> instant = std::nullopt;
+    /// Of a terrain, surroundings or a survey that is a point cloud or a table: how it is read.
+    CloudRequest read = {};
+    /// Of a survey: what its file holds; unset: it was never looked at.
+    std::optional<SurveyKind> kind = std::nullopt;
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 

@@ -156,7 +156,19 @@ json inputJson(const CaseInput& input) {
     if (input.instant) {
         object["instant_s"] = jsonNumber(*input.instant);
     }
+    putCloudRequest(object, input.read);
+    if (input.kind) {
+        object["holds"] = std::string(surveyKindNames[static_cast<std::size_t>(*input.kind)]);
+    }
     return object;
+}
+
+SurveyKind kindFrom(const JsonCursor& value) {
+    const auto found = std::find(surveyKindNames.begin(), surveyKindNames.end(), value.text());
+    if (found == surveyKindNames.end()) {
+        value.fail("heights, cloud or outline");
+    }
+    return static_cast<SurveyKind>(found - surveyKindNames.begin());
 }
 
 std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) {
@@ -172,7 +184,8 @@ std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) 
 
 CaseInput inputFrom(const JsonCursor& object) {
     object.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m",
-                      "ground_noise_m", "offset_error_m", "registration", "taken", "before_collapse", "instant_s"});
+                      "ground_noise_m", "offset_error_m", "registration", "taken", "before_collapse", "instant_s", "crs", "columns",
+                      "holds"});
     CaseInput input{object["id"].text(), roleFrom(object["role"]), object["path"].text(), object["sha256"].text()};
     if (object.has("shows_fallen")) {
         input.showsFallen = object["shows_fallen"].flag();
@@ -198,6 +211,10 @@ CaseInput inputFrom(const JsonCursor& object) {
     input.before = object.has("before_collapse") && object["before_collapse"].flag();
     if (object.has("instant_s")) {
         input.instant = object["instant_s"].number();
+    }
+    input.read = cloudRequestFromJson(object);
+    if (object.has("holds")) {
+        input.kind = kindFrom(object["holds"]);
     }
     return input;
 }

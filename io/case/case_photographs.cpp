@@ -58,16 +58,17 @@ std::optional<std::string> addPhotograph(Case& theCase, const std::string& caseP
 
 AddedPhotographs addPhotographsOfCloud(Case& theCase, const std::string& casePath, const std::string& cloud, const Frame& frame,
                                        Findings& findings, const Execution& execution) {
-    std::optional<Registration> placed;
+    CaseInput stated;
     std::error_code ignored;
     for (const CaseInput& input : theCase.inputs) {
         if (input.role == InputRole::Survey && fs::equivalent(inputPath(casePath, input), cloud, ignored)) {
-            placed = input.registration;
+            stated = input;
         }
     }
     AddedPhotographs added;
     const fs::path beside = fs::absolute(casePath).parent_path() / (fs::path(cloud).filename().string() + "-photographs");
-    const std::vector<PlacedPhotograph> pictures = placedPhotographs(cloud, frame, theCase.site, placed, findings, execution);
+    const std::vector<PlacedPhotograph> pictures =
+        placedPhotographs(cloud, stated.read, frame, theCase.site, stated.registration, findings, execution);
     Case grown = theCase;
     added.written = std::make_shared<WrittenPictures>();
     const Message adding{"cloud.photographs_adding", "Adding photographs of the cloud", {}};

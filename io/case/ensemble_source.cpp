@@ -25,6 +25,7 @@ void addScene(EnsembleSource& source, const OpenedCase& opened, const std::strin
     source.scenes.push_back({id, opened.scenarioName, opened.inputs, opened.scenario});
     source.theCase = opened.theCase;
     source.frame = opened.inputs.frame;
+    source.terrainRead = opened.terrain.read;
     source.files.insert(source.files.end(), opened.files.begin(), opened.files.end());
     source.findings.append(openingFindings(opened));
     const RunOrigin origin = originOf(opened);

@@ -26,7 +26,8 @@ struct EnsembleSource {
     std::string fePath;              ///< of the first scene, absolute
     std::vector<std::string> files;  ///< everything that was read: never written over
     Frame frame;
-    Findings findings;  ///< of what was read
+    CloudRequest terrainRead;  ///< of a terrain that is a point cloud
+    Findings findings;         ///< of what was read
 };
 
 /// Ids or names of the scenarios that members are drawn from, each once; empty: the scenario is not varied.

@@ -165,6 +165,7 @@ private:
             std::erase_if(framed.inputs, [](const CaseInput& input) { return input.role == InputRole::Terrain; });
             framed.inputs.push_back({"terrain", InputRole::Terrain, absolutePlace(*m_request.terrain), {}});
         }
+        stateTerrain(framed);
         m_opened.terrain = openSiteOfCase(framed, m_opened.base, m_opened.inputs.fe->mesh(), m_execution);
         m_opened.inputs.terrain = m_opened.terrain.grid;
         if (m_opened.terrain.grid) {
@@ -172,6 +173,19 @@ private:
         }
         for (const SiteFile& file : m_opened.terrain.files) {
             m_opened.files.push_back(file.path);
+        }
+    }
+
+    void stateTerrain(Case& framed) const {
+        const CloudRequest& asked = m_request.terrainRead;
+        const auto terrain = std::find_if(framed.inputs.begin(), framed.inputs.end(),
+                                          [](const CaseInput& input) { return input.role == InputRole::Terrain; });
+        if (terrain != framed.inputs.end()) {
+            terrain->read.crs = asked.crs.empty() ? terrain->read.crs : asked.crs;
+            terrain->read.columns = asked.columns.empty() ? terrain->read.columns : asked.columns;
+        } else if (!asked.empty()) {
+            throw UsageError({"case.no_terrain_to_read", "Columns or a system are stated of a terrain, and there is none", {}},
+                             {"case.no_terrain_to_read.remedy", "Give the terrain as well, or leave them out.", {}});
         }
     }
 

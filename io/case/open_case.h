@@ -32,6 +32,7 @@ struct CaseRequest {
     /// Keys and texts as setParameterText() takes them, applied to the scenario in this order.
     std::vector<std::pair<std::string, std::string>> settings;
     std::optional<std::string> terrain;                       ///< file in place of the terrain of the case; surroundings stay
+    CloudRequest terrainRead;                                 ///< of a terrain that is a cloud, in place of what the case states
     std::optional<std::vector<std::uint16_t>> groundClasses;  ///< in place of those of the site of the case
     std::optional<Vec3> meshOffset;                           ///< m, in place of the offsets of all surroundings of the case
     bool cached = false;                                      ///< FE results through compressed copies in the cache folder

@@ -57,8 +57,8 @@ public:
                 continue;
             }
             const auto read = [&](const std::string& path) {
-                SiteMeshReading reading =
-                    readSiteMesh(path, m_case.frame, m_case.site, m_execution, {input.offset, SiteWindow(m_bounds, m_terrain)});
+                SiteMeshReading reading = readSiteMesh(path, m_case.frame, m_case.site, m_execution,
+                                                       {input.offset, SiteWindow(m_bounds, m_terrain), input.read});
                 site.findings.append(reading.findings);
                 meshes->push_back(std::move(reading.mesh));
                 return reading.offset;
@@ -104,7 +104,7 @@ private:
     }
     void note(TerrainInput& site, const CaseInput& input, const std::string& path, const Vec3& offset) const {
         const InputDigest digest = digestOfInput(path, input.role, m_execution);
-        site.files.push_back({input.id, path, digest.sha256, offset, digest.fileSha256});
+        site.files.push_back({input.id, path, digest.sha256, offset, digest.fileSha256, input.read});
         if (!input.sha256.empty() && !digest.is(input.sha256)) {
             site.findings.add({"case.site_changed", "the file is not the one the case was saved with", {}},
                               {"case.site_changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}},
@@ -149,18 +149,19 @@ std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std
                                                  const Frame& frame, const Site& site, const Execution& execution) {
     std::vector<SiteMesh> read;
     for (const RecordedInput& mesh : meshes) {
-        read.push_back(readSiteMesh(mesh.path, frame, site, execution, {mesh.offset, SiteWindow()}).mesh);
+        read.push_back(readSiteMesh(mesh.path, frame, site, execution, {mesh.offset, SiteWindow(), mesh.read}).mesh);
     }
     return terrainUnder(terrain, read, raisedCell, terrainNodesMax, execution);
 }
 
 void recordSite(RunOrigin& origin, const TerrainInput& input, const Site& site) {
     origin.site = site;
+    origin.terrainRead = input.read;
     origin.site.collide = input.collided;
     origin.surroundings.clear();
     for (const SiteFile& file : input.files) {
         if (input.collided && file.input != input.orthophotoInput) {
-            origin.surroundings.push_back({file.path, file.sha256, file.offset});
+            origin.surroundings.push_back({file.path, file.sha256, file.offset, file.read});
         }
     }
 }

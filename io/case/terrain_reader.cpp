@@ -244,12 +244,13 @@ const CaseInput* firstOf(const Case& theCase, InputRole role, std::int64_t& coun
 }  // namespace
 
 TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution,
-                         const Site& site) {
+                         const Site& site, const CloudRequest& read) {
     checkTerrain(path);
     execution.check();
-    HeightReading heights = isMeshPath(path) && !isPlyOfPoints(path)
-                                ? heightsOfMesh(path, frame, site, execution)
-                                : readHeights(path, frame, site, around, execution, {.alongAxes = true}, HeightReach::Whole);
+    HeightReading heights =
+        isMeshPath(path) && !isPlyOfPoints(path)
+            ? heightsOfMesh(path, frame, site, execution)
+            : readHeights(path, frame, site, around, execution, {.alongAxes = true, .read = read}, HeightReach::Whole);
     if (heights.debrisMap) {
         throw ParseError(
             {"terrain.debris_map", "{0} is a debris map: its heights are above the ground, not those of a ground", {path}},
@@ -257,6 +258,7 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
     }
     TerrainInput terrain = TerrainReading(path, around, std::move(heights), execution).read();
     terrain.fit = SitePlace(frame, site).fit();
+    terrain.read = read;
     return terrain;
 }
 
@@ -268,7 +270,8 @@ TerrainInput openTerrainOfCase(const Case& theCase, const std::string& casePath,
         none.fit = SitePlace(theCase.frame, theCase.site).fit();
         return none;
     }
-    TerrainInput terrain = openTerrain(inputPath(casePath, *first), theCase.frame, boundsAtRest(fe), execution, theCase.site);
+    TerrainInput terrain =
+        openTerrain(inputPath(casePath, *first), theCase.frame, boundsAtRest(fe), execution, theCase.site, first->read);
     if (terrains > 1) {
         terrain.findings.add({"case.terrains", "the case has {0} terrains; the first is used", {terrains}},
                              {"case.terrains.remedy", "keep one, or merge them into one raster", {}}, terrain.path, terrains);

@@ -22,12 +22,14 @@ struct SiteFile {
     std::string sha256;
     Vec3 offset = Vec3::Zero();  ///< m, added to the coordinates of a mesh
     std::string fileSha256{};    ///< of the file alone, without what lies beside it
+    CloudRequest read = {};      ///< of a cloud
 };
 
 /// A terrain as it was read, where it came from, and what stands on it.
 struct TerrainInput {
     std::shared_ptr<const TerrainGrid> grid;  ///< null: none was given
     std::string path;
+    CloudRequest read;           ///< of a cloud
     std::string sha256;          ///< of the file and what lies beside it (digestOfInput()), hex
     std::string fileSha256;      ///< of the file alone
     std::string crs;             ///< name of its coordinate reference system, empty if it states none
@@ -49,10 +51,11 @@ struct TerrainInput {
 /// every such liberty is a counted finding. Around it all of the raster is read on the same nodes, as much as a terrain may have;
 /// that changes no height within the window.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
+/// @param read    of a point cloud
 /// Throws WorldError (cannot be read), ParseError (no terrain, too few heights, elsewhere than the structure, degrees in a case
 /// without a coordinate system), UsageError (control points in one place), Cancelled; each names file, place and remedy.
 TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution,
-                         const Site& site = Site());
+                         const Site& site = Site(), const CloudRequest& read = {});
 
 /// The terrain of a case: its first input of that role, around its FE result. Without grid if it has none. A second terrain and a
 /// file with another SHA-256 than the case keeps are findings. Throws as openTerrain().

@@ -143,9 +143,7 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
         ReportSurvey survey;
         survey.name = fs::path(input.path).filename().string();
         attempt(survey.problem, [&] {
-            SurveyRequest wanted;
-            wanted.ground = surveyGround(request.run->origin(), request.terrainPath);
-            wanted.registration = input.registration;
+            const SurveyRequest wanted = surveyRequest(request.run->origin(), input, request.terrainPath);
             checkShowsDebris(input);
             Site site = request.theCase->site;
             site.groundClasses = request.run->origin().site.groundClasses;

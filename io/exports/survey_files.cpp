@@ -45,13 +45,18 @@ std::vector<double> northUp(const CellGrid& grid) {
 
 }  // namespace
 
-std::string surveyGround(const RunOrigin& origin, const std::string& given) {
-    const std::string path = given.empty() ? origin.terrainPath : given;
+SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, const std::string& terrain) {
+    const std::string path = terrain.empty() ? origin.terrainPath : terrain;
     std::error_code ignored;
     const bool same = !origin.terrainPath.empty() && origin.surroundings.empty() &&
                       std::filesystem::is_regular_file(path, ignored) &&
                       digestOfInput(path, InputRole::Terrain, Execution()).is(origin.terrainSha256);
-    return same ? path : std::string();
+    SurveyRequest request;
+    request.ground = same ? path : std::string();
+    request.groundRead = origin.terrainRead;
+    request.registration = stated.registration;
+    request.read = stated.read;
+    return request;
 }
 
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey) {

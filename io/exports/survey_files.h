@@ -3,14 +3,16 @@
 #include <string>
 
 #include "core/evidence/surveys/survey_comparison.h"
+#include "core/scenario/case.h"
 #include "io/exports/map_files.h"
 #include "io/site/survey_file.h"
 
 namespace rubble::io {
 
-/// The terrain that a run fell on, for SurveyRequest::ground; empty if it had none, if surroundings raised it, or if the file is
-/// not that one any more. @param given  where the file is now; empty: where the run says
-std::string surveyGround(const RunOrigin& origin, const std::string& given = {});
+/// A survey against a run: as the case states it, above the terrain that the run fell on. Heights are taken above the nodes of the
+/// terrain if the run had none, if surroundings raised it, or if the file is not that one any more.
+/// @param terrain  where the file is now; empty: where the run says
+SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, const std::string& terrain = {});
 
 /// What a comparison with a survey was made from, as every file of it says.
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey);

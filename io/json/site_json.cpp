@@ -42,4 +42,26 @@ Site siteFromJson(const JsonCursor& object) {
     return site;
 }
 
+void putCloudRequest(nlohmann::json& object, const CloudRequest& read, const std::string& of) {
+    if (!read.crs.empty()) {
+        object[of + "crs"] = read.crs;
+    }
+    if (!read.columns.empty()) {
+        object[of + "columns"] = read.columns;
+    }
+}
+
+CloudRequest cloudRequestFromJson(const JsonCursor& object, const std::string& of) {
+    CloudRequest read;
+    if (object.has(of + "crs")) {
+        read.crs = object[of + "crs"].text();
+    }
+    if (object.has(of + "columns")) {
+        for (const JsonCursor& column : object[of + "columns"].elements()) {
+            read.columns.push_back(column.text());
+        }
+    }
+    return read;
+}
+
 }  // namespace rubble::io

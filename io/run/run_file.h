@@ -14,6 +14,7 @@ struct RecordedInput {
     std::string path;  ///< absolute
     std::string sha256;
     Vec3 offset = Vec3::Zero();  ///< m, added to the coordinates of a mesh
+    CloudRequest read = {};      ///< of a point cloud
 };
 
 /// Where a run came from, kept inside the run file so that it can be verified and exported later.
@@ -22,6 +23,7 @@ struct RunOrigin {
     std::string feSha256;
     std::string terrainPath;  ///< absolute; empty if the run had none
     std::string terrainSha256;
+    CloudRequest terrainRead;                 ///< of a terrain that is a point cloud
     Site site;                                ///< how it was brought to the local frame
     std::vector<RecordedInput> surroundings;  ///< that debris fell on as well
     Frame frame;

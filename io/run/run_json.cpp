@@ -220,6 +220,7 @@ json originJson(const RunOrigin& origin) {
     if (!origin.terrainPath.empty()) {
         object["terrain_path"] = origin.terrainPath;
         object["terrain_sha256"] = origin.terrainSha256;
+        putCloudRequest(object, origin.terrainRead, "terrain_");
     }
     if (!(origin.site == Site())) {
         object["site"] = siteJson(origin.site);
@@ -229,6 +230,7 @@ json originJson(const RunOrigin& origin) {
         if (mesh.offset != Vec3::Zero()) {
             object["surroundings"].back()["offset_m"] = jsonVector(mesh.offset);
         }
+        putCloudRequest(object["surroundings"].back(), mesh.read);
     }
     object["frame"] = frameJson(origin.frame);
     object["scenario_name"] = origin.scenarioName;
@@ -245,6 +247,7 @@ RunOrigin originFromJson(const JsonCursor& object) {
     if (object.has("terrain_path")) {
         origin.terrainPath = object["terrain_path"].text();
         origin.terrainSha256 = object["terrain_sha256"].text();
+        origin.terrainRead = cloudRequestFromJson(object, "terrain_");
     }
     if (object.has("site")) {
         origin.site = siteFromJson(object["site"]);
@@ -255,6 +258,7 @@ RunOrigin originFromJson(const JsonCursor& object) {
             if (mesh.has("offset_m")) {
                 origin.surroundings.back().offset = mesh["offset_m"].vector();
             }
+            origin.surroundings.back().read = cloudRequestFromJson(mesh);
         }
     }
     origin.frame = frameFromJson(object["frame"]);

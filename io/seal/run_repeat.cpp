@@ -76,8 +76,8 @@ Inputs openRunInputs(const RunOrigin& origin, Findings& place, Findings& terrain
     inputs.frame = inputs.fe->contents().frame;
     place.append(checkPlace(inputs.frame, origin.site));
     if (!origin.terrainPath.empty()) {
-        const TerrainInput read =
-            openTerrain(origin.terrainPath, inputs.frame, boundsAtRest(inputs.fe->mesh()), execution, origin.site);
+        const TerrainInput read = openTerrain(origin.terrainPath, inputs.frame, boundsAtRest(inputs.fe->mesh()), execution,
+                                              origin.site, origin.terrainRead);
         inputs.terrain = read.grid;
         terrain.append(read.findings);
         if (!origin.surroundings.empty()) {

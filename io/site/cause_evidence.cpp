@@ -24,7 +24,9 @@ SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site,
     request.aboveGround = file.kind == EvidenceFile::Kind::Heights;
     request.withFallen = settings.withFallen;
     request.ground = site.groundFile;
+    request.groundRead = site.groundRead;
     request.registration = stated.registration;
+    request.read = stated.read;
     const SurveyInput survey = readSurvey(file.path, site.frame, site.site, Aabb(), execution, request);
     findings.append(survey.findings);
     return surfaceEvidence(survey, stated, settings.cell, site.ground, execution);

@@ -30,7 +30,8 @@ struct EvidenceSite {
     Frame frame;
     Site site;
     SiteSurface ground;
-    std::string groundFile = {};  ///< that the ground was read from; empty: heights are taken above its nodes
+    std::string groundFile = {};   ///< that the ground was read from; empty: heights are taken above its nodes
+    CloudRequest groundRead = {};  ///< of a ground that is a point cloud
 };
 
 /// Reads a file of evidence, as a survey is read, onto the cells of the ensembles. What is assumed or left out is added to the

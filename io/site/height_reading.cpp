@@ -566,7 +566,8 @@ HeightReading Reading::read() {
 
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const SiteWindow& window,
                           const Execution& execution, const HeightMeaning& meaning, HeightReach reach) {
-    const HeightSource source(path, meaning.surface ? CloudPart::Surface : CloudPart::Ground, frame, site, window, execution);
+    const HeightSource source(path, meaning.surface ? CloudPart::Surface : CloudPart::Ground, meaning.read, frame, site, window,
+                              execution);
     bool alive = false;
     bool windowOnly = false;
     {

@@ -7,6 +7,7 @@
 #include "core/base/finding.h"
 #include "core/fe/raster_lattice.h"
 #include "core/fe/terrain_grid.h"
+#include "core/scenario/cloud_request.h"
 #include "io/site/height_raster.h"
 #include "io/site/site_place.h"
 
@@ -24,6 +25,7 @@ struct HeightMeaning {
     bool alongAxes = false;
     /// Of a point cloud all that stands there counts but vegetation; else its ground alone, where it knows any.
     bool surface = false;
+    CloudRequest read = {};  ///< of a point cloud
 };
 
 /// What a file holds around the window about the structure.

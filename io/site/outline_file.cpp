@@ -226,14 +226,25 @@ private:
     OutlineReading m_result;
 };
 
+/// Null: the file is of none of the formats, or has no layer.
+GDALDatasetUniquePtr openedOutline(const std::string& path) {
+    GDALDatasetUniquePtr file(GDALDataset::FromHandle(
+        GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, outlineFormats.data(), nullptr, nullptr)));
+    return file && file->GetLayerCount() > 0 ? std::move(file) : nullptr;
+}
+
 }  // namespace
+
+bool holdsOutline(const std::string& path) {
+    const GdalSession session;
+    return openedOutline(path) != nullptr;
+}
 
 std::optional<OutlineReading> readOutline(const std::string& path, const Frame& frame, const Site& site, bool withFallen,
                                           const Execution& execution) {
     const GdalSession session;
-    const GDALDatasetUniquePtr file(GDALDataset::FromHandle(
-        GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, outlineFormats.data(), nullptr, nullptr)));
-    if (!file || file->GetLayerCount() < 1) {
+    const GDALDatasetUniquePtr file = openedOutline(path);
+    if (!file) {
         return std::nullopt;
     }
     return PolygonReading(path, frame, site, withFallen, execution).read(*file);

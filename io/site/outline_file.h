@@ -31,4 +31,7 @@ struct OutlineReading {
 std::optional<OutlineReading> readOutline(const std::string& path, const Frame& frame, const Site& site, bool withFallen,
                                           const Execution& execution);
 
+/// Whether readOutline() takes a file as one of these formats, whatever is in it.
+bool holdsOutline(const std::string& path);
+
 }  // namespace rubble::io

@@ -64,11 +64,11 @@ bool plyOfPoints(const std::string& path) {
     return line.starts_with("end_header");
 }
 
-bool isCloudOfSurroundings(const std::string& path) {
+bool isCloudOfSurroundings(const std::string& path, const CloudRequest& read) {
     if (hasEnding(path, ".ply")) {
         return plyOfPoints(path);
     }
-    return !isMeshPath(path) && !hasEnding(path, ".gltf") && !hasEnding(path, ".glb") && holdsCloud(path);
+    return !isMeshPath(path) && !hasEnding(path, ".gltf") && !hasEnding(path, ".glb") && holdsCloud(path, read);
 }
 
 /// The surface of a point cloud as a mesh: two triangles to each cell of its grid, none where points are missing.
@@ -121,8 +121,8 @@ private:
 
 SiteMeshReading readCloudSurface(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
                                  const SiteMeshRequest& request) {
-    HeightReading read = readHeights(path, frame, site, request.around.structure, execution, {.alongAxes = true, .surface = true},
-                                     HeightReach::Window);
+    HeightReading read = readHeights(path, frame, site, request.around.structure, execution,
+                                     {.alongAxes = true, .surface = true, .read = request.read}, HeightReach::Window);
     SiteMeshReading made;
     made.findings = std::move(read.findings);
     made.mesh.name = fs::path(path).filename().string();
@@ -299,7 +299,7 @@ SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const 
                              const SiteMeshRequest& request) {
     checkMeshFile(path);
     execution.check();
-    if (isCloudOfSurroundings(path)) {
+    if (isCloudOfSurroundings(path, request.read)) {
         return readCloudSurface(path, frame, site, execution, request);
     }
     MeshPlacing placing(path, frame, site, request.around, readRawMesh(path, execution));

@@ -7,6 +7,7 @@
 #include "core/base/finding.h"
 #include "core/fe/frame.h"
 #include "core/fe/site_mesh.h"
+#include "core/scenario/cloud_request.h"
 #include "core/scenario/site.h"
 #include "io/site/site_place.h"
 
@@ -18,6 +19,7 @@ struct SiteMeshRequest {
     std::optional<Vec3> offset;
     /// Where it has to lie, at least in part; a point cloud is read about the structure alone. Whole: anywhere.
     SiteWindow around;
+    CloudRequest read = {};  ///< of a point cloud
 };
 
 /// A mesh of the surroundings as it was read.

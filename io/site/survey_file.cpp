@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/site/clouds/height_source.h"
 #include "io/site/height_reading.h"
 #include "io/site/input_files.h"
 #include "io/site/outline_file.h"
@@ -78,6 +79,9 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     if (request.holds != SurveyRequest::Holds::Heights) {
         outline = readOutline(path, frame, site, request.withFallen, execution);
     }
+    if (outline && !request.read.empty()) {
+        refuseRequestOfNoCloud(path);
+    }
     if (outline) {
         takeOutline(input, std::move(*outline), request);
     } else if (request.holds == SurveyRequest::Holds::Outline) {
@@ -88,13 +92,15 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
         if (request.registration) {
             unmoved = {boxBack(*request.registration, window.structure), boxBack(*request.registration, window.debris)};
         }
-        takeHeights(input,
-                    readHeights(path, frame, site, unmoved, execution,
-                                {.aboveGround = request.aboveGround, .withFallen = request.withFallen, .surface = true}),
-                    request);
+        takeHeights(
+            input,
+            readHeights(
+                path, frame, site, unmoved, execution,
+                {.aboveGround = request.aboveGround, .withFallen = request.withFallen, .surface = true, .read = request.read}),
+            request);
         if (!request.ground.empty() && !input.survey.heights.aboveGround) {
             // What it takes liberties with is told where the terrain is opened.
-            HeightReading ground = readHeights(request.ground, frame, site, window, execution);
+            HeightReading ground = readHeights(request.ground, frame, site, window, execution, {.read = request.groundRead});
             SurveyHeights& own = input.survey.ground.emplace();
             static_cast<HeightGrid&>(own) = std::move(ground.raster);
             own.lattice = std::move(ground.lattice);

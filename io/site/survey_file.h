@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/evidence/surveys/survey.h"
 #include "core/fe/frame.h"
+#include "core/scenario/cloud_request.h"
 #include "core/scenario/registration.h"
 #include "core/scenario/site.h"
 #include "io/site/site_place.h"
@@ -34,6 +35,8 @@ struct SurveyRequest {
     /// the terrain.
     std::string ground = {};
     std::optional<Registration> registration = {};  ///< by which it is moved once its coordinates were brought to the case
+    CloudRequest read = {};                         ///< of a survey that is a point cloud
+    CloudRequest groundRead = {};                   ///< of a ground that is one
 };
 
 /// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris

@@ -104,7 +104,8 @@ std::vector<double> RasterFile::values(const RasterWindow& window, const Executi
 void RasterFile::checkWay(const std::string&, const Eigen::Vector2d&, Findings&) const {}
 
 // No file is a cloud where heights are wanted.
-HeightSource::HeightSource(const std::string& path, CloudPart, const Frame&, const Site&, const SiteWindow&, const Execution&)
+HeightSource::HeightSource(const std::string& path, CloudPart, const CloudRequest&, const Frame&, const Site&, const SiteWindow&,
+                           const Execution&)
     : m_path(path) {}
 
 GdalMemoryFile::~GdalMemoryFile() = default;

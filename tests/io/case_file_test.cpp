@@ -506,6 +506,8 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     survey.offsetError = 0.03;
     survey.taken = "2021-06-25 16:30:00";
     survey.instant = 2.25;
+    survey.read = {"EPSG:25832", {"skip", "y", "x", "z", "skip"}};
+    survey.kind = SurveyKind::Cloud;
     Registration& registration = survey.registration.emplace();
     registration.turn = Vec3(0.01, -0.02, 1.5);
     registration.about = Vec3(3.0, 4.0, 0.5);
@@ -540,6 +542,7 @@ TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
     EXPECT_NE(refused("\"error_m\": 0.02", "\"error_m\": -1").find("/inputs/1/registration/error_m"), std::string::npos);
     EXPECT_NE(refused("\"control_error_m\": 0.015", "\"control_error_m\": -1").find("registration/control_error_m"),
               std::string::npos);
+    EXPECT_NE(refused("\"holds\": \"cloud\"", "\"holds\": \"a heap\"").find("/inputs/1/holds"), std::string::npos);
     EXPECT_NE(refused("2021-06-25 16:30:00", "2021-06-31 16:30:00").find("/inputs/1/taken"), std::string::npos);
     EXPECT_NE(refused("2021-06-26 08:00:00", "then").find("/removals/0/time"), std::string::npos);
     EXPECT_NE(refused("\"area_m\": [", "\"area_m\": [[[[0, 0], [1, 1]]],").find("/inputs/1/area_m/0/0"), std::string::npos);

@@ -182,6 +182,8 @@ Command accuracyCommand() {
         cachedOption(),
         terrainOption(),
         groundClassOption(),
+        columnsOption(terrainColumns),
+        systemOption(terrainSystem),
         meshOffsetOption(),
         {"--multiples", "A,B", false,
          "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4); empty: the grid as set"},

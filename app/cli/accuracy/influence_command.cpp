@@ -80,6 +80,8 @@ Command influenceCommand() {
         cachedOption(),
         terrainOption(),
         groundClassOption(),
+        columnsOption(terrainColumns),
+        systemOption(terrainSystem),
         meshOffsetOption(),
         {"--effects", "A,B", false, "these only (default: all), by the names that `effects` lists"},
     };

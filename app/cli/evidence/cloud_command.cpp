@@ -106,15 +106,6 @@ std::vector<std::string> writePhotographs(const Arguments& arguments, const io::
     return paths;
 }
 
-io::CloudRequest cloudRequestFrom(const Arguments& arguments) {
-    io::CloudRequest request;
-    request.crs = arguments.value("--crs").value_or("");
-    if (const auto columns = arguments.value("--columns")) {
-        request.columns = splitAtCommas(*columns);
-    }
-    return request;
-}
-
 /// Options that ask for distances, and mean nothing without another cloud.
 constexpr std::array<std::string_view, 19> distanceOptions{"--case",
                                                            "--pairs",
@@ -221,7 +212,6 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     io::RunDistanceRequest request;
     request.cloud = arguments.operand();
     request.run = path;
-    request.read = cloudRequestFrom(arguments);
     request.site = run.origin().site;
     request.scanners = scannersFrom(arguments);
     request.settings = distanceSettingsFrom(arguments);
@@ -232,6 +222,8 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     Findings findings;
     const CaseInput stated = statedOfCloud(arguments, run.origin(), findings);
     request.placed = stated.registration;
+    request.read = stated.read;
+    takeCloudRequest(arguments, request.read);
     if (!request.settings.registrationError && !arguments.has("--fit") && !arguments.has("--pairs")) {
         request.settings.registrationError = stated.offsetError;
     }
@@ -303,7 +295,7 @@ ExitCode compareCloud(const Arguments& arguments, Session& session) {
     request.first = arguments.operand();
     request.second = against;
     request.cores = arguments.value("--cores").value_or("");
-    request.read = cloudRequestFrom(arguments);
+    takeCloudRequest(arguments, request.read);
     request.pairs = arguments.value("--pairs").value_or("");
     request.control = pairsErrorFrom(arguments);
     request.metres = arguments.has("--metres");
@@ -342,7 +334,8 @@ ExitCode tellCloud(const Arguments& arguments, Session& session) {
     }
     const std::vector<std::string> inputs{arguments.operand()};
     checkCsvPath(arguments, inputs);
-    const io::CloudRequest request = cloudRequestFrom(arguments);
+    CloudRequest request;
+    takeCloudRequest(arguments, request);
     const std::unique_ptr<io::PointCloud> cloud = io::openCloud(arguments.operand(), request);
     std::optional<io::OpenedOctree> index;
     const auto from = std::chrono::steady_clock::now();
@@ -376,8 +369,8 @@ Command cloudCommand() {
         "Reads every point of a LAS, LAZ, E57, PLY, PCD, PTX, PTS or table of text, and tells format, points, bounds in the "
         "numbers of the file and in metres, system, units, classes and scans, and what was left out and why. With --against it "
         "measures the distance to another cloud or to a run, with roughness and level of detection at 95 %.",
-        {{"--crs", "SYSTEM", false, "coordinate system of a cloud that names none: EPSG code, WKT or PROJ"},
-         {"--columns", "LIST", false, "columns of a table without a heading, such as x,y,z,intensity,red,green,blue,class,skip"},
+        {systemOption(),
+         columnsOption(),
          {"--photographs", "FOLDER", false, "write the pictures that lie in an E57"},
          {"--index", "", false,
           "make an octree beside the cloud, or in the cache folder where that cannot be written to, for views by level of detail; "

@@ -18,6 +18,7 @@
 #include "io/case/case_file.h"
 #include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
+#include "io/site/clouds/height_source.h"
 #include "io/site/input_files.h"
 
 namespace rubble::cli {
@@ -101,12 +102,23 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
     const EnsembleScene& scene = first.scenes.front();
     io::EvidenceSite site{first.frame, first.theCase.site, {true, scene.scenario.simulation.groundHeight, scene.inputs.terrain}};
     site.groundFile = io::evidenceGround(first);
+    site.groundRead = first.terrainRead;
     const SurveyScope given = scopeFrom(arguments, first.frame, first.theCase.site, findings, session.execution());
+    bool read = !arguments.has("--columns") && !arguments.has("--crs");
     for (const io::EvidenceFile& file : against.files) {
-        const CaseInput stated = io::statedOfFile(first.theCase, arguments.operand(), file.path, given, findings);
+        CaseInput stated = io::statedOfFile(first.theCase, arguments.operand(), file.path, given, findings);
+        CloudRequest asked = stated.read;
+        takeCloudRequest(arguments, asked);
+        if (!(asked == stated.read) && io::holdsCloud(file.path, asked)) {
+            stated.read = asked;
+            read = true;
+        }
         evidence.surfaces.push_back(io::readEvidence(file, site, stated, request.surface(), findings, session.execution()));
         first.inputs.push_back(
             {"evidence", file.path, io::digestOfInput(file.path, InputRole::Survey, session.execution()).sha256});
+    }
+    if (!read && !against.files.empty()) {
+        io::refuseRequestOfNoCloud(against.files.front().path);
     }
     if (against.photographs) {
         if (request.instant() != DebrisInstant::AtRest) {
@@ -472,6 +484,8 @@ Command compareCommand() {
         {"--against", "KIND=FILE", true,
          "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER or point cloud of the surface, "
          "time=SECONDS,X,Y[,RADIUS[,ACCURACY]] at which debris reached a place, or photographs of the first case"},
+        columnsOption(),
+        systemOption(),
         areaOption(),
         leaveOutOption(),
         {"--blind", "", false, "let each member in turn be what was observed, and say how often its cause is found"},
@@ -491,6 +505,8 @@ Command compareCommand() {
     options.push_back(cachedOption());
     options.push_back(terrainOption());
     options.push_back(groundClassOption());
+    options.push_back(columnsOption(terrainColumns));
+    options.push_back(systemOption(terrainSystem));
     options.push_back(meshOffsetOption());
     options.push_back(csvOption("write the ranking, one row for each cause"));
     return {"compare",

@@ -122,6 +122,8 @@ Command ensembleCommand() {
     options.push_back(cachedOption());
     options.push_back(terrainOption());
     options.push_back(groundClassOption());
+    options.push_back(columnsOption(terrainColumns));
+    options.push_back(systemOption(terrainSystem));
     options.push_back(meshOffsetOption());
     options.push_back(csvOption("write one row for each member"));
     return {

@@ -7,6 +7,7 @@
 #include "app/cli/evidence/placed_survey.h"
 #include "app/cli/evidence/scanned_site.h"
 #include "app/cli/exports/map_subject.h"
+#include "app/cli/frame/commands.h"
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/subject.h"
@@ -17,6 +18,7 @@
 #include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/site/clouds/height_source.h"
+#include "io/site/clouds/point_cloud.h"
 #include "io/site/survey_file.h"
 #include "io/site/surveys/survey_registration.h"
 
@@ -25,8 +27,9 @@ namespace rubble::cli {
 namespace {
 
 /// Options that say something of a survey.
-constexpr std::array<std::string_view, 9> surveyOptions{
-    "--pairs", "--pairs-error", "--fit", "--registration-error", "--unregister", "--taken", "--instant", "--before", "--crs"};
+constexpr std::array<std::string_view, 10> surveyOptions{"--pairs",      "--pairs-error", "--fit",     "--registration-error",
+                                                         "--unregister", "--taken",       "--instant", "--before",
+                                                         "--columns",    "--crs"};
 
 void needs(const Arguments& arguments, std::string_view option, std::string_view other) {
     if (arguments.has(option) && !arguments.has(other)) {
@@ -68,12 +71,10 @@ public:
           m_path(path),
           m_session(session),
           m_findings(findings),
-          m_opened(openSubject(arguments, session)) {
-        m_read.crs = arguments.value("--crs").value_or("");
-    }
+          m_opened(openSubject(arguments, session)) {}
 
     void byPairs() {
-        io::PairsRequest request{m_path, *m_arguments.value("--pairs"), m_read, m_opened.inputs.frame, site(), {}};
+        io::PairsRequest request{m_path, *m_arguments.value("--pairs"), m_survey.read, m_opened.inputs.frame, site(), {}};
         request.around = io::boundsAtRest(m_opened.inputs.fe->mesh());
         request.control = pairsErrorFrom(m_arguments);
         const PairFit fit = io::placeByPairs(request);
@@ -82,7 +83,7 @@ public:
     }
 
     void byFit() {
-        if (!io::holdsCloud(m_path)) {
+        if (!io::holdsCloud(m_path, m_survey.read)) {
             throw UsageError({"cli.fit_no_cloud", "{0} is no point cloud: only points are fitted", {m_path}},
                              {"cli.fit_no_cloud.remedy",
                               "Give pairs, or shift it where it is compared, with rubble-cli survey --register ground.",
@@ -90,7 +91,7 @@ public:
         }
         io::RunDistanceRequest request;
         request.cloud = m_path;
-        request.read = m_read;
+        request.read = m_survey.read;
         request.frame = m_opened.inputs.frame;
         request.site = site();
         request.settings.normalRadius = parseLength(m_arguments, "--radius", 0.0);
@@ -137,12 +138,26 @@ private:
     Session& m_session;
     Findings& m_findings;
     io::OpenedCase m_opened;
-    io::CloudRequest m_read;
 };
+
+/// Keeps how a survey is read once it can be read so. Throws as openCloud().
+void stateReading(CaseInput& survey, const std::string& path) {
+    if (!survey.read.empty()) {
+        io::openCloud(path, survey.read);
+    }
+    survey.kind = io::surveyKindOf(path, survey.read);
+    if (!survey.read.empty() && survey.kind != SurveyKind::Cloud) {
+        io::refuseRequestOfNoCloud(path);
+    }
+}
 
 void changeSurvey(Case& theCase, const Arguments& arguments, Session& session, Findings& findings) {
     const std::string path = *arguments.value("--survey");
     CaseInput& survey = theCase.inputs[io::takeSurvey(theCase, arguments.operand(), path)];
+    if (arguments.has("--columns") || arguments.has("--crs")) {
+        takeCloudRequest(arguments, survey.read);
+        stateReading(survey, path);
+    }
     if (arguments.has("--taken")) {
         survey.taken = clockFrom(arguments, "--taken");
     }
@@ -204,7 +219,8 @@ std::vector<Option> evidenceChangeOptions() {
             scannerOption("for the fit: where a scanner stood, easting, northing and height, m (default: as the cloud says)"),
             {"--registration-error", "M", false, "standard deviation by which a place of it may be off, m (default: as found)"},
             {"--unregister", "", false, "let it lie as its coordinates say"},
-            {"--crs", "SYSTEM", false, "coordinate system of a cloud that names none: EPSG code, WKT or PROJ"},
+            columnsOption(),
+            systemOption(),
             {"--taken", "TIME", false, "when it was taken, by the clock of the site, such as 2021-06-25T16:30"},
             {"--before", "on|off", false, "it was taken before the collapse and shows no debris"},
             {"--instant", "SECONDS", false, "instant that it shows on the file's clock, or end (default: end)"},

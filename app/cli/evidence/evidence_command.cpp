@@ -47,9 +47,7 @@ public:
         }
         Site site = theCase.site;
         site.groundClasses = m_run->origin().site.groundClasses;
-        io::SurveyRequest wanted;
-        wanted.ground = io::surveyGround(m_run->origin(), "");
-        wanted.registration = survey.registration;
+        const io::SurveyRequest wanted = io::surveyRequest(m_run->origin(), survey);
         const io::SiteWindow window(io::boundsAtRest(m_inputs.fe->mesh()), debrisBounds(mapped(), survey.instant));
         const io::SurveyInput input =
             io::readSurvey(io::inputPath(casePath, survey), m_inputs.frame, site, window, execution, wanted);

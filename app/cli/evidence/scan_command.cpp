@@ -244,7 +244,9 @@ Command scanCommand() {
          meshOffsetOption(),
          feOption(),
          {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
-         groundClassOption()},
+         groundClassOption(),
+         columnsOption(terrainColumns),
+         systemOption(terrainSystem)},
         scan};
 }
 

@@ -71,10 +71,12 @@ MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject,
             const CaseInput stated = io::statedOfFile(theCase, casePath, path, {}, findings);
             request.placed = stated.registration;
             request.scope = stated.scope;
+            request.read = stated.read;
             if (io::surveyOfFile(theCase, casePath, path) != nullptr) {
                 instants.insert(stated.instant);
             }
         }
+        takeCloudRequest(arguments, request.read);
         const std::vector<Vec3> places = io::readMeasuredPoints(request, findings, execution);
         all.places.insert(all.places.end(), places.begin(), places.end());
     }
@@ -212,6 +214,8 @@ Command sectionCommand() {
         "of a total station, a drawing or a cloud beside the line against it: heights, differences and areas.",
         {{"--line", "E,N,E,N", false, "easting and northing of both ends, m"},
          {"--points", "FILE", true, "measured points: table of a total station, DXF or point cloud"},
+         columnsOption(),
+         systemOption(),
          {"--width", "M", false, "points within half of it to either side count (default: 1)"},
          {"--step", "M", false, "along the line, what is drawn and summed (default: 0.25)"},
          {"--time", "SECONDS", false, "instant on the file's clock, or end (default: that of the case, else end)"},
@@ -225,6 +229,8 @@ Command sectionCommand() {
          feOption(),
          {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
          groundClassOption(),
+         columnsOption(terrainColumns),
+         systemOption(terrainSystem),
          csvOption("write a row for each step")},
         section};
 }

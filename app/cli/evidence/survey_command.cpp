@@ -376,9 +376,9 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     if (!arguments.has("--time")) {
         time = file.stated.instant;
     }
-    io::SurveyRequest wanted;
-    wanted.registration = file.stated.registration;
-    wanted.ground = io::surveyGround(subject.run->origin(), arguments.value("--terrain").value_or(""));
+    takeCloudRequest(arguments, file.stated.read);
+    const io::SurveyRequest wanted =
+        io::surveyRequest(subject.run->origin(), file.stated, arguments.value("--terrain").value_or(""));
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const io::SiteWindow window(io::boundsAtRest(subject.inputs.fe->mesh()), debrisBounds(mapped, time));
@@ -421,6 +421,8 @@ Command surveyCommand() {
             "of the footprints, volume, run-out by direction, centroids.",
             {{"--survey", "FILE", false,
               "raster of heights, point cloud, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
+             columnsOption(),
+             systemOption(),
              evidenceCaseOption(),
              {"--time", "SECONDS", false, "instant on the file's clock, or end (default: as the case says, else end)"},
              {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
@@ -447,6 +449,8 @@ Command surveyCommand() {
              feOption(),
              {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
              groundClassOption(),
+             columnsOption(terrainColumns),
+             systemOption(terrainSystem),
              csvOption("write the table of directions")},
             survey};
 }

@@ -149,6 +149,8 @@ Command mapCommand() {
     options.push_back(feOption());
     options.push_back({"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"});
     options.push_back(groundClassOption());
+    options.push_back(columnsOption(terrainColumns));
+    options.push_back(systemOption(terrainSystem));
     options.push_back(csvOption("write the table of layers"));
     return {
         "map",

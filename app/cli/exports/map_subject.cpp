@@ -1,5 +1,9 @@
 #include "app/cli/exports/map_subject.h"
 
+#include <array>
+#include <string_view>
+
+#include "app/cli/frame/commands.h"
 #include "app/cli/frame/health_output.h"
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/subject.h"
@@ -13,7 +17,9 @@ namespace rubble::cli {
 namespace {
 
 void refuseSettingsOfRun(const Arguments& arguments) {
-    for (const std::string_view option : {"--set", "--scenario", "--mesh-offset", "--ground-class"}) {
+    constexpr std::array<std::string_view, 6> settings{"--set",          "--scenario",   "--mesh-offset",
+                                                       "--ground-class", terrainColumns, terrainSystem};
+    for (const std::string_view option : settings) {
         if (arguments.has(option)) {
             throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
                              {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});

@@ -54,6 +54,12 @@ Option feOption();
 Option cachedOption();
 Option terrainOption();
 Option groundClassOption();
+/// How a point cloud or a table of points is read, for takeCloudRequest().
+Option columnsOption(std::string_view name = "--columns");
+Option systemOption(std::string_view name = "--crs");
+/// The same of a terrain.
+inline constexpr std::string_view terrainColumns = "--terrain-columns";
+inline constexpr std::string_view terrainSystem = "--terrain-crs";
 Option meshOffsetOption();
 Option runTerrainOption();
 

@@ -95,4 +95,11 @@ bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherw
     return text ? *text == "on" : otherwise;
 }
 
+void takeCloudRequest(const Arguments& arguments, CloudRequest& read, std::string_view columns, std::string_view system) {
+    if (const auto list = arguments.value(columns)) {
+        read.columns = list->empty() ? std::vector<std::string>() : splitAtCommas(*list);
+    }
+    read.crs = arguments.value(system).value_or(read.crs);
+}
+
 }  // namespace rubble::cli

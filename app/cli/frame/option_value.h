@@ -11,6 +11,7 @@
 #include "app/cli/frame/arguments.h"
 #include "core/base/error.h"
 #include "core/base/geometry.h"
+#include "core/scenario/cloud_request.h"
 
 namespace rubble::cli {
 
@@ -44,6 +45,10 @@ std::optional<Vec3> parsePlace(const Arguments& arguments, std::string_view opti
 
 /// Classes of points at commas, 0 to 255; unset if the option was not given.
 std::optional<std::vector<std::uint16_t>> parseClasses(const Arguments& arguments, std::string_view option);
+
+/// Takes how a cloud is read, as far as it was given, in place of what was stated before.
+void takeCloudRequest(const Arguments& arguments, CloudRequest& read, std::string_view columns = "--columns",
+                      std::string_view system = "--crs");
 
 /// Whether an option was given as on or as off; what otherwise holds if it was not given.
 bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise);

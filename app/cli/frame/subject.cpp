@@ -1,5 +1,6 @@
 #include "app/cli/frame/subject.h"
 
+#include "app/cli/frame/commands.h"
 #include "app/cli/frame/option_value.h"
 
 namespace rubble::cli {
@@ -13,6 +14,7 @@ io::CaseRequest caseRequest(const Arguments& arguments, const std::string& path)
     }
     request.terrain = arguments.value("--terrain");
     request.groundClasses = parseClasses(arguments, "--ground-class");
+    takeCloudRequest(arguments, request.terrainRead, terrainColumns, terrainSystem);
     request.meshOffset = parsePlace(arguments, "--mesh-offset");
     request.cached = arguments.has("--cached");
     return request;

@@ -134,6 +134,8 @@ Command dropCommand() {
         "heading of the table names quantity and unit of each column: mass_kg, side_x_m, x_m, vx_m_s, wx_body_rad_s and so on.",
         {terrainOption(),
          groundClassOption(),
+         columnsOption(terrainColumns),
+         systemOption(terrainSystem),
          setOption(),
          {"--apart", "", false, "the bodies never meet: each falls as if it were alone"},
          {"--turn", "", false, "each body is turned at random, anew in every repeat"},

@@ -148,6 +148,8 @@ Command runCommand() {
                                 cachedOption(),
                                 terrainOption(),
                                 groundClassOption(),
+                                columnsOption(terrainColumns),
+                                systemOption(terrainSystem),
                                 meshOffsetOption(),
                                 {"--out", "RUN.h5", false, "keep the run in this file"},
                                 {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},

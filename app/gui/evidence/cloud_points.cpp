@@ -102,8 +102,12 @@ std::optional<PointsWork::Cloud> CloudPoints::cloudOf(const std::string& id) con
     const Inputs& inputs = m_computation.inputs();
     for (const CaseInput& input : m_document.theCase().inputs) {
         if (input.id == id && inputs.fe != nullptr && input.role == InputRole::Survey && isCloud(input)) {
-            return PointsWork::Cloud{id, io::inputPath(m_document.base().toStdString(), input), inputs.frame,
-                                     m_document.theCase().site, input.registration};
+            return PointsWork::Cloud{id,
+                                     io::inputPath(m_document.base().toStdString(), input),
+                                     inputs.frame,
+                                     m_document.theCase().site,
+                                     input.registration,
+                                     input.read};
         }
     }
     return std::nullopt;
@@ -216,6 +220,7 @@ void CloudPoints::measure() {
                                 made->time = site.shape.time;
                                 io::RunDistanceRequest request;
                                 request.cloud = order.cloud.path;
+                                request.read = order.cloud.read;
                                 request.frame = order.cloud.frame;
                                 request.site = order.cloud.site;
                                 request.placed = order.cloud.placed;

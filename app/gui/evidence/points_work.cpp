@@ -229,8 +229,8 @@ void PointsWork::open(const Cloud& wanted) {
     worker.start({Worker::Kind::Open,
                   [made, wanted](const Execution& execution) {
                       made->source = sourceOf(wanted);
-                      made->octree =
-                          std::make_unique<io::PlacedOctree>(wanted.path, wanted.frame, wanted.site, wanted.placed, execution);
+                      made->octree = std::make_unique<io::PlacedOctree>(wanted.path, wanted.read, wanted.frame, wanted.site,
+                                                                        wanted.placed, execution);
                       made->farSites = io::FarSites(*made->octree, execution);
                       made->heights = heightsOf(made->octree->read(0));
                   },

@@ -36,6 +36,7 @@ public:
         Frame frame;
         Site site;
         std::optional<Registration> placed;
+        CloudRequest read = {};
         friend bool operator==(const Cloud&, const Cloud&) = default;
     };
     /// A cloud that is open, and what was read of it.

@@ -72,9 +72,7 @@ void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case
     m_worker.start({Worker::Kind::Study,
                     [made = m_making, path, run, frame, ground, site = theCase.site, survey = order.survey,
                      settings = order.settings, said = order.said](const Execution& execution) mutable {
-                        io::SurveyRequest wanted;
-                        wanted.ground = io::surveyGround(ground);
-                        wanted.registration = survey.registration;
+                        const io::SurveyRequest wanted = io::surveyRequest(ground, survey);
                         checkShowsDebris(survey);
                         site.groundClasses = ground.site.groundClasses;
                         const io::SiteWindow window(io::boundsAtRest(run.fe->mesh()), debrisBounds(run.mapped(), survey.instant));

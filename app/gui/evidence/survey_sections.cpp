@@ -86,9 +86,9 @@ void SurveySections::cutAgain() {
                         const Survey& survey = order.made->input.survey;
                         Findings findings;
                         std::vector<Vec3> measured;
-                        if (!survey.isFootprint && io::holdsCloud(path)) {
-                            measured =
-                                io::readMeasuredPoints({path, {}, frame, site, order.survey.registration}, findings, execution);
+                        if (!survey.isFootprint && io::holdsCloud(path, order.survey.read)) {
+                            measured = io::readMeasuredPoints({path, order.survey.read, frame, site, order.survey.registration},
+                                                              findings, execution);
                         } else if (!survey.isFootprint) {
                             measured = heightsBeside(survey.heights, ground, order.line);
                             takeStep(order.line, survey.heights, findings);

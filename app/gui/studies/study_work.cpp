@@ -56,6 +56,7 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
     const EnsembleScene& scene = first.scenes.front();
     io::EvidenceSite site{first.frame, first.theCase.site, {true, scene.scenario.simulation.groundHeight, scene.inputs.terrain}};
     site.groundFile = io::evidenceGround(first);
+    site.groundRead = first.terrainRead;
     for (const io::EvidenceFile& file : causes.files) {
         execution.check();
         const CaseInput stated = io::statedOfFile(causes.photographed, causes.base, file.path, {}, made.findings);

@@ -80,15 +80,15 @@ private:
 
 class CloudLaying {
 public:
-    CloudLaying(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
-                const Execution& execution)
-        : m_path(path), m_part(part), m_frame(frame), m_site(site), m_window(window), m_execution(execution) {}
+    CloudLaying(const std::string& path, CloudPart part, const CloudRequest& read, const Frame& frame, const Site& site,
+                const SiteWindow& window, const Execution& execution)
+        : m_path(path), m_part(part), m_read(read), m_frame(frame), m_site(site), m_window(window), m_execution(execution) {}
 
     CloudRaster lay() {
         look();
         choose();
         CloudGrid grid = emptyGrid();
-        const std::unique_ptr<PointCloud> cloud = openCloud(m_path);
+        const std::unique_ptr<PointCloud> cloud = openCloud(m_path, m_read);
         CloudBlock block;
         std::int64_t beside = 0;
         while (cloud->next(block, m_execution)) {
@@ -131,7 +131,7 @@ private:
     }
 
     void look() {
-        const std::unique_ptr<PointCloud> cloud = openCloud(m_path);
+        const std::unique_ptr<PointCloud> cloud = openCloud(m_path, m_read);
         const bool classes = cloud->head().columns.classes;
         const CloudSummary summary = summariseCloud(*cloud, m_execution, [&](const CloudBlock& block) {
             for (std::size_t i = 0; i < block.size(); ++i) {
@@ -348,6 +348,7 @@ private:
 
     const std::string& m_path;
     CloudPart m_part;
+    const CloudRequest& m_read;
     const Frame& m_frame;
     const Site& m_site;
     const SiteWindow& m_window;
@@ -365,9 +366,9 @@ private:
 
 }  // namespace
 
-CloudRaster cloudRaster(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
-                        const Execution& execution) {
-    return CloudLaying(path, part, frame, site, window, execution).lay();
+CloudRaster cloudRaster(const std::string& path, CloudPart part, const CloudRequest& read, const Frame& frame, const Site& site,
+                        const SiteWindow& window, const Execution& execution) {
+    return CloudLaying(path, part, read, frame, site, window, execution).lay();
 }
 
 }  // namespace rubble::io

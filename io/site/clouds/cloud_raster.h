@@ -6,6 +6,7 @@
 #include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/fe/frame.h"
+#include "core/scenario/cloud_request.h"
 #include "core/scenario/site.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/site_place.h"
@@ -31,7 +32,7 @@ struct CloudRaster {
 /// The height of a cell is that of a plane through its points and those of its neighbours, at its middle. Spacing and what was left
 /// out are findings. Throws ParseError (no points that count, vegetation alone, places from the centre of the Earth), WorldError,
 /// Cancelled.
-CloudRaster cloudRaster(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
-                        const Execution& execution);
+CloudRaster cloudRaster(const std::string& path, CloudPart part, const CloudRequest& read, const Frame& frame, const Site& site,
+                        const SiteWindow& window, const Execution& execution);
 
 }  // namespace rubble::io

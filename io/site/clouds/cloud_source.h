@@ -2,15 +2,10 @@
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
+#include "core/scenario/cloud_request.h"
 #include "io/site/clouds/cloud_head.h"
 
 namespace rubble::io {
-
-/// How a cloud is to be read.
-struct CloudRequest {
-    std::string crs;                   ///< coordinate system, where the file names none; EPSG code, WKT or PROJ
-    std::vector<std::string> columns;  ///< of a table without a heading: x, y, z, intensity, red, green, blue, class, skip
-};
 
 /// The points of one file as it holds them, for PointCloud to sift.
 class CloudSource {

@@ -14,14 +14,14 @@ namespace rubble::io {
 
 namespace {
 
-/// Whether a file is text that no format of rasters takes.
-bool textWithoutRaster(const std::string& path) {
+bool isText(const std::string& path) {
     std::array<unsigned char, 4096> start{};
     const std::size_t got = CloudFile(path).readSome(0, start.data(), start.size());
-    const bool text = std::none_of(start.data(), start.data() + got, [](unsigned char c) { return c < 9; });
-    if (!text || got == 0) {
-        return false;
-    }
+    return got > 0 && std::none_of(start.data(), start.data() + got, [](unsigned char c) { return c < 9; });
+}
+
+/// Whether no format of rasters takes a file.
+bool isNoRaster(const std::string& path) {
     try {
         const std::scoped_lock lock(nativeLibraries());
         survivesTrial([&] { const RasterFile file(path); });
@@ -31,26 +31,43 @@ bool textWithoutRaster(const std::string& path) {
     return false;
 }
 
-bool opensAsCloud(const std::string& path) {
+/// A file of text as a cloud; null: it is none.
+std::unique_ptr<PointCloud> textAsCloud(const std::string& path, const CloudRequest& read) {
     try {
-        openCloud(path);
-        return true;
+        return openCloud(path, read);
     } catch (const Error&) {
-        return false;  // what is said of it as a raster says more
+        return nullptr;  // what is said of it as a raster says more
     }
+}
+
+/// A table that names its coordinates: a raster of text has three columns as well.
+bool namesPlaces(const PointCloud& cloud) {
+    return cloud.head().format == "table" && cloud.findings().count("cloud.columns_assumed") == 0;
 }
 
 }  // namespace
 
-bool holdsCloud(const std::string& path) {
-    return beginsAsCloud(path) || (textWithoutRaster(path) && opensAsCloud(path));
+bool holdsCloud(const std::string& path, const CloudRequest& read) {
+    if (beginsAsCloud(path) || !isText(path)) {
+        return beginsAsCloud(path);
+    }
+    const std::unique_ptr<PointCloud> cloud = textAsCloud(path, read);
+    return cloud != nullptr && (namesPlaces(*cloud) || isNoRaster(path));
 }
 
-HeightSource::HeightSource(const std::string& path, CloudPart part, const Frame& frame, const Site& site, const SiteWindow& window,
-                           const Execution& execution)
+void refuseRequestOfNoCloud(const std::string& path) {
+    throw UsageError(
+        {"cloud.read_no_cloud", "{0} is no point cloud or table of points: it has no columns, and names its system itself", {path}},
+        {"cloud.read_no_cloud.remedy", "Leave columns and system out, or give a cloud.", {}});
+}
+
+HeightSource::HeightSource(const std::string& path, CloudPart part, const CloudRequest& read, const Frame& frame, const Site& site,
+                           const SiteWindow& window, const Execution& execution)
     : m_path(path) {
-    if (holdsCloud(path)) {
-        m_cloud = cloudRaster(path, part, frame, site, window, execution);
+    if (holdsCloud(path, read)) {
+        m_cloud = cloudRaster(path, part, read, frame, site, window, execution);
+    } else if (!read.empty()) {
+        refuseRequestOfNoCloud(path);
     }
 }
 

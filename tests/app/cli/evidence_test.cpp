@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "io/case/case_file.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/command_run.h"
 #include "tests/support/places.h"
 #include "tests/support/small_collapse.h"
@@ -235,6 +236,60 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     EXPECT_TRUE(cut({})["measured_area_m2"].is_null()) << "no point tells of it";
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,3"}).exitCode, 2);
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,1,2"}).exitCode, 2);
+}
+
+TEST_F(EvidenceOfCase, SystemAndColumnsOfACloudBelongToTheCase) {
+    const std::string metric = m_folder / "scan.csv";
+    const std::string feet = m_folder / "feet.xyz";
+    const std::string station = m_folder / "station.txt";
+    std::ifstream in(metric);
+    std::ofstream inFeet(feet);
+    std::ofstream numbered(station);
+    inFeet.precision(12);
+    numbered.precision(12);
+    inFeet << "x,y,z\n";
+    std::string line;
+    std::getline(in, line);
+    for (int number = 1; std::getline(in, line); ++number) {
+        const Eigen::Vector3d at = placeIn(line);
+        inFeet << at.x() / 0.3048 << ',' << at.y() / 0.3048 << ',' << at.z() / 0.3048 << '\n';
+        numbered << number << ',' << at.y() << ',' << at.x() << ',' << at.z() << ",TOPO\n";
+    }
+    inFeet.close();
+    numbered.close();
+    const auto volume = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"survey", m_out, "--json"});
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.exitCode == 0 ? outcome.json()["surveyed"]["volume_m3"].get<double>() : 0.0;
+    };
+    const std::string system = R"(LOCAL_CS["site",UNIT["foot",0.3048],AXIS["x",EAST],AXIS["y",NORTH]])";
+    const std::string columns = "skip,y,x,z,skip";
+    const double right = volume({"--survey", metric});
+    ASSERT_GT(right, 0.1);
+    EXPECT_NEAR(volume({"--survey", feet, "--crs", system}), right, 0.01 * right);
+    EXPECT_NEAR(volume({"--survey", station, "--columns", columns}), right, 0.01 * right);
+    // What is stated once is kept, and seen as a cloud whatever the file is called.
+    const nlohmann::json told = evidence({"--survey", feet, "--crs", system});
+    EXPECT_EQ(told["evidence"][0]["kind"], "cloud");
+    EXPECT_EQ(io::loadCase(m_case).inputs.back().read.crs, system);
+    evidence({"--survey", station, "--columns", columns});
+    EXPECT_NEAR(volume({"--case", m_case, "--survey", feet}), right, 0.01 * right);
+    EXPECT_NEAR(volume({"--case", m_case, "--survey", station}), right, 0.01 * right);
+    const auto points = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"section", m_out, "--line", "-6,0.5,9,0.5", "--json"});
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.exitCode == 0 ? outcome.json()["points"].get<int>() : 0;
+    };
+    EXPECT_EQ(points({"--points", station, "--columns", columns}), points({"--points", metric}));
+    EXPECT_EQ(points({"--points", station, "--points", feet, "--case", m_case}), 2 * points({"--points", metric}));
+    // A raster names its system itself.
+    const std::string heights =
+        io::AsciiGrid{20, 20, -10.0, -10.0}.write(m_folder / "flat.asc", [](double, double) { return 0.5; });
+    EXPECT_EQ(cli({"survey", m_out, "--survey", heights, "--crs", system}).exitCode, 2);
+    EXPECT_NE(cli({"evidence", m_case, "--survey", heights, "--crs", system}).exitCode, 0);
+    EXPECT_EQ(cli({"evidence", m_case, "--survey", feet, "--crs", "EPSG:1"}).exitCode, 2);
 }
 
 TEST_F(EvidenceOfCase, RefusesWhatCannotBeMeant) {

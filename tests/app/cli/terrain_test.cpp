@@ -81,6 +81,44 @@ TEST_F(Terrain, APointCloudIsGroundAndSurveyAsARasterIs) {
     EXPECT_TRUE(surveyed.json()["volumes"]["net_systematic_m3"].is_null()) << "nobody stated an offset";
 }
 
+TEST_F(Terrain, ATableWithoutAHeadingIsReadAsItsColumnsAreStated) {
+    std::ifstream in(writeLevelCloud(m_folder / "ground.csv", -1.5));
+    const std::string table = m_folder / "ground.txt";
+    std::ofstream out(table);
+    std::string line;
+    std::getline(in, line);
+    for (int number = 1; std::getline(in, line); ++number) {
+        std::istringstream fields(line);
+        double x = 0.0, y = 0.0, z = 0.0;
+        char comma = 0;
+        fields >> x >> comma >> y >> comma >> z;
+        out << number << ',' << y / 0.3048 << ',' << x / 0.3048 << ',' << z / 0.3048 << ",GROUND\n";
+    }
+    out.close();
+    const std::vector<std::string> how{"--terrain-columns", "skip,y,x,z,skip", "--terrain-crs",
+                                       R"(LOCAL_CS["site",UNIT["foot",0.3048]])"};
+    std::vector<std::string> words{"--terrain", table};
+    words.insert(words.end(), how.begin(), how.end());
+    const nlohmann::json made = run(words);
+    EXPECT_NEAR(made["terrain"]["lowest_m"].get<double>(), -1.5, 1e-4);
+    EXPECT_NEAR(made["terrain"]["highest_m"].get<double>(), -1.5, 1e-4);
+    // The run knows how its terrain is read.
+    EXPECT_EQ(cli({"verify", m_out}).exitCode, 0);
+    // So does a case that states it.
+    const std::string path = m_folder / "small.rubble";
+    Case theCase = io::caseForFe(m_path, path);
+    theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "ground.txt", {}});
+    theCase.inputs.back().read = {how[3], {"skip", "y", "x", "z", "skip"}};
+    io::saveCase(path, theCase);
+    const Outcome ofCase = cli({"run", path, "--set", "settle_time=0.1", "--json"});
+    ASSERT_EQ(ofCase.exitCode, 0) << ofCase.err;
+    EXPECT_NEAR(ofCase.json()["terrain"]["lowest_m"].get<double>(), -1.5, 1e-4);
+    words = {"run", m_path, "--set", "settle_time=0.1"};
+    words.insert(words.end(), how.begin(), how.end());
+    EXPECT_EQ(cli(words).exitCode, 2) << "there is no terrain to be read so";
+    EXPECT_EQ(cli({"survey", m_out, "--survey", table, "--terrain-columns", "x,y,z"}).exitCode, 2) << "of a recorded run";
+}
+
 TEST_F(Terrain, DebrisFallsOnItAndTheRunSaysSo) {
     const nlohmann::json level = run();
     EXPECT_TRUE(level["terrain"].is_null());

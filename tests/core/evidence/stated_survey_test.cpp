@@ -80,6 +80,20 @@ TEST(StatedSurvey, OneOfBeforeTheCollapseShowsNoDebris) {
     EXPECT_EQ(idOfError([&] { checkShowsDebris(survey); }), "survey.before");
 }
 
+TEST(EvidenceList, AKindThatWasSeenStandsBeforeTheEndingOfTheFile) {
+    Case theCase;
+    for (const auto& [path, kind] : {std::pair("points.xyz", SurveyKind::Cloud), std::pair("edge.dxf", SurveyKind::Outline),
+                                     std::pair("grid.txt", SurveyKind::Heights)}) {
+        theCase.inputs.push_back({path, InputRole::Survey, path, {}});
+        theCase.inputs.back().kind = kind;
+    }
+    const std::vector<EvidenceRow> rows = evidenceOf(theCase);
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0].form, EvidenceForm::Cloud);
+    EXPECT_EQ(rows[1].form, EvidenceForm::Outline);
+    EXPECT_EQ(rows[2].form, EvidenceForm::Heights);
+}
+
 TEST(EvidenceList, SaysWhatEachIsHeldToShow) {
     Case theCase;
     theCase.inputs.push_back({"fe-1", InputRole::Fe, "a.vtu", {}});

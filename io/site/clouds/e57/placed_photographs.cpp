@@ -49,10 +49,10 @@ bool hasPlace(const CloudPhotograph& picture) {
     return picture.projection == "pinhole" && picture.pose.stated && picture.focal > 0.0 && picture.width > 0 && picture.height > 0;
 }
 
-std::vector<PlacedPhotograph> placedPhotographs(const std::string& cloud, const Frame& frame, const Site& site,
-                                                const std::optional<Registration>& placed, Findings& findings,
+std::vector<PlacedPhotograph> placedPhotographs(const std::string& cloud, const CloudRequest& read, const Frame& frame,
+                                                const Site& site, const std::optional<Registration>& placed, Findings& findings,
                                                 const Execution& execution) {
-    const std::unique_ptr<PointCloud> opened = openCloud(cloud);
+    const std::unique_ptr<PointCloud> opened = openCloud(cloud, read);
     const CloudPlace place(*opened, frame, site, findings);
     std::vector<PlacedPhotograph> made;
     const std::vector<CloudPhotograph>& pictures = opened->head().photographs;

@@ -7,6 +7,7 @@
 #include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/fe/frame.h"
+#include "core/scenario/cloud_request.h"
 #include "core/scenario/photograph.h"
 #include "core/scenario/registration.h"
 #include "core/scenario/site.h"
@@ -31,9 +32,10 @@ bool hasPlace(const CloudPhotograph& picture);
 
 /// The pictures of a cloud that have a pinhole and a pose, as they lie in a case. Others, and what is assumed on the way to the
 /// case, are findings. Throws as openCloud() and CloudPlace, Cancelled.
+/// @param read    how the cloud is read
 /// @param placed  by which the cloud is moved once its coordinates were brought to the case; unset: not at all
-std::vector<PlacedPhotograph> placedPhotographs(const std::string& cloud, const Frame& frame, const Site& site,
-                                                const std::optional<Registration>& placed, Findings& findings,
+std::vector<PlacedPhotograph> placedPhotographs(const std::string& cloud, const CloudRequest& read, const Frame& frame,
+                                                const Site& site, const std::optional<Registration>& placed, Findings& findings,
                                                 const Execution& execution = Execution());
 
 }  // namespace rubble::io

@@ -4,12 +4,12 @@
 
 namespace rubble::io {
 
-PlacedOctree::PlacedOctree(const std::string& cloud, const Frame& frame, const Site& site,
+PlacedOctree::PlacedOctree(const std::string& cloud, const CloudRequest& read, const Frame& frame, const Site& site,
                            const std::optional<Registration>& placed, const Execution& execution)
-    : m_cloud(openCloud(cloud)), m_placed(placed) {
+    : m_cloud(openCloud(cloud, read)), m_placed(placed) {
     // First whether it can be placed: that takes no time.
     m_place = std::make_unique<CloudPlace>(*m_cloud, frame, site, m_findings);
-    m_opened = openOctree(cloud, {}, execution);
+    m_opened = openOctree(cloud, read, execution);
     if (placed) {
         addPlacedFinding(m_findings, cloud, *placed);
     }

@@ -17,9 +17,10 @@ namespace rubble::io {
 class PlacedOctree {
 public:
     /// Opens the octree of a cloud, or makes it first. Throws as openOctree() and CloudPlace.
+    /// @param read    how the cloud is read
     /// @param placed  by which it is moved once its coordinates were brought to the case; unset: not at all
-    PlacedOctree(const std::string& cloud, const Frame& frame, const Site& site, const std::optional<Registration>& placed,
-                 const Execution& execution);
+    PlacedOctree(const std::string& cloud, const CloudRequest& read, const Frame& frame, const Site& site,
+                 const std::optional<Registration>& placed, const Execution& execution);
 
     const CloudOctree& octree() const { return *m_opened.octree; }
     /// The octree was made just now.

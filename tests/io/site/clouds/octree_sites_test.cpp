@@ -125,7 +125,7 @@ TEST(OctreeSites, AFarOneIsLookedAtWhereItLiesAndStraysNever) {
                 point.place = heaped ? Vec3(east, 0.0, 0.0) : Vec3(point.place + Vec3(east, 0.0, 0.0));
             }
         });
-        const PlacedOctree placed(path, Frame(), Site(), std::nullopt, Execution());
+        const PlacedOctree placed(path, {}, Frame(), Site(), std::nullopt, Execution());
         EXPECT_EQ(placed.octree().head().farPoints, other + strays);
         return FarSites(placed, Execution());
     };

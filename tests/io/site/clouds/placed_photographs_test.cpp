@@ -24,7 +24,7 @@ TEST(PlacedPhotographs, AreMatchedToTheCameraThatTheCloudStates) {
     const TemporaryFolder folder;
     const std::string path = layCloud(folder / "pictures.e57", cloudWithPictures());
     Findings findings;
-    const std::vector<PlacedPhotograph> placed = placedPhotographs(path, {}, {}, std::nullopt, findings);
+    const std::vector<PlacedPhotograph> placed = placedPhotographs(path, {}, {}, {}, std::nullopt, findings);
     ASSERT_EQ(placed.size(), 1U);
     EXPECT_EQ(findings.count("cloud.photographs_without_place"), 1);
     EXPECT_EQ(placed.front().name, "1-from_above.png");
@@ -63,7 +63,7 @@ TEST(PlacedPhotographs, WithPixelsThatAreNotSquareHaveNoKnownCamera) {
     const auto placed = [&](const std::string& height) {
         const std::string path = layCloud(folder / "pictures.e57", cloudWithPictures("100", 1, height));
         Findings findings;
-        return placedPhotographs(path, {}, {}, std::nullopt, findings).size();
+        return placedPhotographs(path, {}, {}, {}, std::nullopt, findings).size();
     };
     EXPECT_EQ(placed("0.00010005"), 1U) << "rounded";
     EXPECT_EQ(placed("0.000075"), 0U);
@@ -95,7 +95,7 @@ TEST(PlacedPhotographs, ThatTheCaseHasUnderAnotherInputLeaveNoFile) {
     const TemporaryFolder folder;
     const std::string path = layCloud(folder / "scan.e57", cloudWithPictures());
     Findings findings;
-    const PlacedPhotograph picture = placedPhotographs(path, {}, {}, std::nullopt, findings).front();
+    const PlacedPhotograph picture = placedPhotographs(path, {}, {}, {}, std::nullopt, findings).front();
     const std::string known = folder / "known.png";
     std::ofstream(known, std::ios::binary).write(reinterpret_cast<const char*>(picture.bytes.data()), 1073);
     const PhotographFile file = readPhotograph(known);
@@ -171,7 +171,7 @@ TEST(PlacedPhotographs, MoveWithTheirCloud) {
     moved.turn = Vec3(0.0, 0.0, 0.5);
     moved.shift = Vec3(3.0, -4.0, 5.0);
     Findings findings;
-    const std::vector<PlacedPhotograph> placed = placedPhotographs(path, {}, {}, moved, findings);
+    const std::vector<PlacedPhotograph> placed = placedPhotographs(path, {}, {}, {}, moved, findings);
     ASSERT_EQ(placed.size(), 1U);
     const CameraMatch match = matchCamera(placed.front().pairs, placed.front().camera, Execution());
     EXPECT_LT((match.camera.place - moved(Vec3(10.0, 20.0, 50.0))).norm(), 1e-5);

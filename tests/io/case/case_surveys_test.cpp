@@ -1,0 +1,84 @@
+#include "io/case/case_surveys.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "tests/io/site/clouds/made_clouds.h"
+#include "tests/support/ascii_grid.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rubble::io {
+
+namespace {
+
+class CaseSurveys : public testing::Test {
+protected:
+    TemporaryFolder m_folder;
+
+    SurveyKind kindOf(const std::string& name, const std::string& text, const CloudRequest& read = {}) {
+        const std::string path = m_folder / name;
+        std::ofstream(path) << text;
+        return surveyKindOf(path, read);
+    }
+};
+
+/// Nodes of a regular grid in the order of a raster of text.
+std::string lattice(const std::string& heading, const std::string& front = "") {
+    std::string text = heading;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            text += front + std::to_string(column) + " " + std::to_string(10 - row) + " " + std::to_string(column * row) + "\n";
+        }
+    }
+    return text;
+}
+
+/// Places that follow no lattice: steps of two irrational numbers.
+std::string scattered() {
+    std::string text;
+    for (int k = 0; k < 500; ++k) {
+        text += std::to_string(40.0 * std::fmod(0.754877666 * k, 1.0)) + " " +
+                std::to_string(40.0 * std::fmod(0.569840291 * k, 1.0)) + " 1\n";
+    }
+    return text;
+}
+
+TEST_F(CaseSurveys, AreCloudsWhereTheirContentIsPoints) {
+    EXPECT_EQ(kindOf("named.xyz", lattice("x y z\n")), SurveyKind::Cloud) << "a table that names its columns is one of points";
+    EXPECT_EQ(kindOf("station.csv", "name,easting,northing,height\nP1,1,2,3\nP2,2,2,3\n"), SurveyKind::Cloud);
+    EXPECT_EQ(kindOf("scattered.xyz", scattered()), SurveyKind::Cloud);
+    EXPECT_EQ(kindOf("pnezd.txt", "101,5,4,3,TOPO\n102,6,4,3,TOPO\n", {{}, {"skip", "y", "x", "z", "skip"}}), SurveyKind::Cloud);
+    MadeLas las;
+    las.points = {MadePoint{}};
+    EXPECT_EQ(surveyKindOf(layCloud(m_folder / "cloud.tif", las.bytes()), {}), SurveyKind::Cloud) << "whatever its name says";
+}
+
+TEST_F(CaseSurveys, AreHeightsWhereARasterIsRead) {
+    EXPECT_EQ(kindOf("lattice.xyz", lattice("")), SurveyKind::Heights);
+    const AsciiGrid grid{4, 4, 0.0, 0.0};
+    EXPECT_EQ(surveyKindOf(grid.write(m_folder / "grid.txt", [](double x, double y) { return x + y; }), {}), SurveyKind::Heights);
+    EXPECT_EQ(kindOf("lattice.txt", lattice(""), {{}, {"x", "y", "z"}}), SurveyKind::Cloud) << "columns are asked for of points";
+}
+
+TEST_F(CaseSurveys, AreOutlinesWhereTheReaderOfPolygonsTakesThem) {
+    EXPECT_EQ(kindOf("edge.dxf",
+                     "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\n0\n66\n1\n70\n1\n0\nVERTEX\n8\n0\n10\n0\n20\n0\n0\n"
+                     "VERTEX\n8\n0\n10\n5\n20\n0\n0\nVERTEX\n8\n0\n10\n5\n20\n5\n0\nSEQEND\n0\nENDSEC\n0\nEOF\n"),
+              SurveyKind::Outline);
+    EXPECT_EQ(kindOf("edge.txt", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+                                 R"({"type":"Polygon","coordinates":[[[0,0],[5,0],[5,5],[0,0]]]}}]})"),
+              SurveyKind::Outline);
+}
+
+TEST_F(CaseSurveys, AreLookedIntoWhenTheyAreTaken) {
+    std::ofstream(m_folder / "points.xyz") << "x y z\n1 2 3\n";
+    Case theCase;
+    const std::size_t at = takeSurvey(theCase, m_folder / "a.rubble", m_folder / "points.xyz");
+    EXPECT_EQ(theCase.inputs[at].kind, SurveyKind::Cloud);
+}
+
+}  // namespace
+
+}  // namespace rubble::io

@@ -12097,6 +12097,26 @@
         <source>{0}: its headings name different units for x and y</source>
         <translation>{0}：其表头为 x 和 y 写明不同的单位</translation>
     </message>
+    <message>
+        <source>Columns or a system are stated of a terrain, and there is none</source>
+        <translation>给出了地形的列或坐标系，但没有地形</translation>
+    </message>
+    <message>
+        <source>Give the terrain as well, or leave them out.</source>
+        <translation>请同时给出地形，或去掉它们。</translation>
+    </message>
+    <message>
+        <source>Leave columns and system out, or give a cloud.</source>
+        <translation>请去掉列和坐标系，或给出点云。</translation>
+    </message>
+    <message>
+        <source>heights, cloud or outline</source>
+        <translation>高程、点云或轮廓</translation>
+    </message>
+    <message>
+        <source>{0} is no point cloud or table of points: it has no columns, and names its system itself</source>
+        <translation>{0} 不是点云或点的表格：它没有列，其坐标系由文件自身写明</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -1411,7 +1411,7 @@
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished">北</translation>
+        <translation>北</translation>
     </message>
     <message>
         <source>NW</source>
@@ -13249,35 +13249,35 @@
     <name>rubble::CauseChoice</name>
     <message>
         <source>It was not taken at rest: members keep their debris at rest.</source>
-        <translation type="unfinished">它不是静止后拍摄的：成员只保留静止后的堆积物。</translation>
+        <translation>它不是静止后拍摄的：成员只保留静止后的堆积物。</translation>
     </message>
     <message>
         <source>No outline of the debris is drawn on it.</source>
-        <translation type="unfinished">其上没有绘制堆积物的轮廓。</translation>
+        <translation>其上没有绘制堆积物的轮廓。</translation>
     </message>
     <message>
         <source>Its camera is not matched.</source>
-        <translation type="unfinished">它的相机尚未匹配。</translation>
+        <translation>它的相机尚未匹配。</translation>
     </message>
     <message>
         <source>footprint</source>
-        <translation type="unfinished">覆盖范围</translation>
+        <translation>覆盖范围</translation>
     </message>
     <message>
         <source>heights</source>
-        <translation type="unfinished">高度</translation>
+        <translation>高度</translation>
     </message>
     <message>
         <source>surface</source>
-        <translation type="unfinished">表面</translation>
+        <translation>表面</translation>
     </message>
     <message>
         <source>%1 at %2, %3</source>
-        <translation type="unfinished">%1，位于 %2, %3</translation>
+        <translation>%1，位于 %2, %3</translation>
     </message>
     <message>
         <source>Debris came within %1 of this place so long after the first debris that came down anywhere, give or take %2</source>
-        <translation type="unfinished">碎块在任一处首次落下之后经过这段时间，有碎块到达距此处 %1 以内，误差 %2</translation>
+        <translation>碎块在任一处首次落下之后经过这段时间，有碎块到达距此处 %1 以内，误差 %2</translation>
     </message>
     <message>
         <source>There is no file %1 any more.</source>
@@ -13289,7 +13289,7 @@
     </message>
     <message>
         <source>A scenario of this case</source>
-        <translation type="unfinished">本案例的一个方案</translation>
+        <translation>本案例的一个方案</translation>
     </message>
     <message>
         <source>It was taken before the collapse and shows no debris.</source>
@@ -13301,7 +13301,7 @@
     </message>
     <message>
         <source>A photograph of this case, taken at rest</source>
-        <translation type="unfinished">本案例的一张照片，静止后拍摄</translation>
+        <translation>本案例的一张照片，静止后拍摄</translation>
     </message>
     <message>
         <source>A survey of this case: noise, areas and registration count as the case says</source>
@@ -16866,7 +16866,7 @@
     </message>
     <message>
         <source>least</source>
-        <translation type="unfinished">最小值</translation>
+        <translation>最小值</translation>
     </message>
     <message>
         <source>most</source>
@@ -19129,7 +19129,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>least</source>
-        <translation type="unfinished">最小值</translation>
+        <translation>最小值</translation>
     </message>
     <message>
         <source>Of all members, which are few</source>

@@ -12046,8 +12046,8 @@
         <translation>如果是从地面扫描的，请指明扫描仪的位置（rubble-cli cloud --scanner）</translation>
     </message>
     <message>
-        <source>name the places of the scanners where distances are measured (--scanner), or export the scans with their poses</source>
-        <translation>量距时请指明扫描仪的位置（--scanner），或连同位姿重新导出测站</translation>
+        <source>name the places of the scanners (rubble-cli cloud --scanner), or export the scans with their poses</source>
+        <translation>请指明扫描仪的位置（rubble-cli cloud --scanner），或连同位姿重新导出测站</translation>
     </message>
     <message>
         <source>name who answers for it (--by)</source>

@@ -120,8 +120,7 @@ private:
                   "scans state a pose at which no scanner can have stood, by how their points lie about it; it is taken as not "
                   "stated",
                   {}},
-                 "name the places of the scanners (rubble-cli cloud --scanner), or export the scans with their poses",
-                 unknown);
+                 "name the places of the scanners (rubble-cli cloud --scanner), or export the scans with their poses", unknown);
         }
     }
 

@@ -98,10 +98,11 @@ TEST_F(ReportFields, WhatTheAuthorSaysIsAskedForUntilItIsSaidAndStandsInTheRepor
     type("reportCustody", QStringLiteral("The county held the photographs."));
     type("reportAlternatives", QStringLiteral("Scour was excluded."));
     type("reportChange", QStringLiteral("Debris on the north bank."));
+    type("reportQualification", QStringLiteral("Engineer since 1998."));
     EXPECT_TRUE(text("reportUnsaid").isEmpty()) << qPrintable(text("reportUnsaid"));
     const std::string html = report();
-    for (const char* words :
-         {"The deck fell to the east.", "The county held the photographs.", "Scour was excluded.", "Debris on the north bank."}) {
+    for (const char* words : {"The deck fell to the east.", "The county held the photographs.", "Scour was excluded.",
+                              "Debris on the north bank.", "Engineer since 1998."}) {
         EXPECT_NE(html.find(words), std::string::npos) << words;
     }
     // Another case has other words, and the first one has its own again.

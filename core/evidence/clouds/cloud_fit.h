@@ -48,8 +48,8 @@ struct CloudFit {
 /// Fits by trimmed iterated closest planes (Chen & Medioni 1992; Chetverikov et al. 2002): each point of the second cloud is held
 /// against the plane through the points of the first about it, and the nearest share of them decides.
 /// @param second  points of what did not move; one to each cube of the radius is used, or of greater cubes, so that they are no
-/// more than 200,000 and lie everywhere Throws UsageError (fewer than 50 points have a plane; planes that leave a direction or a
-/// turn open), Cancelled.
+/// more than 200,000 and lie everywhere
+/// Throws UsageError (fewer than 50 points have a plane; planes that leave a direction or a turn open), Cancelled.
 CloudFit fitCloud(const PointIndex& first, const std::vector<Vec3>& second, const CloudFitSettings& settings,
                   const Execution& execution);
 

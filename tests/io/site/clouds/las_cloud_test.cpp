@@ -239,6 +239,24 @@ TEST_F(LasCloud, PackedPointsAreThoseOfTheirTwinOneByOne) {
     }
 }
 
+// Packed by LASzip 3.4 with all that a point can hold: several echoes, scanner channels in turn, colours, wave forms, an extra
+// byte.
+TEST_F(LasCloud, PackedPointsOfTheRarerFormatsAreThoseOfTheirTwin) {
+    for (const int format : {4, 5, 6, 8, 9, 10}) {
+        SCOPED_TRACE(format);
+        const std::string name = "made-" + std::to_string(format);
+        const WholeCloud plain = readCloud(publicCloud(name + ".las"));
+        const WholeCloud packed = readCloud(publicCloud(name + ".laz"));
+        EXPECT_EQ(packed.head.format, "LAZ");
+        EXPECT_EQ(packed.head.unread, plain.head.unread);
+        EXPECT_EQ(packed.summary.fates, plain.summary.fates);
+        EXPECT_EQ(packed.summary.points() + static_cast<std::uint64_t>(packed.summary.findings.count("cloud.withheld")), 250u);
+        EXPECT_GT(plain.summary.returns.size(), 3u);
+        EXPECT_EQ(packed.points.colours, plain.points.colours);
+        expectEqual(packed, plain);
+    }
+}
+
 /// The order of points by what both kinds of a cloud keep.
 std::vector<std::size_t> sortedByTimeAndPlace(const CloudBlock& points) {
     std::vector<std::size_t> order(points.size());

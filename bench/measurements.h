@@ -47,6 +47,10 @@ Table runRows(const std::vector<std::string>& labels, const std::vector<std::str
 /// Starts of `rubble --measure`: best, median and worst.
 Table startRows(const std::vector<std::string>& outputs);
 
+/// Distances of `rubble-cli cloud --against RUN --json`, behind a line with the seconds that they took.
+/// Throws std::runtime_error if there is no such line.
+Table distanceRows(const std::string& output);
+
 /// The table that `rubble-bench scale` prints.
 Table scaleRows(const std::string& output);
 

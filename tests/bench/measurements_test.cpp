@@ -82,6 +82,14 @@ TEST(Measurements, StartsHaveBestMedianAndWorst) {
     EXPECT_EQ(table.rows[0], (std::vector<std::string>{"first window, s", "0.500", "0.650", "0.900"}));
 }
 
+TEST(Measurements, DistancesStandBehindTheirSeconds) {
+    const std::string compared = R"({"first": {"points_near": 4000000}, "cores": {"points": 1234}, "states": {"measured": 1000}})";
+    const Table table = distanceRows("6.000\n" + compared);
+    ASSERT_EQ(table.rows.size(), 1u);
+    EXPECT_EQ(table.rows[0], (std::vector<std::string>{"4,000,000", "6.00", "15.0", "1,234", "1,000"}));
+    EXPECT_THROW(distanceRows(compared), std::exception);
+}
+
 TEST(Measurements, TheTableOfSizesIsReadAsItIsPrinted) {
     char head[128], row[128];
     const char* format = "%-30s %9s %9s %9s %7s %9s %9s %9s\n";

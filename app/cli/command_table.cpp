@@ -76,4 +76,33 @@ Option runTerrainOption() {
     return {"--terrain", "FILE", false, "where the terrain of the run is now"};
 }
 
+std::vector<Option> simulationOptions() {
+    return {setOption(),
+            cachedOption(),
+            terrainOption(),
+            groundClassOption(),
+            columnsOption(terrainColumns),
+            systemOption(terrainSystem),
+            meshOffsetOption()};
+}
+
+std::vector<Option> siteOptions() {
+    return {setOption(),
+            scenarioOption(),
+            meshOffsetOption(),
+            feOption(),
+            {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
+            groundClassOption(),
+            columnsOption(terrainColumns),
+            systemOption(terrainSystem)};
+}
+
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
+    std::vector<Option> all;
+    for (const std::vector<Option>& list : lists) {
+        all.insert(all.end(), list.begin(), list.end());
+    }
+    return all;
+}
+
 }  // namespace rubble::cli

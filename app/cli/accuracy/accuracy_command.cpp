@@ -176,15 +176,7 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command accuracyCommand() {
-    std::vector<Option> options{
-        setOption(),
-        scenarioOption(),
-        cachedOption(),
-        terrainOption(),
-        groundClassOption(),
-        columnsOption(terrainColumns),
-        systemOption(terrainSystem),
-        meshOffsetOption(),
+    const std::vector<Option> own{
         {"--multiples", "A,B", false,
          "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4); empty: the grid as set"},
         {"--vary", "KEY=A,B", true, "values of a parameter to sweep, in every combination with the others"},
@@ -199,13 +191,6 @@ Command accuracyCommand() {
         {"--cache", "FOLDER", false, "where worlds and costs are kept (default: RUBBLE_CACHE, else the user's cache)"},
         {"--errors", "FILE", false, "write the error of every fragment in every setting"},
     };
-    for (const Option& option : studyOptions()) {
-        options.push_back(option);
-    }
-    for (const Option& option : StudyPlace::options()) {
-        options.push_back(option);
-    }
-    options.push_back(csvOption("write one row for the reference, the floor and each setting"));
     return {
         "accuracy",
         "FE|CASE",
@@ -214,7 +199,12 @@ Command accuracyCommand() {
         "on request with repeats of its own; compares each with the reference, and then times each alone. Worlds that were "
         "simulated before are taken from the cache: "
         "after Ctrl-C the same command goes on from there.",
-        std::move(options),
+        joined({{scenarioOption()},
+                simulationOptions(),
+                own,
+                studyOptions(),
+                StudyPlace::options(),
+                {csvOption("write one row for the reference, the floor and each setting")}}),
         measureAccuracy};
 }
 

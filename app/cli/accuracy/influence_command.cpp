@@ -74,25 +74,10 @@ ExitCode measureInfluence(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command influenceCommand() {
-    std::vector<Option> options{
-        setOption(),
-        scenarioOption(),
-        cachedOption(),
-        terrainOption(),
-        groundClassOption(),
-        columnsOption(terrainColumns),
-        systemOption(terrainSystem),
-        meshOffsetOption(),
+    const std::vector<Option> own{
         {"--effects", "A,B", false, "these only (default: all), by the names that `effects` lists"},
+        {"--cache", "FOLDER", false, "where worlds are kept (default: RUBBLE_CACHE, else the user's cache)"},
     };
-    options.push_back({"--cache", "FOLDER", false, "where worlds are kept (default: RUBBLE_CACHE, else the user's cache)"});
-    for (const Option& option : studyOptions()) {
-        options.push_back(option);
-    }
-    for (const Option& option : StudyPlace::options()) {
-        options.push_back(option);
-    }
-    options.push_back(csvOption("write one row for each effect"));
     return {
         "influence",
         "FE|CASE",
@@ -100,7 +85,12 @@ Command influenceCommand() {
         "Simulates the scenario, repeats it with births shifted by a micrometre, and simulates it once for each effect with that "
         "effect in its other state. A change no larger than that between repeats says nothing. Ctrl-C reports what is done. Worlds "
         "that were simulated before are taken from the cache.",
-        std::move(options),
+        joined({{scenarioOption()},
+                simulationOptions(),
+                own,
+                studyOptions(),
+                StudyPlace::options(),
+                {csvOption("write one row for each effect")}}),
         measureInfluence};
 }
 

@@ -480,7 +480,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command compareCommand() {
-    std::vector<Option> options{
+    const std::vector<Option> own{
         {"--against", "KIND=FILE", true,
          "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER or point cloud of the surface, "
          "time=SECONDS,X,Y[,RADIUS[,ACCURACY]] at which debris reached a place, or photographs of the first case"},
@@ -492,23 +492,6 @@ Command compareCommand() {
         {"--which-evidence", "", false,
          "rank further evidence by how often it would name the cause rightly, beside what is at hand"},
     };
-    for (const Option& option : EnsembleRequest::options()) {
-        options.push_back(option);
-    }
-    for (const Option& option : EnsembleMaps::options()) {
-        options.push_back(option);
-    }
-    for (const Option& option : StudyPlace::options()) {
-        options.push_back(option);
-    }
-    options.push_back(setOption());
-    options.push_back(cachedOption());
-    options.push_back(terrainOption());
-    options.push_back(groundClassOption());
-    options.push_back(columnsOption(terrainColumns));
-    options.push_back(systemOption(terrainSystem));
-    options.push_back(meshOffsetOption());
-    options.push_back(csvOption("write the ranking, one row for each cause"));
     return {"compare",
             "FE|CASE...",
             "which cause: several hypotheses of one collapse, each with its ensemble, against the same evidence",
@@ -516,7 +499,12 @@ Command compareCommand() {
             "debris comes to footprints, surveyed heights, times and photographs, "
             "with their spread, or says that the evidence cannot tell them apart. Without --against it says how far footprints and "
             "heights could tell them apart at all.",
-            std::move(options),
+            joined({own,
+                    EnsembleRequest::options(),
+                    EnsembleMaps::options(),
+                    StudyPlace::options(),
+                    simulationOptions(),
+                    {csvOption("write the ranking, one row for each cause")}}),
             compare};
 }
 

@@ -108,24 +108,8 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command ensembleCommand() {
-    std::vector<Option> options = EnsembleRequest::options();
-    for (const Option& option : EnsembleMaps::options()) {
-        options.push_back(option);
-    }
-    options.push_back({"--heights", "M,M,M", false, "heights that the map has the probability of, m (default: 0.25,0.5,1)"});
-    options.push_back(reachedOption());
-    for (const Option& option : StudyPlace::options()) {
-        options.push_back(option);
-    }
-    options.push_back(setOption());
-    options.push_back(scenarioOption());
-    options.push_back(cachedOption());
-    options.push_back(terrainOption());
-    options.push_back(groundClassOption());
-    options.push_back(columnsOption(terrainColumns));
-    options.push_back(systemOption(terrainSystem));
-    options.push_back(meshOffsetOption());
-    options.push_back(csvOption("write one row for each member"));
+    const std::vector<Option> own{
+        {"--heights", "M,M,M", false, "heights that the map has the probability of, m (default: 0.25,0.5,1)"}, reachedOption()};
     return {
         "ensemble",
         "FE|CASE",
@@ -133,7 +117,13 @@ Command ensembleCommand() {
         "Simulates the members of an ensemble, each with values drawn from stated distributions, and maps how often debris lies "
         "where. Members that were simulated before are taken from the cache: after Ctrl-C, or with more members, the same command "
         "goes on from there.",
-        std::move(options),
+        joined({EnsembleRequest::options(),
+                EnsembleMaps::options(),
+                own,
+                StudyPlace::options(),
+                {scenarioOption()},
+                simulationOptions(),
+                {csvOption("write one row for each member")}}),
         ensemble};
 }
 

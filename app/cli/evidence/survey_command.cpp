@@ -413,46 +413,42 @@ ExitCode survey(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command surveyCommand() {
-    return {"survey",
-            "RUN|FE|CASE",
-            "simulated debris against a surveyed height model or outline",
-            "Holds the debris of a recorded run, or of a case or FE file that is simulated first, against a survey: difference "
-            "map, overlap "
-            "of the footprints, volume, run-out by direction, centroids.",
-            {{"--survey", "FILE", false,
-              "raster of heights, point cloud, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
-             columnsOption(),
-             systemOption(),
-             evidenceCaseOption(),
-             {"--time", "SECONDS", false, "instant on the file's clock, or end (default: as the case says, else end)"},
-             {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
-             {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
-             {"--live", "on|off", false, "whether fallen live structure counts as debris (default: on)"},
-             {"--survey-live", "on|off", false,
-              "whether the survey shows fallen live structure (default: as the case or the file says, else not known)"},
-             {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
-             areaOption(),
-             leaveOutOption(),
-             {"--noise", "M", false, "standard deviation of the surveyed heights, m (default: as the case says, else estimated)"},
-             {"--ground-noise", "M", false, "the same of the ground they are held above, m"},
-             {"--offset-error", "M", false,
-              "standard deviation of an offset that all surveyed heights may have together, m (default: as the case says, else not "
-              "known)"},
-             {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
-             {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
-             {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},
-             {"--out", "FILE", true, "a file to write: .tif (difference, surveyed, simulated) or .png"},
-             {"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"},
-             setOption(),
-             scenarioOption(),
-             meshOffsetOption(),
-             feOption(),
-             {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
-             groundClassOption(),
-             columnsOption(terrainColumns),
-             systemOption(terrainSystem),
-             csvOption("write the table of directions")},
-            survey};
+    return {
+        "survey",
+        "RUN|FE|CASE",
+        "simulated debris against a surveyed height model or outline",
+        "Holds the debris of a recorded run, or of a case or FE file that is simulated first, against a survey: difference "
+        "map, overlap "
+        "of the footprints, volume, run-out by direction, centroids.",
+        joined(
+            {{{"--survey", "FILE", false,
+               "raster of heights, point cloud, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
+              columnsOption(),
+              systemOption(),
+              evidenceCaseOption(),
+              {"--time", "SECONDS", false, "instant on the file's clock, or end (default: as the case says, else end)"},
+              {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
+              {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
+              {"--live", "on|off", false, "whether fallen live structure counts as debris (default: on)"},
+              {"--survey-live", "on|off", false,
+               "whether the survey shows fallen live structure (default: as the case or the file says, else not known)"},
+              {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
+              areaOption(),
+              leaveOutOption(),
+              {"--noise", "M", false, "standard deviation of the surveyed heights, m (default: as the case says, else estimated)"},
+              {"--ground-noise", "M", false, "the same of the ground they are held above, m"},
+              {"--offset-error", "M", false,
+               "standard deviation of an offset that all surveyed heights may have together, m (default: as the case says, else "
+               "not "
+               "known)"},
+              {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
+              {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
+              {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},
+              {"--out", "FILE", true, "a file to write: .tif (difference, surveyed, simulated) or .png"},
+              {"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"}},
+             siteOptions(),
+             {csvOption("write the table of directions")}}),
+        survey};
 }
 
 }  // namespace rubble::cli

@@ -91,20 +91,6 @@ ExitCode figure(const Arguments& arguments, Session& session) {
     return ExitCode::Ok;
 }
 
-std::vector<Option> withFigureOptions(std::vector<Option> options) {
-    for (const Option& option : FigureRequest::options()) {
-        options.push_back(option);
-    }
-    return options;
-}
-
-std::vector<Option> withMapOptions(std::vector<Option> options) {
-    for (const Option& option : MapRequest::options()) {
-        options.push_back(option);
-    }
-    return options;
-}
-
 }  // namespace
 
 Command exportCommand() {
@@ -112,11 +98,13 @@ Command exportCommand() {
             "RUN",
             "tables, maps, figures, ParaView and glTF files of a run",
             "Writes files from a recorded run. The FE file is found by its path and SHA-256.",
-            withMapOptions(withFigureOptions({ExportRequest::option(),
-                                              {"--list", "", false, "print the kinds, and what opens them"},
-                                              caseOption(),
-                                              feOption(),
-                                              runTerrainOption()})),
+            joined({{ExportRequest::option(),
+                     {"--list", "", false, "print the kinds, and what opens them"},
+                     caseOption(),
+                     feOption(),
+                     runTerrainOption()},
+                    FigureRequest::options(),
+                    MapRequest::options()}),
             exportRun};
 }
 
@@ -127,8 +115,8 @@ Command figureCommand() {
         "one figure of a run for print: PNG, SVG or PDF",
         "Draws the conventional FE view, the fragment view or both at one instant, or the arrangement of a published figure. The "
         "file carries what it was made from. Where no display answers, Xvfb is started for the purpose.",
-        withFigureOptions(
-            {{"--out", "FILE", false, "the figure to write: .png, .svg or .pdf"}, caseOption(), feOption(), runTerrainOption()}),
+        joined({{{"--out", "FILE", false, "the figure to write: .png, .svg or .pdf"}, caseOption(), feOption(), runTerrainOption()},
+                FigureRequest::options()}),
         figure};
 }
 

@@ -135,30 +135,18 @@ ExitCode map(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command mapCommand() {
-    std::vector<Option> options{
+    const std::vector<Option> own{
         {"--out", "FILE", true, "a file to write: .tif, .gpkg, .csv or .png"},
         {"--time", "SECONDS", false, "instant on the file's clock, end, or fe_end: the last FE state (default: end)"},
     };
-    for (const Option& option : MapRequest::options()) {
-        options.push_back(option);
-    }
-    options.push_back({"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"});
-    options.push_back(setOption());
-    options.push_back(scenarioOption());
-    options.push_back(meshOffsetOption());
-    options.push_back(feOption());
-    options.push_back({"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"});
-    options.push_back(groundClassOption());
-    options.push_back(columnsOption(terrainColumns));
-    options.push_back(systemOption(terrainSystem));
-    options.push_back(csvOption("write the table of layers"));
+    const std::vector<Option> size{{"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"}};
     return {
         "map",
         "RUN|FE|CASE",
         "debris by cells: height, mass, volume, pieces, arrival, impact energy",
         "Maps the debris of a recorded run at any instant, or simulates a case or FE file first. Fallen live structure has layers "
         "of its own.",
-        std::move(options),
+        joined({own, MapRequest::options(), size, siteOptions(), {csvOption("write the table of layers")}}),
         map};
 }
 

@@ -131,7 +131,7 @@ ExitCode movie(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command movieCommand() {
-    std::vector<Option> options{
+    const std::vector<Option> own{
         {"--out", "PATH", false,
          "the movie: F.mp4 through ffmpeg, or a folder that gets a PNG for each picture; beside one that holds a movie a new "
          "folder is made"},
@@ -139,21 +139,15 @@ Command movieCommand() {
         {"--to", "SECONDS", false, "where it ends (default: the end of the run)"},
         {"--fps", "N", false, "pictures per second, from 1 to 120 (default: 25)"},
         {"--pace", "X", false,
-         "seconds of the collapse in a second of the movie: 1 is real time (default), 0.25 four times slower"}};
-    options.push_back({"--along-keys", "", false, "the camera moves along the camera keys of --case, from key to key"});
-    for (const Option& option : FigureRequest::viewOptions()) {
-        options.push_back(option);
-    }
-    options.push_back(caseOption());
-    options.push_back(feOption());
-    options.push_back(runTerrainOption());
+         "seconds of the collapse in a second of the movie: 1 is real time (default), 0.25 four times slower"},
+        {"--along-keys", "", false, "the camera moves along the camera keys of --case, from key to key"}};
     return {
         "movie",
         "RUN",
         "a movie of a run: MP4 through ffmpeg, or numbered pictures",
         "Draws the run picture by picture with its time printed on it. After Ctrl-C, a full disk or the death of ffmpeg nothing "
         "half-made is left. Where no display answers, Xvfb is started for the purpose.",
-        std::move(options),
+        joined({own, FigureRequest::viewOptions(), {caseOption(), feOption(), runTerrainOption()}}),
         movie};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "app/cli/frame/command.h"
@@ -62,5 +63,11 @@ inline constexpr std::string_view terrainColumns = "--terrain-columns";
 inline constexpr std::string_view terrainSystem = "--terrain-crs";
 Option meshOffsetOption();
 Option runTerrainOption();
+/// How a case or an FE file is simulated: parameters, kept copy, terrain, meshes.
+std::vector<Option> simulationOptions();
+/// The same and the scenario for a command that takes a recorded run as well.
+std::vector<Option> siteOptions();
+/// Lists of options, one behind the other.
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
 }  // namespace rubble::cli

@@ -46,8 +46,7 @@ Command effectsCommand() {
             "every effect, on or off, and why",
             "Makes fragments and clusters and decides on every effect without simulating. --set water_level=2 gives water a level, "
             "--set air_drag=off takes an effect out whatever the test says.",
-            {setOption(), scenarioOption(), terrainOption(), groundClassOption(), columnsOption(terrainColumns),
-             systemOption(terrainSystem), meshOffsetOption(), cachedOption(), csvOption("write the table of effects")},
+            joined({{scenarioOption()}, simulationOptions(), {csvOption("write the table of effects")}}),
             effects};
 }
 

@@ -143,25 +143,11 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command runCommand() {
-    std::vector<Option> options{setOption(),
-                                scenarioOption(),
-                                cachedOption(),
-                                terrainOption(),
-                                groundClassOption(),
-                                columnsOption(terrainColumns),
-                                systemOption(terrainSystem),
-                                meshOffsetOption(),
-                                {"--out", "RUN.h5", false, "keep the run in this file"},
-                                {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},
-                                ExportRequest::option()};
-    for (const Option& option : FigureRequest::options()) {
-        options.push_back(option);
-    }
-    for (const Option& option : MapRequest::options()) {
-        options.push_back(option);
-    }
-    options.push_back({"--tables", "", false, "print the tables of the run after its summary"});
-    options.push_back(csvOption("write the ledger, one row for each FE state and each second after"));
+    const std::vector<Option> own{{"--out", "RUN.h5", false, "keep the run in this file"},
+                                  {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},
+                                  ExportRequest::option()};
+    const std::vector<Option> tables{{"--tables", "", false, "print the tables of the run after its summary"},
+                                     csvOption("write the ledger, one row for each FE state and each second after")};
     return {
         "run",
         "FE|CASE",
@@ -170,7 +156,7 @@ Command runCommand() {
         "simulated so far is kept, and the run file reopens at its last complete frame. With --out and solver = soft-step a "
         "checkpoint is kept beside the run "
         "once a minute; the same command goes on from it after Ctrl-C or a kill, and ends bit for bit as one that was not stopped.",
-        std::move(options),
+        joined({{scenarioOption()}, simulationOptions(), own, FigureRequest::options(), MapRequest::options(), tables}),
         runScenario};
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 
 #include "tests/support/command_run.h"
 #include "tests/support/places.h"
@@ -24,12 +25,20 @@ void expectOk(const Outcome& outcome) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
 }
 
-/// One component of what is built, installed below a folder of its own.
+/// Installs one component of what is built below a folder.
+void install(const std::string& component, const std::string& prefix) {
+    expectOk(CommandRun().run({"cmake", "--install", build, "--prefix", prefix, "--component", component, "--strip"}));
+}
+
+/// The programs as they are installed, once for all tests.
 class Installed : public testing::Test {
 protected:
-    void install(const std::string& component) {
-        expectOk(CommandRun().run({"cmake", "--install", build, "--prefix", m_prefix, "--component", component, "--strip"}));
+    static void SetUpTestSuite() {
+        s_installed = std::make_unique<io::TemporaryFolder>();
+        install("runtime", prefix());
     }
+    static void TearDownTestSuite() { s_installed.reset(); }
+    static std::string prefix() { return *s_installed / "usr"; }
     /// Programs see neither the build folder nor settings of the user.
     CommandRun apart() {
         CommandRun command;
@@ -38,12 +47,13 @@ protected:
     }
 
     io::TemporaryFolder m_folder;
-    std::string m_prefix = m_folder / "usr";
+
+private:
+    static inline std::unique_ptr<io::TemporaryFolder> s_installed;
 };
 
 TEST_F(Installed, TheProgramsRunFromWhereTheyAre) {
-    install("runtime");
-    const std::string program = m_prefix + "/bin/rubble-cli";
+    const std::string program = prefix() + "/bin/rubble-cli";
     expectOk(apart().run({program, "--version"}));
     const std::string fe = writeSmallCollapse(m_folder / "small.exo");
     const Outcome run = apart().run({program, "run", fe, "--set", "settle_time=0.5", "--json", "--out", m_folder / "s.run.h5"});
@@ -55,21 +65,19 @@ TEST_F(Installed, TheProgramsRunFromWhereTheyAre) {
 }
 
 TEST_F(Installed, TheWindowFindsItsSampleAndDrawsIt) {
-    install("runtime");
     fs::create_directories(m_folder / "home");
-    const std::string sample = m_prefix + "/share/rubble/samples/river-arch.rubble";
+    const std::string sample = prefix() + "/share/rubble/samples/river-arch.rubble";
     ASSERT_TRUE(fs::exists(sample));
-    const Outcome shown = apart().run({"xvfb-run", "-a", "-s", "-screen 0 1280x800x24", m_prefix + "/bin/rubble", sample,
+    const Outcome shown = apart().run({"xvfb-run", "-a", "-s", "-screen 0 1280x800x24", prefix() + "/bin/rubble", sample,
                                        "--screenshot", m_folder / "window.png", "--size", "1280x800"});
     expectOk(shown);
     EXPECT_GT(fs::file_size(m_folder / "window.png"), 50000u);
-    EXPECT_TRUE(fs::exists(m_prefix + "/share/rubble/samples/stone-arch.exo"));
+    EXPECT_TRUE(fs::exists(prefix() + "/share/rubble/samples/stone-arch.exo"));
 }
 
 TEST_F(Installed, NothingNamesTheBuildFolder) {
-    install("runtime");
     std::size_t files = 0;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(m_prefix)) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(prefix())) {
         if (entry.is_regular_file() && entry.path().extension() != ".exo") {
             ++files;
             const std::string text = textOf(entry.path().string());
@@ -80,8 +88,7 @@ TEST_F(Installed, NothingNamesTheBuildFolder) {
 }
 
 TEST_F(Installed, TheDesktopKnowsTheProgramAndItsFiles) {
-    install("runtime");
-    const std::string share = m_prefix + "/share";
+    const std::string share = prefix() + "/share";
     const Outcome entry = CommandRun().run({"desktop-file-validate", share + "/applications/org.rubble.Rubble.desktop"});
     expectOk(entry);
     EXPECT_EQ(entry.out, "");
@@ -101,24 +108,26 @@ TEST_F(Installed, TheDesktopKnowsTheProgramAndItsFiles) {
 }
 
 // find_package(Rubble) from a project of somebody else.
-TEST_F(Installed, WholeTheLibrariesBuildTheExamples) {
-    install("development");
-    const std::string examples = m_prefix + "/share/rubble/examples/library";
-    const std::string folder = m_folder / "examples";
+TEST(InstalledLibraries, WholeTheLibrariesBuildTheExamples) {
+    const io::TemporaryFolder home;
+    const std::string prefix = home / "usr";
+    install("development", prefix);
+    const std::string examples = prefix + "/share/rubble/examples/library";
+    const std::string folder = home / "examples";
     expectOk(CommandRun().run(
-        {"cmake", "-S", examples, "-B", folder, "-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + m_prefix, "-DCMAKE_BUILD_TYPE=Debug"}));
+        {"cmake", "-S", examples, "-B", folder, "-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + prefix, "-DCMAKE_BUILD_TYPE=Debug"}));
     expectOk(CommandRun().run({"cmake", "--build", folder}));
     const Outcome wall = CommandRun().run({folder + "/falling_wall"});
     expectOk(wall);
     EXPECT_THAT(wall.out, HasSubstr("12 fragments, 12 bodies"));
-    const std::string fe = writeSmallCollapse(m_folder / "small.exo");
-    const Outcome recorded = CommandRun().run({folder + "/record_run", fe, m_folder / "r.run.h5"});
+    const std::string fe = writeSmallCollapse(home / "small.exo");
+    const Outcome recorded = CommandRun().run({folder + "/record_run", fe, home / "r.run.h5"});
     expectOk(recorded);
     EXPECT_THAT(recorded.out, HasSubstr("5 fragments"));
-    const Outcome verified = cli({"verify", m_folder / "r.run.h5"});
+    const Outcome verified = cli({"verify", home / "r.run.h5"});
     expectOk(verified);
     EXPECT_THAT(verified.out, HasSubstr("bit-equal"));
-    const Outcome wrong = CommandRun().run({folder + "/record_run", m_folder / "missing.exo", m_folder / "r.run.h5"});
+    const Outcome wrong = CommandRun().run({folder + "/record_run", home / "missing.exo", home / "r.run.h5"});
     EXPECT_EQ(wrong.exitCode, 1);
     EXPECT_THAT(wrong.err, HasSubstr("missing.exo"));
 }

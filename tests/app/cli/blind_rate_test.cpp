@@ -71,17 +71,21 @@ TEST_F(BlindRate, OfThreeHeapsNoneIsNamedWronglyAndWhatIsLeftOutIsMissed) {
         << "Wilson (1927)";
 }
 
-// A part of what the manual's table holds, with its criteria.
+// The manual's table, with the criteria that the method has to hold.
 TEST_F(BlindRate, WholeOfTheStoneBridgeAnswersAreRight) {
     std::vector<std::string> causes;
     for (const char* cause : {"west", "both", "pier", "crown"}) {
         causes.push_back(buildPath("tests/fe/causes/") + cause + ".exo");
     }
     const nlohmann::json found = collapses(
-        causes, {"--collapses", "12", "--set", "bodies_max=300", "--set", "settle_time=1", "--set", "loose_structure=at_once"});
+        causes, {"--collapses", "40", "--set", "bodies_max=300", "--set", "settle_time=1", "--set", "loose_structure=at_once"});
+    ASSERT_EQ(found.size(), 40U);
     const int right = count(found, "answer", "right");
-    EXPECT_EQ(count(found, "answer", "wrong"), 0) << m_table;
-    EXPECT_GE(right, 1) << m_table;
+    const int wrong = count(found, "answer", "wrong");
+    EXPECT_GE(right, 9 * (right + wrong) / 10.0) << m_table;
+    EXPECT_LE(wrong, 0.02 * 40) << m_table;
+    EXPECT_GE(right, 20) << "one that never answers is never wrong\n" << m_table;
+    EXPECT_GE(count(found, "noticed", true), 36) << m_table;
 }
 
 }  // namespace

@@ -27,46 +27,23 @@ protected:
         QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
         ASSERT_TRUE(QTest::qWaitFor([&] { return mapped(); }, patience));
     }
-    /// The run of the arch stops at the last FE state: much still moves.
-    void simulateCheaply() {
-        openArch();
-        makeCheap();
-        simulateToEnd();
-    }
+    void showsTheInstantOfTheViews();
+    void liesOnTheGround();
+    void isSavedInEachFormat();
+    void asksForAFile();
 };
 
-TEST_F(RunMapTest, TheMapOfTheRunStandsBesideTheViewsByItsKey) {
-    openArch();
-    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
-    EXPECT_TRUE(map().dock().isVisible());
-    EXPECT_FALSE(panel().content().why.isEmpty()) << "there is no run yet, and it says so";
-    makeCheap();
-    simulateToEnd();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mapped(); }, patience));
-    const DebrisMap& made = panel().content().map->map;
-    EXPECT_GT(made.cells.size(), 100U);
-    EXPECT_EQ(made.time, session->computation().currentRun()->outcome->endTime);
-    EXPECT_FALSE(panel().style().outlines.empty()) << "of the structure";
-    EXPECT_NE(panel().style().cautions.find("still moved"), std::string::npos) << panel().style().cautions;
-    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
-    EXPECT_FALSE(map().dock().isVisible());
-}
-
-TEST_F(RunMapTest, TheInstantOfTheViewsIsMappedOncePlaybackRests) {
-    simulateCheaply();
-    openMap();
+void RunMapTest::showsTheInstantOfTheViews() {
     const double end = panel().content().map->map.time;
     auto* when = panel().findChild<QComboBox*>(QStringLiteral("mapWhen"));
     when->setFocus();
     QTest::keyClick(when, Qt::Key_Down);
     window->rooms().playback->showInstant(0.75 * end);
-    ASSERT_TRUE(
+    EXPECT_TRUE(
         QTest::qWaitFor([&] { return mapped() && std::abs(panel().content().map->map.time - 0.75 * end) < 1e-9; }, patience));
 }
 
-TEST_F(RunMapTest, ItIsLaidOnTheGroundAndTakenAway) {
-    simulateCheaply();
-    openMap();
+void RunMapTest::liesOnTheGround() {
     auto* button = panel().findChild<QToolButton*>(QStringLiteral("mapOnGround"));
     QTest::mouseClick(button, Qt::LeftButton);
     ASSERT_NE(window->area().views().data().orthophoto, nullptr);
@@ -75,10 +52,8 @@ TEST_F(RunMapTest, ItIsLaidOnTheGroundAndTakenAway) {
     EXPECT_EQ(window->area().views().data().orthophoto, nullptr);
 }
 
-TEST_F(RunMapTest, EachFormatIsSavedWithWhatMustBeKnownBesideIt) {
-    simulateCheaply();
-    openMap();
-    QTemporaryDir folder;
+void RunMapTest::isSavedInEachFormat() {
+    const QTemporaryDir folder;
     for (const char* name : {"m.tif", "m.gpkg", "m.csv", "m.png"}) {
         const QString path = folder.filePath(QLatin1String(name));
         map().saveTo(path);
@@ -95,10 +70,8 @@ TEST_F(RunMapTest, EachFormatIsSavedWithWhatMustBeKnownBesideIt) {
     EXPECT_GT(QImage(folder.filePath(QStringLiteral("m.png"))).width(), 500);
 }
 
-TEST_F(RunMapTest, SaveAsksForAFileAndTakesTheFormatThatWasChosen) {
-    simulateCheaply();
-    openMap();
-    QTemporaryDir folder;
+void RunMapTest::asksForAFile() {
+    const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("chosen.gpkg"));
     whenAsked([&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
@@ -108,9 +81,28 @@ TEST_F(RunMapTest, SaveAsksForAFileAndTakesTheFormatThatWasChosen) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(path); }, patience));
 }
 
-TEST_F(RunMapTest, AnotherCaseTakesTheMapAway) {
-    simulateCheaply();
+// One run serves all: it stops at the last FE state, so that much still moves.
+TEST_F(RunMapTest, TheMapOfTheRunIsShownByItsKeyFollowsTheViewsAndIsSaved) {
+    openArch();
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    EXPECT_TRUE(map().dock().isVisible());
+    EXPECT_FALSE(panel().content().why.isEmpty()) << "there is no run yet, and it says so";
+    makeCheap();
+    simulateToEnd();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mapped(); }, patience));
+    const DebrisMap& made = panel().content().map->map;
+    EXPECT_GT(made.cells.size(), 100U);
+    EXPECT_EQ(made.time, session->computation().currentRun()->outcome->endTime);
+    EXPECT_FALSE(panel().style().outlines.empty()) << "of the structure";
+    EXPECT_NE(panel().style().cautions.find("still moved"), std::string::npos) << panel().style().cautions;
+    liesOnTheGround();
+    isSavedInEachFormat();
+    asksForAFile();
+    showsTheInstantOfTheViews();
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    EXPECT_FALSE(map().dock().isVisible());
     openMap();
+    // Another case takes the map away.
     session->document().undoStack().setClean();
     window->open(arch());
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel().content().map == nullptr; }, patience));

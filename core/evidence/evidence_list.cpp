@@ -1,9 +1,9 @@
 #include "core/evidence/evidence_list.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
+#include "core/base/small_letters.h"
 #include "core/fe/control_points.h"
 
 namespace rubble {
@@ -14,9 +14,7 @@ constexpr double confidence = 1.96;
 
 /// What nobody looked into is told by the ending of its file.
 EvidenceForm formByEnding(const std::string& path) {
-    std::string ending = path.substr(std::min(path.size(), path.rfind('.')));
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = inSmallLetters(path.substr(std::min(path.size(), path.rfind('.'))));
     for (const char* cloud : {".las", ".laz", ".e57", ".ply", ".pcd", ".ptx", ".pts", ".csv", ".txt"}) {
         if (ending == cloud) {
             return EvidenceForm::Cloud;

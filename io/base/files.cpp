@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/small_letters.h"
 #include "io/base/sha256.h"
 
 namespace rubble::io {
@@ -287,9 +287,7 @@ std::string unfinishedName(const std::string& path) {
 }
 
 bool hasEnding(std::string_view path, std::string_view ending) {
-    return path.size() >= ending.size() &&
-           std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+    return path.size() >= ending.size() && inSmallLetters(path.substr(path.size() - ending.size())) == ending;
 }
 
 void writeProvenance(const std::string& exportedPath, std::string_view text) {

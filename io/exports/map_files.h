@@ -21,6 +21,10 @@ struct MapOrigin {
     std::string provenance;                                  ///< the sidecar, JSON
 };
 
+/// The inputs of a map of several, for the line below its picture: "inputs" and the first digits of each digest; empty: it names
+/// none.
+std::string inputsLine(const MapOrigin& origin);
+
 /// @param shown  what the frame at the time of the map was: simulated, or interpolated between two
 MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown);
 

@@ -74,6 +74,16 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     return origin;
 }
 
+std::string inputsLine(const MapOrigin& origin) {
+    std::string line;
+    for (const auto& [key, value] : origin.facts) {
+        if (key.starts_with("RUBBLE_INPUT")) {
+            line += (line.empty() ? "inputs " : ", ") + value.substr(0, 16);
+        }
+    }
+    return line;
+}
+
 void writeRunMap(const std::string& path, const RunMap& made, const std::vector<MapLayer>& layers, double contourSpacing,
                  const RunReader& run, const Execution& execution) {
     const MapOrigin origin = mapOrigin(run, made.map, made.shown);

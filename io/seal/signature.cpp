@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/small_letters.h"
 #include "io/base/files.h"
 #include "io/base/sha256.h"
 #include "io/seal/openssl_handles.h"
@@ -164,9 +165,7 @@ PublicKey publicKeyOf(const std::string& pem) {
 std::string expectedFingerprint(const std::string& given) {
     const bool hex = given.size() == 64 && std::all_of(given.begin(), given.end(), [](char c) { return std::isxdigit(c) != 0; });
     if (hex) {
-        std::string lower = given;
-        std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
-        return lower;
+        return inSmallLetters(given);
     }
     const std::string pem = fileText(given);
     if (const PublicKey key = publicKeyOf(pem)) {

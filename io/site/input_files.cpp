@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <pugixml.hpp>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/small_letters.h"
 #include "io/base/files.h"
 #include "io/fe/fe_reader.h"
 #include "io/fe/meshes/ply_header.h"
@@ -51,11 +51,6 @@ bool isErdasFile(const fs::path& path) {
     std::array<char, mark.size()> head{};
     std::ifstream(path, std::ios::binary).read(head.data(), head.size());
     return std::string_view(head.data(), head.size()) == mark;
-}
-
-std::string inSmallLetters(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 /// What may lie beside a file of a kind: endings in small letters, in place of its own and behind its whole name.

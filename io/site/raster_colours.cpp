@@ -3,11 +3,11 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
 
+#include "core/base/small_letters.h"
 #include "io/base/file_words.h"
 
 namespace rubble::io {
@@ -22,9 +22,7 @@ GDALRasterBand* bandOf(GDALDataset& file, std::size_t colour) {
     for (const bool byName : {false, true}) {
         for (int b = 1; b <= file.GetRasterCount(); ++b) {
             GDALRasterBand* band = file.GetRasterBand(b);
-            std::string name = band->GetDescription();
-            std::transform(name.begin(), name.end(), name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            const std::string name = inSmallLetters(band->GetDescription());
             if (byName ? name == colourNames[colour] : band->GetColorInterpretation() == colourMeanings[colour]) {
                 return band;
             }

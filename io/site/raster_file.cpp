@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 #include "io/base/file_words.h"
+#include "io/base/length_unit.h"
 #include "io/site/gdal_session.h"
 #include "io/site/raster_colours.h"
 #include "io/site/system_way.h"
@@ -38,30 +39,6 @@ constexpr std::array<std::string_view, 5> picturesOnly{"PNG", "JPEG", "GIF", "BM
 [[noreturn]] void refusePicture(const std::string& path) {
     refuseContent({"terrain.picture", "{0} holds colours or complex numbers, not heights", {path}},
                   "Give the elevation model, not a picture of it.");
-}
-
-/// Metres in a unit of height by the names that files use; 0 if unknown.
-double metresInUnit(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    std::erase_if(name, [](char c) { return c == ' ' || c == '_' || c == '-' || c == '.'; });
-    struct Unit {
-        double metres;
-        std::vector<std::string> names;
-    };
-    static const std::vector<Unit> units{
-        {1.0, {"m", "metre", "metres", "meter", "meters"}},
-        {0.3048, {"ft", "foot", "feet", "internationalfoot", "internationalfeet"}},
-        {1200.0 / 3937.0, {"ftus", "usft", "sft", "footus", "ussurveyfoot", "ussurveyfeet", "ussft", "surveyfoot", "surveyfeet"}},
-        {0.01, {"cm", "centimetre", "centimetres", "centimeter", "centimeters"}},
-        {0.001, {"mm", "millimetre", "millimetres", "millimeter", "millimeters"}},
-        {1000.0, {"km", "kilometre", "kilometres", "kilometer", "kilometers"}},
-    };
-    for (const Unit& unit : units) {
-        if (std::find(unit.names.begin(), unit.names.end(), name) != unit.names.end()) {
-            return unit.metres;
-        }
-    }
-    return 0.0;
 }
 
 }  // namespace
@@ -182,7 +159,7 @@ void RasterFile::readPlace() {
 
 void RasterFile::readUnits() {
     m_heightUnit = m_handles->band->GetUnitType();
-    m_metresPerHeightUnit = metresInUnit(m_heightUnit);
+    m_metresPerHeightUnit = metresInUnit(m_heightUnit).value_or(0.0);
     const OGRSpatialReference* crs = m_handles->dataset->GetSpatialRef();
     if (crs == nullptr || crs->IsEmpty()) {
         return;

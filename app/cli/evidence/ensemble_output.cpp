@@ -224,11 +224,7 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         style.place = io::SitePlace(origin.frame, origin.site).transform();
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
-        for (const auto& [key, value] : origin.facts) {
-            if (key.starts_with("RUBBLE_INPUT")) {
-                style.provenance += (style.provenance.empty() ? "inputs " : ", ") + value.substr(0, 16);
-            }
-        }
+        style.provenance = io::inputsLine(origin);
         figures::writePng(path, figures::mapPicture(map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {

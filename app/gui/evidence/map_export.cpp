@@ -12,11 +12,7 @@ figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin) {
     style.place = io::SitePlace(origin.frame, origin.site).transform();
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;
-    for (const auto& [key, value] : origin.facts) {
-        if (key.starts_with("RUBBLE_INPUT")) {
-            style.provenance += (style.provenance.empty() ? "inputs " : ", ") + value.substr(0, 16);
-        }
-    }
+    style.provenance = io::inputsLine(origin);
     return style;
 }
 

@@ -1,9 +1,9 @@
 #include "io/fe/bodies/bodies_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
+#include "core/base/small_letters.h"
 #include "core/fe/loose_bodies.h"
 #include "io/base/trimmed.h"
 #include "io/fe/bodies/body_table.h"
@@ -16,8 +16,7 @@ bool recognisesBodies(const FileHead& head) {
         if (line.starts_with("\xef\xbb\xbf")) {
             line.erase(0, 3);
         }
-        std::string own(trimmed(line));
-        std::transform(own.begin(), own.end(), own.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const std::string own = inSmallLetters(trimmed(line));
         if (!own.empty() && !own.starts_with('#') && !own.starts_with("sep=")) {
             return isBodyHeading(own);
         }

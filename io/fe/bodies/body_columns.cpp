@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <numbers>
+
+#include "core/base/small_letters.h"
 
 namespace rubble::io {
 
@@ -87,8 +88,7 @@ std::string unitsOf(Quantity quantity) {
 }
 
 ReadColumn columnNamed(const std::string& heading) {
-    std::string name = heading;
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = inSmallLetters(heading);
     ReadColumn read;
     for (const std::string_view spin : {"wx", "wy", "wz"}) {
         const bool framed = name.starts_with(std::string(spin) + "_world") || name.starts_with(std::string(spin) + "_body");

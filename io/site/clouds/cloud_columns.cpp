@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/small_letters.h"
 #include "io/base/file_words.h"
+#include "io/base/length_unit.h"
 #include "io/base/trimmed.h"
 #include "io/fe/meshes/raw_mesh.h"
 #include "io/site/clouds/cloud_file.h"
@@ -20,35 +22,6 @@ template <class Whole>
 Whole wholeOf(double number) {
     constexpr auto most = static_cast<double>(std::numeric_limits<Whole>::max());
     return number > 0.0 ? static_cast<Whole>(std::min(std::round(number), most)) : Whole{0};
-}
-
-std::string inSmallLetters(std::string_view text) {
-    std::string low;
-    for (const char c : text) {
-        low += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return low;
-}
-
-/// Metres in a unit of length, by the names that people give it.
-std::optional<double> metresIn(std::string_view unit) {
-    std::string name = inSmallLetters(unit);
-    std::erase_if(name, [](char c) { return c == ' ' || c == '-' || c == '.' || c == '_'; });
-    constexpr double surveyFoot = 1200.0 / 3937.0;
-    static const std::vector<std::pair<double, std::vector<std::string_view>>> units{
-        {1.0, {"m", "metre", "metres", "meter", "meters"}},
-        {1e-3, {"mm"}},
-        {1e-2, {"cm"}},
-        {1e3, {"km"}},
-        {0.3048, {"ft", "foot", "feet", "ift", "ftint", "internationalfeet"}},
-        {surveyFoot,
-         {"usft", "ftus", "sft", "ussft", "usfeet", "usfoot", "surveyfeet", "surveyfoot", "ussurveyfeet", "ussurveyfoot"}}};
-    for (const auto& [metres, names] : units) {
-        if (std::find(names.begin(), names.end(), name) != names.end()) {
-            return metres;
-        }
-    }
-    return std::nullopt;
 }
 
 bool isPlace(ColumnRole role) {
@@ -109,7 +82,7 @@ ColumnHeading columnHeading(const std::string& path, std::string_view heading) {
         if (!isPlace(columnRole(bare))) {
             return whole;
         }
-        const std::optional<double> metres = metresIn(unit);
+        const std::optional<double> metres = metresInUnit(unit);
         if (!metres) {
             refuseContent(
                 {"cloud.unit_unknown", "{0}: \"{1}\" behind \"{2}\" is no unit of length that is known", {path, unit, bare}},
@@ -120,7 +93,7 @@ ColumnHeading columnHeading(const std::string& path, std::string_view heading) {
     for (std::size_t at = heading.find_first_of("_ "); at != std::string_view::npos; at = heading.find_first_of("_ ", at + 1)) {
         const std::string_view unit = heading.substr(at + 1);
         const ColumnRole role = columnRole(heading.substr(0, at));
-        if (const std::optional<double> metres = metresIn(unit); metres && isPlace(role)) {
+        if (const std::optional<double> metres = metresInUnit(unit); metres && isPlace(role)) {
             return {role, std::string(unit), metres};
         }
     }

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <string_view>
 
+#include "core/base/small_letters.h"
 #include "io/base/delimited_table.h"
 #include "io/base/file_words.h"
 #include "io/base/files.h"
@@ -26,14 +26,9 @@ constexpr std::array<const char*, 2> stationFormats{"DXF", nullptr};
 /// m in plan. A text that lies farther from a point names another one.
 constexpr double labelReach = 1.0;
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 bool isNameColumn(const std::string& heading) {
     constexpr std::array<std::string_view, 9> names{"name", "point", "point_id", "pointid", "id", "number", "no", "nr", "pt"};
-    return std::find(names.begin(), names.end(), lower(heading)) != names.end();
+    return std::find(names.begin(), names.end(), inSmallLetters(heading)) != names.end();
 }
 
 /// Where the columns of a table stand.

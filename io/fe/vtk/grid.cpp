@@ -108,4 +108,12 @@ void appendGrid(Grid& grid, const Grid& more) {
     }
 }
 
+void joinGrid(std::optional<Grid>& grid, Grid more) {
+    if (grid) {
+        appendGrid(*grid, more);
+    } else {
+        grid = std::move(more);
+    }
+}
+
 }  // namespace rubble::io

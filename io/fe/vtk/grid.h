@@ -56,6 +56,8 @@ const GridArray* findArray(const std::vector<GridArray>& arrays, const std::stri
 /// Adds a grid behind another as a piece of its own: its points get their own positions. Point arrays that only one of them has are
 /// dropped; cell arrays have no number where one lacks them. A vacant grid adds nothing.
 void appendGrid(Grid& grid, const Grid& more);
+/// The same where there may be no grid yet: the first one is taken as it is.
+void joinGrid(std::optional<Grid>& grid, Grid more);
 
 /// A series of grids, one a state. Implementations throw ParseError or WorldError naming the file.
 class GridSource {

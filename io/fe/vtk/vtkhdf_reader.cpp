@@ -79,20 +79,16 @@ public:
 
     Grid read(std::size_t k, const GridSelection& selection) const override {
         const Step& step = m_steps[k];
-        Grid grid;
+        std::optional<Grid> joined;
         std::int64_t point = 0, cell = 0, entry = 0;
         for (std::int64_t p = 0; p < step.parts; ++p) {
             const auto part = static_cast<std::size_t>(step.part + p);
-            Grid piece = readPiece(step, part, {point, cell, entry}, step.meshes + p, selection);
+            joinGrid(joined, readPiece(step, part, {point, cell, entry}, step.meshes + p, selection));
             point = sum(point, m_points[part]);
             cell = sum(cell, m_cells[part]);
             entry = sum(entry, m_entries[part]);
-            if (p == 0) {
-                grid = std::move(piece);
-            } else {
-                appendGrid(grid, piece);
-            }
         }
+        Grid grid = std::move(joined).value_or(Grid());
         grid.time = m_times[k];
         return grid;
     }

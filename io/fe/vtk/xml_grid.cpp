@@ -20,20 +20,14 @@ public:
     }
 
     Grid read() {
-        Grid grid;
-        grid.offsets.push_back(0);
-        bool first = true;
+        std::optional<Grid> joined;
         for (const pugi::xml_node piece : m_grid.children("Piece")) {
-            if (first) {
-                grid = readPiece(piece);
-            } else {
-                appendGrid(grid, readPiece(piece));
-            }
-            first = false;
+            joinGrid(joined, readPiece(piece));
         }
-        if (first) {
+        if (!joined) {
             m_file.fail("it has no piece");
         }
+        Grid grid = std::move(*joined);
         grid.time = time();
         for (const pugi::xml_node array : m_grid.child("FieldData").children("Array")) {
             if (std::string_view(array.attribute("Name").as_string()) == "component_names") {

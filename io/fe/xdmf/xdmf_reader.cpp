@@ -102,16 +102,11 @@ public:
     }
 
     Grid read(std::size_t k, const GridSelection& selection) const override {
-        Grid grid;
-        const std::vector<Grids>& pieces = m_states.list[k].pieces;
-        for (std::size_t p = 0; p < pieces.size(); ++p) {
-            Grid piece = readPiece(pieces[p], selection);
-            if (p == 0) {
-                grid = std::move(piece);
-            } else {
-                appendGrid(grid, piece);
-            }
+        std::optional<Grid> joined;
+        for (const Grids& piece : m_states.list[k].pieces) {
+            joinGrid(joined, readPiece(piece, selection));
         }
+        Grid grid = std::move(joined).value_or(Grid());
         grid.time = m_times[k];
         return grid;
     }

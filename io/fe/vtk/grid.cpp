@@ -1,6 +1,7 @@
 #include "io/fe/vtk/grid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/unknown.h"
 

@@ -17,6 +17,7 @@ std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
 
 SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const CaseInput& stated,
                              const SurfaceSettings& settings, Findings& findings, const Execution& execution) {
+    checkShowsRest(stated);
     SurveyRequest request;
     request.holds = file.kind == EvidenceFile::Kind::Footprint ? SurveyRequest::Holds::Outline
                     : file.kind == EvidenceFile::Kind::Survey  ? SurveyRequest::Holds::Either

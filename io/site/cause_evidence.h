@@ -35,7 +35,7 @@ struct EvidenceSite {
 };
 
 /// Reads a file of evidence, as a survey is read, onto the cells of the ensembles. What is assumed or left out is added to the
-/// findings. Throws as readSurvey() and surfaceEvidence().
+/// findings. Throws as readSurvey() and surfaceEvidence(), UsageError (a survey of an instant of the collapse).
 /// @param stated  what the case says of it, with the scope that counts
 SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const CaseInput& stated,
                              const SurfaceSettings& settings, Findings& findings, const Execution& execution);

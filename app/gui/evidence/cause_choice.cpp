@@ -23,6 +23,10 @@ QString notAtRest() {
     return CauseChoice::tr("It was not taken at rest: members keep their debris at rest.");
 }
 
+QString beforeCollapse() {
+    return CauseChoice::tr("It was taken before the collapse and shows no debris.");
+}
+
 /// Why a photograph does not count; empty: it does. @param photograph  null: nothing is drawn on it
 QString whyLeftOut(const Photograph* photograph) {
     const bool drawn = photograph != nullptr && std::any_of(photograph->masks.begin(), photograph->masks.end(),
@@ -206,7 +210,7 @@ QString CauseChoice::whyNot(const CaseInput& survey) const {
         return io::surveyOfFile(m_document.theCase(), base, added.file.path) == &survey;
     };
     const Findings far = m_reach.of(survey);
-    return survey.before    ? tr("It was taken before the collapse and shows no debris.")
+    return survey.before    ? beforeCollapse()
            : survey.instant ? notAtRest()
            : !far.empty()   ? widgets::worded(far.list().front().what)
            : std::any_of(m_kept.files.begin(), m_kept.files.end(), isIt)
@@ -235,7 +239,12 @@ std::vector<CauseChoice::Evidence> CauseChoice::evidence() const {
     }
     for (const io::KeptCauses::File& each : m_kept.files) {
         const QString path = QString::fromStdString(each.file.path);
-        all.push_back({each.file, {}, named(kindWords(each.file.kind), path), path, {}, each.used});
+        const CaseInput* survey = io::surveyOfFile(theCase, m_document.base().toStdString(), each.file.path);
+        const QString why = survey == nullptr ? QString()
+                            : survey->before  ? beforeCollapse()
+                            : survey->instant ? notAtRest()
+                                              : QString();
+        all.push_back({each.file, {}, named(kindWords(each.file.kind), path), path, why, each.used});
     }
     for (const io::KeptCauses::Time& each : m_kept.times) {
         all.push_back({each.time, {}, timeName(each.time), timeTip(each.time), {}, each.used});

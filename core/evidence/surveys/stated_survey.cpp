@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/base/csv_text.h"
 #include "core/base/error.h"
 
 namespace rubble {
@@ -67,6 +68,15 @@ void checkShowsDebris(const CaseInput& survey) {
     if (survey.before) {
         throw UsageError({"survey.before", "{0} was taken before the collapse: it shows no debris", {survey.path}},
                          {"survey.before.remedy", "Take it as the terrain, or say that it was taken afterwards.", {}});
+    }
+}
+
+void checkShowsRest(const CaseInput& survey) {
+    if (survey.instant) {
+        throw UsageError({"survey.not_at_rest",
+                          "{0} shows the collapse at {1} s: members keep their debris at rest",
+                          {survey.path, exactNumber(*survey.instant)}},
+                         {"survey.not_at_rest.remedy", "Leave it out here, and hold single runs against it as a survey.", {}});
     }
 }
 

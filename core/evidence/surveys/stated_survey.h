@@ -22,5 +22,7 @@ void takeStated(SurveySettings& settings, const Case& theCase, const CaseInput& 
 
 /// Throws UsageError for a survey of before the collapse, which holds no debris.
 void checkShowsDebris(const CaseInput& survey);
+/// Throws UsageError for a survey of an instant of the collapse: members of an ensemble are held against what lies at rest.
+void checkShowsRest(const CaseInput& survey);
 
 }  // namespace rubble

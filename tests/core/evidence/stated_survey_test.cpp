@@ -80,6 +80,13 @@ TEST(StatedSurvey, OneOfBeforeTheCollapseShowsNoDebris) {
     EXPECT_EQ(idOfError([&] { checkShowsDebris(survey); }), "survey.before");
 }
 
+TEST(StatedSurvey, OneOfAnInstantIsNotHeldAgainstWhatLiesAtRest) {
+    CaseInput survey;
+    EXPECT_NO_THROW(checkShowsRest(survey));
+    survey.instant = 0.5;
+    EXPECT_EQ(idOfError([&] { checkShowsRest(survey); }), "survey.not_at_rest");
+}
+
 TEST(EvidenceList, AKindThatWasSeenStandsBeforeTheEndingOfTheFile) {
     Case theCase;
     for (const auto& [path, kind] : {std::pair("points.xyz", SurveyKind::Cloud), std::pair("edge.dxf", SurveyKind::Outline),

@@ -122,6 +122,10 @@ TEST_F(CauseChoices, SurveysOfTheCaseAreEvidenceAsTheCaseSays) {
     ASSERT_EQ(evidence.count(), 2);
     EXPECT_EQ(evidence.item(0)->checkState(), Qt::Unchecked);
     EXPECT_EQ(evidence.item(1)->checkState(), Qt::Checked);
+    // What the case says of its instant holds for it as well.
+    edit([](CaseInput& input) { input.instant = 0.5; });
+    EXPECT_EQ(evidence.item(1)->checkState(), Qt::Unchecked);
+    EXPECT_TRUE(evidence.item(1)->toolTip().contains(QStringLiteral("not taken at rest")));
 }
 
 TEST_F(CauseChoices, ListAndComparisonCallThemAlike) {

@@ -103,6 +103,8 @@ TEST_F(Pictures, WholeOfTheManualShowTheWindowAsItIs) {
     hold(QStringLiteral("start"), *window);
     openArch();
     makeCheap();
+    session->document().setParameter(QStringLiteral("loose_structure"), std::string("at_once"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     window->rooms().deck->choose(PanelDeck::Fragments);
     hold(QStringLiteral("fragments"), *window);
     window->rooms().deck->choose(PanelDeck::Grid);

@@ -71,8 +71,9 @@ protected:
         return session->computation().results().clustering != nullptr && !session->computation().busy() &&
                !session->computation().stale(Stage::Clusters, session->document().scenario());
     }
-    /// Settings under which the arch is simulated in seconds: few bodies, no settling.
+    /// Settings under which the arch is simulated in seconds: few bodies, whole spans as the FE result has them, no settling.
     void makeCheap() {
+        session->document().setParameter(QStringLiteral("loose_structure"), std::string("fe"));
         session->document().setParameter(QStringLiteral("multiple"), 8.0);
         session->document().setParameter(QStringLiteral("settle_time"), 0.0);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));

@@ -80,6 +80,15 @@ std::vector<double> instantsOf(const PresetRequest& request, const render::Scene
     return {request.end};
 }
 
+/// Materials come with shaded edges and earth without the lines of a grid; colours of analysis leave the view as it is.
+void dress(render::View& view, render::Style style) {
+    view.style = style;
+    if (style == render::Style::Presentation) {
+        view.groundGrid = false;
+        view.shading = true;
+    }
+}
+
 /// Pixels that pictures of a shape need, at most those of a page.
 int fittingHeight(int columns, int rows, SheetLegend legend, bool provenance, bool cautions, int width, double dpi, double aspect) {
     const SheetLayout lines = layOutSheet(columns, rows, legend, provenance, {width, 1}, dpi, cautions);
@@ -189,6 +198,7 @@ Sheet presetSheet(const PresetRequest& request, const render::View& like, const 
     sheet.look = request.look.value_or(around ? render::Preset::Corner : render::Preset::Side);
     render::View view = like;
     view.captions = true;
+    dress(view, request.style.value_or(render::Style::Presentation));
     const auto add = [&](PaneContent content, double time, const QString& stage = {}) {
         sheet.panels.push_back(panelOf(view, content, time, stage));
     };
@@ -205,9 +215,6 @@ Sheet presetSheet(const PresetRequest& request, const render::View& like, const 
         add(PaneContent::Fragments, times[0]);
     } else if (around) {
         sheet.around = surroundingsFactor;
-        view.style = render::Style::Presentation;
-        view.groundGrid = false;
-        view.shading = true;
         add(PaneContent::Fragments, times[0], tr("Debris and surroundings"));
     } else {
         sheet.commonLegend = true;

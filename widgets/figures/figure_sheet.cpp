@@ -80,15 +80,6 @@ std::vector<double> instantsOf(const PresetRequest& request, const render::Scene
     return {request.end};
 }
 
-/// Materials come with shaded edges and earth without the lines of a grid; colours of analysis leave the view as it is.
-void dress(render::View& view, render::Style style) {
-    view.style = style;
-    if (style == render::Style::Presentation) {
-        view.groundGrid = false;
-        view.shading = true;
-    }
-}
-
 /// Pixels that pictures of a shape need, at most those of a page.
 int fittingHeight(int columns, int rows, SheetLegend legend, bool provenance, bool cautions, int width, double dpi, double aspect) {
     const SheetLayout lines = layOutSheet(columns, rows, legend, provenance, {width, 1}, dpi, cautions);
@@ -123,6 +114,14 @@ void paintWhole(QPainter& painter, const QRectF& box, const QString& text, doubl
 }
 
 }  // namespace
+
+void dress(render::View& view, render::Style style) {
+    view.style = style;
+    if (style == render::Style::Presentation) {
+        view.groundGrid = false;
+        view.shading = true;
+    }
+}
 
 QString paneName(render::PaneContent content) {
     switch (content) {

@@ -84,6 +84,10 @@ QSize usualSize(std::optional<FigurePreset> preset);
 /// How many instants a preset shows.
 std::size_t presetInstants(FigurePreset preset);
 
+/// Gives a view a style for a picture that is handed over: materials come with shaded edges and earth without the lines of a grid;
+/// colours of analysis leave all else as it is.
+void dress(render::View& view, render::Style style);
+
 /// A preset as a sheet that arrange() has yet to settle. @param like  colours, hidden parts and so on
 /// Throws UsageError for another number of times than it shows.
 Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data);

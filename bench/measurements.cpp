@@ -212,6 +212,24 @@ std::string accuracyWords(const std::string& chart) {
 /// What is measured when it is asked for by name.
 std::vector<Measurement> longOnes() {
     return {
+        {"styles",
+         "Styles",
+         "Figures and page of the stone arch, 49,561 fragments, in both styles by turns: each figure drawn, the views of the page "
+         "at rest and played for 6 s from the third on, in Chromium of 1280 x 800 that draws in software.",
+         12.0,
+         true,
+         {{{"rubble-cli run resources/samples/stone-arch.rubble --out \"$TMPDIR/arch.run.h5\" --json",
+            "xvfb-run -a style_bench resources/samples/stone-arch.exo \"$TMPDIR/arch.run.h5\" --benchmark_format=json"},
+           1,
+           [](const std::vector<std::string>& outputs) {
+               return benchmarkRows(outputs.at(1), {{"presentation_ms", "presentation, ms"},
+                                                    {"analysis_ms", "analysis, ms"},
+                                                    {"presentation_fps", "presentation, frames a second"},
+                                                    {"analysis_fps", "analysis, frames a second"},
+                                                    {"ratio", "presentation over analysis"},
+                                                    {"page_MB", "page, MB"},
+                                                    {"start_s", "start, s"}});
+           }}}},
         {"scale",
          "Scale",
          "The stone arch with every brick split in 1, 3 and 10: 60,660, 181,980 and 606,600 elements. Memory is the most that the "

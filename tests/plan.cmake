@@ -2,7 +2,7 @@
 set(tests_longest_first app/gui/project app/cli/readme app/cli/report app/cli/hidden_cause app/gui/main_window app/gui/inspection app/gui/language
     core/selftest/long_hard_case app/slurm/slurm app/gui/screens app/cli/run app/cli/accuracy app/gui/survey app/gui/evidence app/gui/random_walk
     packages/install app/gui/new_case app/cli/map app/gui/figure_drop app/gui/costs app/slurm/window/cluster app/gui/view_detail app/gui/accuracy
-    app/cli/evidence_report app/gui/ensemble app/gui/effects_and_health app/cli/figure app/gui/closing app/cli/page)
+    app/cli/evidence_report app/gui/ensemble app/gui/effects_and_health app/cli/figure app/gui/closing app/cli/page app/cli/page_look)
 # of the folders of `./run test quick`, those that it leaves out because they take long;
 set(tests_beyond_quick core/selftest/long_hard_case)
 # of the command line, those that it takes as a smoke test;

@@ -8,9 +8,13 @@
 namespace rubble {
 
 /// What a picture of a page shows.
-enum class PagePictureKind : std::uint8_t { Views, Map, Photograph };
+enum class PagePictureKind : std::uint8_t { Views, Map, Photograph, Ground };
 
-/// A picture that a page of a run carries: of the views at an instant, of the debris map, a photograph with what was drawn on it.
+/// px, of the longer side of the picture of the ground that a page carries.
+inline constexpr int pageGroundPixels = 2048;
+
+/// A picture that a page of a run carries: of the views at an instant, of the debris map, a photograph with what was drawn on it,
+/// the orthophoto that its views lay on the ground.
 struct PagePicture {
     PagePictureKind kind = PagePictureKind::Views;
     double time = 0.0;  ///< s, of the views

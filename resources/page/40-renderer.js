@@ -1,4 +1,5 @@
 const smoothSamples = 4;
+const edgeInk = [0.13, 0.12, 0.1];
 
 // The drawing programs of a canvas. They are compiled beside what else is done until somebody asks what came of it.
 // Throws where the browser has no WebGL 2.
@@ -21,11 +22,15 @@ function startedPrograms(canvas) {
         return { program, shaders };
     };
     const programs = {
-        structure: started(structureVertex, solidFragment, ['now', 'next', 'tint']),
-        pieces: started(pieceVertex, solidFragment, ['place', 'body', 'tint']),
+        structure: started(structureVertex, solidFragment, ['now', 'next', 'tint', 'rest']),
+        pieces: started(pieceVertex, solidFragment, ['place', 'body', 'tint', 'rest']),
         squares: started(squareVertex, solidFragment, ['place', 'tint']),
         plain: started(plainVertex, groundFragment, ['place']),
-        picture: started(pictureVertex, pictureFragment, ['place'])
+        picture: started(pictureVertex, pictureFragment, ['place']),
+        sky: started(pictureVertex, skyFragment, ['place']),
+        structureDepth: started(structureVertex, depthFragment, ['now', 'next', 'tint', 'rest']),
+        piecesDepth: started(pieceVertex, depthFragment, ['place', 'body', 'tint', 'rest']),
+        plainDepth: started(plainVertex, depthFragment, ['place'])
     };
     gl.flush();
     return { gl, programs };
@@ -39,6 +44,8 @@ class Renderer {
         this.side = Math.min(2048, gl.getParameter(gl.MAX_TEXTURE_SIZE));
         this.blank = this.texture(1, gl.R8, gl.RED, gl.UNSIGNED_BYTE);
         this.tested = false;
+        this.look = { fine: false };
+        this.shadows = [0, 1].map(() => new Shadow(gl));
         this.makePoses();
         this.makeStructure();
         this.makePieces();
@@ -146,6 +153,8 @@ class Renderer {
         this.placeBuffer = new Float32Array(3 * nodeOf.length);
         this.states = [0, 1].map(() => ({ buffer: this.buffer(this.placeBuffer.byteLength, gl.DYNAMIC_DRAW), state: -1 }));
         this.structureTints = this.buffer(4 * nodeOf.length, gl.DYNAMIC_DRAW);
+        this.structure.fillPlaces(0, this.nodeOf, this.placeBuffer);
+        this.structureRest = this.buffer(this.placeBuffer, gl.STATIC_DRAW);
         // Each view has its own faces, since what has fallen is left out of one of them.
         this.shells = ['fe', 'standing'].map(() => {
             const shell = {
@@ -155,6 +164,7 @@ class Renderer {
             gl.bindVertexArray(shell.array);
             gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, shell.faces);
             this.attach(2, this.structureTints, 4, gl.UNSIGNED_BYTE, true);
+            this.attach(3, this.structureRest, 3, gl.FLOAT);
             return shell;
         });
         gl.bindVertexArray(null);
@@ -181,8 +191,22 @@ class Renderer {
         this.attach(1, this.buffer(this.perCorner(bodies), gl.STATIC_DRAW), 1, gl.UNSIGNED_INT);
         this.boxes.tints = this.buffer(4 * offsets[count], gl.DYNAMIC_DRAW);
         this.attach(2, this.boxes.tints, 4, gl.UNSIGNED_BYTE, true);
+        this.attach(3, this.buffer(this.restOfPieces(), gl.STATIC_DRAW), 3, gl.FLOAT);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
         this.makeSquares();
+    }
+
+    // Where the corners of the pieces were at rest: a piece keeps the grain that its element had.
+    restOfPieces() {
+        const { structure, pieces } = this;
+        const rest = Float32Array.from(pieces.corners);
+        for (let p = 0; p < pieces.count; ++p) {
+            const e = pieces.elements[p];
+            for (let c = 0; pieces.shapes[p] === structure.shapes[e] && c < pieces.offsets[p + 1] - pieces.offsets[p]; ++c) {
+                rest.set(structure.node(0, structure.corners[structure.offsets[e] + c]), 3 * (pieces.offsets[p] + c));
+            }
+        }
+        return rest;
     }
 
     // One value of each piece at each of its corners.
@@ -223,12 +247,12 @@ class Renderer {
         }
     }
 
-    // @param tintOf  colour of a component, three numbers to 255
+    // @param tintOf  colour and roughness of a component, four numbers to 255
     tintStructure(tintOf) {
         const gl = this.gl;
         const tints = new Uint8Array(4 * this.nodeOf.length);
         for (let v = 0; v < this.nodeOf.length; ++v) {
-            tints.set([...tintOf(this.componentOf[v]), 255], 4 * v);
+            tints.set(tintOf(this.componentOf[v]), 4 * v);
         }
         gl.bindBuffer(gl.ARRAY_BUFFER, this.structureTints);
         gl.bufferSubData(gl.ARRAY_BUFFER, 0, tints);
@@ -452,15 +476,21 @@ class Renderer {
     drawStill() {
         const gl = this.gl;
         const { program, places } = this.programs.picture;
+        gl.useProgram(program);
+        gl.activeTexture(gl.TEXTURE0);
+        gl.bindTexture(gl.TEXTURE_2D, this.still.colour);
+        gl.uniform1i(places.picture, 0);
+        this.drawScreen();
+    }
+
+    // A triangle that covers the viewport, behind everything.
+    drawScreen() {
+        const gl = this.gl;
         if (!this.screen) {
             this.screen = gl.createVertexArray();
             gl.bindVertexArray(this.screen);
             this.attach(0, this.buffer(Float32Array.of(-1, -1, 3, -1, -1, 3), gl.STATIC_DRAW), 2, gl.FLOAT);
         }
-        gl.useProgram(program);
-        gl.activeTexture(gl.TEXTURE0);
-        gl.bindTexture(gl.TEXTURE_2D, this.still.colour);
-        gl.uniform1i(places.picture, 0);
         gl.bindVertexArray(this.screen);
         gl.disable(gl.DEPTH_TEST);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -478,6 +508,17 @@ class Renderer {
         const gl = this.gl;
         gl.useProgram(program.program);
         gl.uniformMatrix4fv(program.places.view, false, view);
+        const { fine, shadow } = this.look;
+        gl.uniform1i(program.places.fine, fine ? 1 : 0);
+        gl.uniform1i(program.places.shadowed, fine && shadow ? 1 : 0);
+        gl.uniform1i(program.places.sunDepth, 2);
+        gl.activeTexture(gl.TEXTURE2);
+        gl.bindTexture(gl.TEXTURE_2D, this.shadows[0].texture);
+        if (fine && shadow) {
+            gl.bindTexture(gl.TEXTURE_2D, shadow.texture);
+            gl.uniformMatrix4fv(program.places.sunView, false, shadow.view);
+            gl.uniform1f(program.places.sunPart, shadow.part);
+        }
         // Behind what stands, where that is a picture of its own.
         const tested = this.tested && !over;
         gl.uniform1i(program.places.tested, tested ? 1 : 0);
@@ -486,13 +527,73 @@ class Renderer {
         gl.bindTexture(gl.TEXTURE_2D, tested ? this.still.depth : this.blank.texture);
     }
 
-    drawShell(index, view, share, eye) {
+    // @param edges  opacity of the edges of the elements; 0: none
+    drawShell(index, view, share, eye, { program = this.programs.structure, edges = 0 } = {}) {
         const gl = this.gl;
-        const program = this.programs.structure;
         this.use(program, view);
         gl.bindVertexArray(this.shells[index].array);
         gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.faceShell(this.shells[index], eye), gl.STREAM_DRAW);
-        for (const { mode, stays, solid, first, count } of this.shells[index].parts) {
+        gl.uniform4f(program.places.ink, 0, 0, 0, 0);
+        this.standBack(edges > 0, () => this.drawParts(this.shells[index].parts, program, share));
+        if (edges > 0) {
+            gl.uniform4f(program.places.ink, ...edgeInk, edges);
+            this.drawParts(this.sidesOf(this.scratch, this.shells[index].parts, gl.STREAM_DRAW), program, share);
+            gl.disable(gl.BLEND);
+        }
+    }
+
+    // Faces leave room in front of them for the lines of their edges.
+    standBack(needed, drawing) {
+        const gl = this.gl;
+        if (needed) {
+            gl.enable(gl.POLYGON_OFFSET_FILL);
+            gl.polygonOffset(1, 1);
+        }
+        drawing();
+        if (needed) {
+            gl.disable(gl.POLYGON_OFFSET_FILL);
+        }
+    }
+
+    // Hands over the sides of triangles as lines; of two that make a face of four corners not the one between them.
+    sidesOf(triangles, parts, usage) {
+        const gl = this.gl;
+        const total = parts.reduce((sum, part) => sum + part.count, 0);
+        if (!this.sides || this.sides.length < 2 * total) {
+            this.sides = new Uint32Array(2 * total);
+        }
+        const { sides } = this;
+        let length = 0;
+        const put = (a, b) => {
+            sides[length++] = a;
+            sides[length++] = b;
+        };
+        const lines = parts.filter((part) => part.mode === gl.TRIANGLES).map((part) => {
+            const first = length;
+            const end = part.first + part.count;
+            for (let i = part.first; i < end; i += 3) {
+                const [a, b, c] = [triangles[i], triangles[i + 1], triangles[i + 2]];
+                put(a, b);
+                put(b, c);
+                if (i + 3 < end && triangles[i + 3] === a && triangles[i + 4] === c) {
+                    put(c, triangles[i + 5]);
+                    put(triangles[i + 5], a);
+                    i += 3;
+                } else {
+                    put(c, a);
+                }
+            }
+            return { ...part, mode: gl.LINES, first, count: length - first };
+        });
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, sides.subarray(0, length), usage);
+        gl.enable(gl.BLEND);
+        gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+        return lines;
+    }
+
+    drawParts(parts, program, share) {
+        const gl = this.gl;
+        for (const { mode, stays, solid, first, count } of parts) {
             if (solid) {
                 gl.enable(gl.CULL_FACE);
             } else {
@@ -529,19 +630,27 @@ class Renderer {
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     }
 
-    drawBoxes(view) {
+    drawBoxes(view, { program = this.programs.pieces, edges = 0 } = {}) {
         const gl = this.gl;
-        const program = this.programs.pieces;
         this.use(program, view);
         gl.uniform1i(program.places.unlit, 0);
+        gl.uniform4f(program.places.ink, 0, 0, 0, 0);
         gl.activeTexture(gl.TEXTURE0);
         gl.bindTexture(gl.TEXTURE_2D, this.poses.texture);
         gl.uniform1i(program.places.poses, 0);
         gl.bindVertexArray(this.boxes.array);
         this.fillBoxes();
         gl.enable(gl.CULL_FACE);
-        gl.drawElements(gl.TRIANGLES, this.boxes.count, gl.UNSIGNED_INT, 0);
+        this.standBack(edges > 0, () => gl.drawElements(gl.TRIANGLES, this.boxes.count, gl.UNSIGNED_INT, 0));
         gl.disable(gl.CULL_FACE);
+        if (edges > 0) {
+            gl.uniform4f(program.places.ink, ...edgeInk, edges);
+            const triangles = [{ mode: gl.TRIANGLES, stays: 0, solid: 0, first: 0, count: this.boxes.count }];
+            const [{ count }] = this.sidesOf(this.boxes.room, triangles, gl.STREAM_DRAW);
+            gl.drawElements(gl.LINES, count, gl.UNSIGNED_INT, 0);
+            gl.disable(gl.BLEND);
+            this.boxes.live = null;
+        }
     }
 
     // Pieces as squares, of those that cover one another only the nearest.
@@ -555,6 +664,7 @@ class Renderer {
         this.use(program, view);
         gl.uniform1f(program.places.scale, scale);
         gl.uniform1i(program.places.unlit, 1);
+        gl.uniform4f(program.places.ink, 0, 0, 0, 0);
         gl.bindVertexArray(squares.array);
         gl.bindBuffer(gl.ARRAY_BUFFER, squares.placeBuffer);
         gl.bufferSubData(gl.ARRAY_BUFFER, 0, squares.places, 0, 4 * count);
@@ -616,13 +726,115 @@ class Renderer {
         return count;
     }
 
+    // A picture as a texture whose lowest row is that of the south.
+    pictureOf(image) {
+        const gl = this.gl;
+        const texture = gl.createTexture();
+        gl.activeTexture(gl.TEXTURE0);
+        gl.bindTexture(gl.TEXTURE_2D, texture);
+        gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
+        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
+        gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+        gl.generateMipmap(gl.TEXTURE_2D);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+        return texture;
+    }
+
+    // Triangles that stay as they are: what lies around the structure.
+    // @param indices  of points; none: points in rows of three make triangles
+    solid(points, indices = null) {
+        const gl = this.gl;
+        const array = gl.createVertexArray();
+        gl.bindVertexArray(array);
+        this.attach(0, this.buffer(points, gl.STATIC_DRAW), 3, gl.FLOAT);
+        if (indices) {
+            gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+            gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
+        }
+        gl.bindVertexArray(null);
+        return { array, count: indices ? indices.length : points.length / 3, indexed: indices !== null };
+    }
+
+    // @param surface  0: of one colour; 1: ground; 2: water
+    drawSolid(view, solid, tone, { shaded = false, surface = 0, program = this.programs.plain } = {}) {
+        const gl = this.gl;
+        this.use(program, view);
+        this.usePlain(program, tone, shaded, surface);
+        gl.bindVertexArray(solid.array);
+        this.blended(tone[3] < 1, () => {
+            if (solid.indexed) {
+                gl.drawElements(gl.TRIANGLES, solid.count, gl.UNSIGNED_INT, 0);
+            } else {
+                gl.drawArrays(gl.TRIANGLES, 0, solid.count);
+            }
+        });
+    }
+
+    usePlain(program, tone, shaded, surface) {
+        const gl = this.gl;
+        const { places } = program;
+        const { eye, far, horizon, photo } = this.look;
+        gl.uniform4fv(places.tone, tone);
+        gl.uniform1i(places.shaded, shaded ? 1 : 0);
+        gl.uniform1i(places.surface, surface);
+        gl.uniform1i(places.photo, 0);
+        gl.uniform1i(places.pictured, surface === 1 && photo ? 1 : 0);
+        gl.activeTexture(gl.TEXTURE0);
+        gl.bindTexture(gl.TEXTURE_2D, surface === 1 && photo ? photo.texture : this.blank.texture);
+        if (surface > 0) {
+            gl.uniform3fv(places.eye, eye);
+            gl.uniform4fv(places.far, far);
+            gl.uniform3fv(places.horizon, horizon);
+            gl.uniform4fv(places.place, photo ? photo.place : [0, 0, 1, 1]);
+        }
+    }
+
+    blended(needed, drawing) {
+        const gl = this.gl;
+        if (needed) {
+            gl.enable(gl.BLEND);
+            gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+        }
+        drawing();
+        gl.disable(gl.BLEND);
+    }
+
+    // A sky over all of a pane, brightest at the horizon.
+    drawSky(pane, low, top) {
+        const gl = this.gl;
+        const { program, places } = this.programs.sky;
+        gl.useProgram(program);
+        gl.uniform2f(places.room, pane.y, pane.height);
+        gl.uniform3fv(places.low, low);
+        gl.uniform3fv(places.top, top);
+        this.drawScreen();
+    }
+
+    // What throws shadows in a pane, along the rays of the sun.
+    // @param part  of the side of the map; the rest is what is there
+    castShadow(index, bounds, share, part, { structure, solids, boxes }) {
+        const shadow = this.shadows[index];
+        const { structureDepth, piecesDepth, plainDepth } = this.programs;
+        shadow.begin(bounds, part);
+        this.look = { ...this.look, shadow: null };
+        if (structure) {
+            this.drawShell(index, shadow.view, share, shadow.far, { program: structureDepth });
+        }
+        solids.forEach((solid) => this.drawSolid(shadow.view, solid, [0, 0, 0, 1], { program: plainDepth }));
+        if (boxes) {
+            this.drawBoxes(shadow.view, { program: piecesDepth });
+        }
+        shadow.end();
+    }
+
     // Points in rows of three numbers, as lines, triangles or points in one colour.
-    drawPlain(view, mode, points, tone, { shaded = false, over = false, thick = 1 } = {}) {
+    drawPlain(view, mode, points, tone, { shaded = false, over = false, thick = 1, surface = 0 } = {}) {
         const gl = this.gl;
         const program = this.programs.plain;
         this.use(program, view, over);
-        gl.uniform4fv(program.places.tone, tone);
-        gl.uniform1i(program.places.shaded, shaded ? 1 : 0);
+        this.usePlain(program, tone, shaded, surface);
         gl.uniform1f(program.places.thick, thick);
         gl.bindVertexArray(this.plain.array);
         gl.bindBuffer(gl.ARRAY_BUFFER, this.plain.buffer);
@@ -630,12 +842,7 @@ class Renderer {
         if (over) {
             gl.disable(gl.DEPTH_TEST);
         }
-        if (tone[3] < 1) {
-            gl.enable(gl.BLEND);
-            gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-        }
-        gl.drawArrays(mode, 0, points.length / 3);
+        this.blended(tone[3] < 1, () => gl.drawArrays(mode, 0, points.length / 3));
         gl.enable(gl.DEPTH_TEST);
-        gl.disable(gl.BLEND);
     }
 }

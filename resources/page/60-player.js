@@ -10,12 +10,23 @@ const settleAfter = 300;  // ms without a move, after which a picture is drawn i
 
 const usualTones = {
     sky: [0.9, 0.92, 0.93, 1], ground: [0.80, 0.80, 0.775, 1], mesh: [0.72, 0.72, 0.69, 1], water: [0.37, 0.56, 0.68, 0.55],
-    fragment: [213, 94, 0], structure: [163, 152, 138], released: [106, 61, 124], path: [0, 0.35, 0.6, 1], mark: [0.7, 0, 0.35, 1]
+    fragment: [213, 94, 0], structure: [163, 152, 138], released: [106, 61, 124], path: [0, 0.35, 0.6, 1], mark: [0.7, 0, 0.35, 1],
+    site: [0.74, 0.74, 0.71, 1]
 };
 const highTones = {
     sky: [0, 0, 0, 1], ground: [0.1, 0.1, 0.1, 1], mesh: [0.33, 0.33, 0.33, 1], water: [0.1, 0.35, 0.6, 0.5],
-    fragment: [255, 150, 20], structure: [235, 235, 235], released: [210, 130, 255], path: [0, 1, 1, 1], mark: [1, 1, 0, 1]
+    fragment: [255, 150, 20], structure: [235, 235, 235], released: [210, 130, 255], path: [0, 1, 1, 1], mark: [1, 1, 0, 1],
+    site: [0.42, 0.42, 0.42, 1]
 };
+// Of the presentation style, as the program has it: earth, sky, and materials by their number, with how rough each is.
+const fineTones = {
+    ...usualTones, ground: [0.667, 0.647, 0.565, 1], horizon: [0.925, 0.933, 0.929], skyTop: [0.79, 0.83, 0.86],
+    water: [0.30, 0.47, 0.56, 0.8]
+};
+const materialTones = [[184, 170, 144], [167, 168, 164], [118, 130, 143], [169, 107, 82], [139, 117, 86], [102, 132, 139]];
+const materialRoughness = [1, 0.55, 0.2, 0.85, 0.8, 0.3];
+const smallestEdges = 4;   // px, of an element below which its edges are not drawn: they would cover it
+const darkestEdges = 0.5;
 let tones = usualTones;
 const categories = [[0, 114, 178], [230, 159, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [240, 228, 66], [213, 94, 0],
     [120, 94, 60], [140, 140, 150]];
@@ -48,8 +59,9 @@ function heat(share) {
 
 // The run at a time, drawn into both panes.
 class Player {
-    // @param started  of startedPrograms()
-    constructor(canvas, started, facts, bytes) {
+    // @param started   of startedPrograms()
+    // @param pictured  address of the picture of the ground; null: there is none
+    constructor(canvas, started, facts, bytes, pictured) {
         const arrays = new PageArrays(bytes, facts.scene.arrays);
         this.facts = facts;
         this.canvas = canvas;
@@ -67,6 +79,8 @@ class Player {
         this.quality = 1;
         this.colourBy = 'highlight';
         this.showsStructure = true;
+        this.style = 'presentation';
+        this.edges = true;
         this.chosen = -1;
         this.marks = [];
         this.path = null;
@@ -78,7 +92,13 @@ class Player {
         this.lasting = new Uint8Array(this.structure.elements);
         this.typicalSize = this.renderer.sizes.reduce((sum, size) => sum + size, 0) / Math.max(1, this.pieces.count);
         this.ground = this.groundTriangles();
-        this.water = facts.ground.water === null ? null : this.waterTriangles();
+        this.groundSolid = this.renderer.solid(this.ground.points);
+        this.water = facts.ground.water === null ? null : this.renderer.solid(this.waterTriangles());
+        this.sunBounds = this.boundsOfShadows();
+        this.site = new Site(arrays, facts, this.renderer, pictured, () => {
+            this.stillKey = '';
+            this.draw();
+        });
         this.colourStructure();
         this.colourPieces();
     }
@@ -103,6 +123,34 @@ class Player {
         }
         low[2] = Math.min(low[2], this.facts.ground.height);
         return { low, high };
+    }
+
+    // What throws shadows or takes them, with room for what falls beside the structure.
+    boundsOfShadows() {
+        const [low, high] = [[...this.camera.bounds.low], [...this.camera.bounds.high]];
+        const room = 0.5 * (high[2] - low[2]) + 0.1 * Math.max(high[0] - low[0], high[1] - low[1]);
+        for (const c of [0, 1]) {
+            low[c] -= room;
+            high[c] += room;
+        }
+        const { terrain } = this.facts.ground;
+        for (let i = 0; terrain !== null && i < terrain.heights.length; ++i) {
+            const [x, y, z] = terrainNode(terrain, i % terrain.nx, Math.floor(i / terrain.nx));
+            if (x > low[0] && x < high[0] && y > low[1] && y < high[1]) {
+                low[2] = Math.min(low[2], z);
+            }
+        }
+        low[2] -= 0.01 * room;
+        return { low, high };
+    }
+
+    // Materials, light of a sun and its shadows. High contrast takes the plain colours of analysis.
+    get fine() {
+        return this.style === 'presentation' && tones !== highTones;
+    }
+
+    get tones() {
+        return this.fine ? fineTones : tones;
     }
 
     moveTo(time) {
@@ -329,10 +377,13 @@ class Player {
         const { width, height } = this.canvas;
         const [smooth, work] = this.moving ? [] : this.renderer.smoothFrames(width, height);
         this.renderer.tested = false;
+        const share = this.structure.shareAt(this.time);
+        this.castShadows(share, 1, true);
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.moving ? null : smooth.frame);
         this.drawPanes((index, pane, view) => {
-            this.drawStanding(index, view, this.structure.shareAt(this.time));
-            this.drawMoving(index, pane, view);
+            const edges = this.edgesIn(pane);
+            this.drawStanding(index, view, share, edges);
+            this.drawMoving(index, pane, view, edges);
         }, true);
         if (!this.moving) {
             // Edges are smoothed by the first copy; the second cannot do that.
@@ -342,6 +393,24 @@ class Player {
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     }
 
+    // Maps of what is lit in both panes. @param part  of the side of a map; smaller ones are made in less time
+    castShadows(share, part, boxes) {
+        const { renderer } = this;
+        for (const index of this.fine ? [0, 1] : []) {
+            if (renderer.shadows[index].works) {
+                renderer.castShadow(index, this.sunBounds, share, part, {
+                    structure: index === 0 || this.showsStructure, solids: this.site.solids, boxes: boxes && index === 1
+                });
+            }
+        }
+    }
+
+    // How dark the edges of elements are in a pane; 0: there are none, or they would cover what they belong to.
+    edgesIn(pane) {
+        const pixels = this.typicalSize * this.pixelsPerMetre(pane) / this.camera.distance / this.ratio;
+        return this.fine && this.edges ? darkestEdges * Math.min(1, Math.max(0, pixels / smallestEdges - 1)) : 0;
+    }
+
     // What stands is drawn once for each state, and what moves over that picture.
     drawSlowly() {
         const { renderer } = this;
@@ -349,10 +418,11 @@ class Player {
         const { width, height } = this.canvas;
         const { camera } = this;
         const key = [this.event, width, height, camera.yaw, camera.pitch, camera.distance, ...camera.target, this.showsStructure,
-            tones === highTones].join(' ');
+            tones === highTones, this.style].join(' ');
         renderer.tested = false;
         const fresh = renderer.makeStill(width, height);
         if (key !== this.stillKey || fresh) {
+            this.castShadows(0, 0.5, false);
             gl.bindFramebuffer(gl.FRAMEBUFFER, renderer.still.frame);
             this.drawPanes((index, pane, view) => this.drawStanding(index, view, 0), true);
             this.stillKey = key;
@@ -377,26 +447,49 @@ class Player {
         this.panes().forEach((pane, index) => {
             gl.viewport(pane.x, pane.y, pane.width, pane.height);
             gl.scissor(pane.x, pane.y, pane.width, pane.height);
+            this.renderer.look = this.lookIn(index);
             if (clear) {
                 gl.clearColor(...tones.sky);
                 gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+                if (this.fine) {
+                    this.renderer.drawSky(pane, fineTones.horizon, fineTones.skyTop);
+                }
             }
             drawPane(index, pane, this.camera.matrix(pane.width / pane.height));
         });
         gl.disable(gl.SCISSOR_TEST);
     }
 
-    drawStanding(index, view, share) {
+    // How surfaces of a pane look.
+    lookIn(index) {
+        const { low, high } = this.camera.bounds;
+        const size = Math.max(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+        // Level ground has an end that nobody is to see; a terrain ends where nothing is known any more.
+        const haze = this.facts.ground.terrain === null ? [1.0 * size, 2.9 * size] : [1e9, 2e9];
+        const shadow = this.renderer.shadows[index];
+        return {
+            fine: this.fine, shadow: this.fine && shadow.works ? shadow : null, eye: this.camera.eye(), horizon: fineTones.horizon,
+            far: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, ...haze],
+            photo: tones === highTones ? null : this.site.photo
+        };
+    }
+
+    drawStanding(index, view, share, edges = 0) {
         const { renderer } = this;
         const gl = renderer.gl;
-        renderer.drawPlain(view, gl.TRIANGLES, this.ground.points, tones.ground, this.ground);
-        renderer.drawPlain(view, gl.LINES, this.ground.lines, tones.mesh);
+        renderer.drawSolid(view, this.groundSolid, this.tones.ground, { shaded: this.ground.shaded, surface: 1 });
+        for (const solid of this.site.solids) {
+            renderer.drawSolid(view, solid, this.tones.site, { shaded: true });
+        }
+        if (!this.fine) {
+            renderer.drawPlain(view, gl.LINES, this.ground.lines, tones.mesh);
+        }
         if (index === 0 || this.showsStructure) {
-            renderer.drawShell(index, view, share, this.camera.eye());
+            renderer.drawShell(index, view, share, this.camera.eye(), { edges });
         }
     }
 
-    drawMoving(index, pane, view) {
+    drawMoving(index, pane, view, edges = 0) {
         const { renderer } = this;
         const gl = renderer.gl;
         if (index === 1) {
@@ -404,10 +497,10 @@ class Player {
             if (pixels > 0) {
                 renderer.drawSquares(view, pane, this.pixelsPerMetre(pane), Math.max(1, 0.6 * pixels));
             } else {
-                renderer.drawBoxes(view);
+                renderer.drawBoxes(view, { edges });
             }
             if (this.water !== null) {
-                renderer.drawPlain(view, gl.TRIANGLES, this.water, tones.water);
+                renderer.drawSolid(view, this.water, this.tones.water, { surface: 2 });
             }
             if (this.path) {
                 renderer.drawPlain(view, gl.LINE_STRIP, this.path, tones.path, { over: true });
@@ -518,7 +611,14 @@ class Player {
     }
 
     colourStructure() {
-        this.renderer.tintStructure((component) => tones.structure.map((c) => Math.min(255, c * (0.86 + 0.07 * (component % 5)))));
+        this.renderer.tintStructure((component) => (this.fine ? this.materialOf(component)
+            : [...tones.structure.map((c) => Math.min(255, c * (0.86 + 0.07 * (component % 5)))), 255]));
+    }
+
+    // Colour and roughness of what a component is made of, to 255.
+    materialOf(component) {
+        const { kind } = this.facts.scene.materials[component];
+        return [...materialTones[kind], 255 * materialRoughness[kind]];
     }
 
     colourPieces() {
@@ -529,7 +629,8 @@ class Player {
         for (let p = 0; p < pieces.count; ++p) {
             const f = pieces.fragments[p];
             const e = pieces.elements[p];
-            let colour = f < 0 ? tones.released : tones.fragment;
+            const material = this.fine ? this.materialOf(structure.components[e]) : null;
+            let colour = material || (f < 0 ? tones.released : tones.fragment);
             if (this.colourBy === 'component') {
                 colour = categoryColour(structure.components[e]);
             } else if (this.colourBy === 'birth' && f >= 0) {
@@ -545,7 +646,7 @@ class Player {
             bytes[4 * p] = colour[0];
             bytes[4 * p + 1] = colour[1];
             bytes[4 * p + 2] = colour[2];
-            bytes[4 * p + 3] = 255;
+            bytes[4 * p + 3] = material ? material[3] : 255;
         }
         this.renderer.tintPieces(bytes);
     }
@@ -571,6 +672,20 @@ class Player {
         tones = high ? highTones : usualTones;
         this.colourStructure();
         this.colourPieces();
+        this.draw();
+    }
+
+    // @param style  'presentation' or 'analysis'
+    setStyle(style) {
+        this.style = style;
+        this.colourStructure();
+        this.colourPieces();
+        this.draw();
+        this.tell();
+    }
+
+    setEdges(shown) {
+        this.edges = shown;
         this.draw();
     }
 
@@ -615,12 +730,15 @@ class Player {
         const aspect = pane.width / pane.height;
         const ray = this.camera.ray(2 * (px + 0.5 - pane.x) / pane.width - 1, 2 * (py + 0.5 - pane.y) / pane.height - 1, aspect);
         const { element, distance } = this.nearest(ray, index);
-        const ground = this.groundAlong(ray);
-        // A hill hides what lies behind it; what lies on level ground may reach into it.
-        if (element >= 0 && (this.facts.ground.terrain === null || ground === null || distance <= ground)) {
+        // A hill or a wall hides what lies behind it; what lies on level ground may reach into it.
+        const hiding = [this.site.meets(ray), this.facts.ground.terrain === null ? null : this.groundAlong(ray)];
+        const hidden = Math.min(...hiding.map((each) => (each === null ? Infinity : each)));
+        if (element >= 0 && distance <= hidden) {
             return { element, pane: index, point: add3(ray.from, ray.way, distance) };
         }
-        return { element: -1, pane: index, point: ground === null ? null : add3(ray.from, ray.way, ground) };
+        const ground = this.groundAlong(ray);
+        const met = Math.min(hidden, ground === null ? Infinity : ground);
+        return { element: -1, pane: index, point: met === Infinity ? null : add3(ray.from, ray.way, met) };
     }
 
     // Distance at which a ray meets the ground; null: nowhere.

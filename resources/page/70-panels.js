@@ -151,7 +151,7 @@ class Panels {
     }
 
     look() {
-        const choices = [['highlight', 'highlight'], ['component', 'byComponent'], ['birth', 'byBirth'], ['speed', 'bySpeed'],
+        const choices = [['highlight', this.player.fine ? 'byMaterial' : 'highlight'], ['component', 'byComponent'], ['birth', 'byBirth'], ['speed', 'bySpeed'],
             ['cluster', 'byCluster']];
         const views = [['side', 'lookSide'], ['end', 'lookEnd'], ['top', 'lookTop'], ['corner', 'lookCorner']];
         const checked = this.player.colourBy;
@@ -161,7 +161,7 @@ class Panels {
         };
         const structure = (event) => this.player.showStructure(event.target.checked);
         const button = (from, word) => make('button', { type: 'button', onclick: () => this.lookFrom(from) }, say(word));
-        return [make('h2', {}, say('look')),
+        return [make('h2', {}, say('look')), this.styles(),
             make('fieldset', {}, make('legend', {}, say('colours')), choices.map(([by, word]) => make('label', {},
                 make('input', { type: 'radio', name: 'colours', value: by, checked: by === checked, onchange: () => colour(by) }),
                 ` ${say(word)}`))),
@@ -170,9 +170,34 @@ class Panels {
             make('label', {}, make('input', {
                 type: 'checkbox', checked: this.player.showsStructure, onchange: structure
             }), ` ${say('showStructure')}`),
+            make('label', {}, make('input', {
+                type: 'checkbox', id: 'edges', checked: this.player.edges, disabled: !this.player.fine,
+                onchange: (event) => this.player.setEdges(event.target.checked)
+            }), ` ${say('edges')}`),
             make('h3', {}, say('view')),
             make('div', { class: 'row' }, views.map(([from, word]) => button(from, word)), button(null, 'everything')),
             make('h3', {}, say('shortcuts')), make('p', {}, say('viewsHelp'))];
+    }
+
+    // The choice of the style, and what of it cannot be had.
+    styles() {
+        const { player } = this;
+        const choose = (style) => {
+            player.setStyle(style);
+            this.build();
+            document.querySelector(`input[name="style"][value="${style}"]`).focus();
+        };
+        const lacks = [];
+        if (!player.fine && player.style === 'presentation') {
+            lacks.push(say('contrastStyle'));
+        }
+        if (!player.renderer.shadows.every((shadow) => shadow.works)) {
+            lacks.push(say('noShadows'));
+        }
+        return make('fieldset', {}, make('legend', {}, say('style')), ['presentation', 'analysis'].map((style) => make('label', {},
+            make('input', {
+                type: 'radio', name: 'style', value: style, checked: style === player.style, onchange: () => choose(style)
+            }), ` ${say(style)}`)), lacks.map((line) => make('p', {}, line)));
     }
 
     lookFrom(from) {
@@ -287,11 +312,18 @@ class Panels {
         if (ground.terrain && ground.terrain.cell > ground.terrain.ownCell) {
             lines.push(say('limitTerrain', sayNumber(ground.terrain.cell), sayNumber(ground.terrain.ownCell)));
         }
-        const { names, fallenOn } = this.facts.around;
+        const { names, fallenOn, large } = this.facts.around;
         if (names.length > 0) {
-            lines.push(say('limitAround', names.join(', ')) + (fallenOn ? say('limitFallenOn') : ''));
+            lines.push(say('limitAround', names.join(', ')) + (large ? say('limitAroundLarge') : '') +
+                (fallenOn ? say('limitFallenOn') : ''));
         }
-        return [...lines, say('limitPoints'), say('limitSize'), say('limitLoad'), say('limitChaos'), say('limitCluster')];
+        if (precision.siteTriangles > 0) {
+            lines.push(say('limitSite', up(precision.site), sayCount(precision.siteTriangles)));
+        }
+        if (ground.picture !== null && ground.picture.pixel > ground.picture.ownPixel) {
+            lines.push(say('limitPhoto', sayNumber(ground.picture.pixel), sayNumber(ground.picture.ownPixel)));
+        }
+        return [...lines, say('limitPoints'), say('limitLook'), say('limitSize'), say('limitLoad'), say('limitChaos'), say('limitCluster')];
     }
 
     about() {

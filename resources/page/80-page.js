@@ -21,6 +21,7 @@ class Page {
             document.getElementById('contrast').setAttribute('aria-pressed', String(high));
             if (this.player) {
                 this.player.setTones(high);
+                this.panels.build();
                 this.legendKey = '';
                 this.refresh();
             }
@@ -228,7 +229,8 @@ class Page {
             const packed = bytesOfBase64(data.textContent);
             data.remove();
             const bytes = await inflated(packed, this.facts.scene.dataBytes);
-            this.player = new Player(canvas, started, this.facts, bytes);
+            const pictured = this.panels.pictures.find((picture) => picture.kind === 'ground');
+            this.player = new Player(canvas, started, this.facts, bytes, pictured ? pictured.source : null);
         } catch (error) {
             this.fallBack('damaged', error.message);
             return;
@@ -358,15 +360,15 @@ class Page {
 
     legend() {
         const { player } = this;
-        const key = `${player.colourBy} ${speech.chinese}`;
+        const key = `${player.colourBy} ${speech.chinese} ${player.fine}`;
         if (key === this.legendKey) {
             return;
         }
         this.legendKey = key;
         const entry = (colour, text) => make('span', {}, makeSign(colour), text);
-        const entries = [entry(tones.structure, say('structure'))];
+        const entries = player.fine ? this.materialEntries(entry) : [entry(tones.structure, say('structure'))];
         const { components } = this.facts.scene;
-        if (player.colourBy === 'highlight') {
+        if (player.colourBy === 'highlight' && !player.fine) {
             entries.push(entry(tones.fragment, say('fragments')));
         } else if (player.colourBy === 'component') {
             // All of them stand beside the choice of the colours.
@@ -389,10 +391,21 @@ class Page {
             entries.push(make('span', {}, `${ends[0]} `, sign, ends[1]));
         }
         // Loose structure has no birth and no cluster.
-        if (['highlight', 'birth', 'cluster'].includes(player.colourBy) && player.pieces.loose()) {
+        if (['highlight', 'birth', 'cluster'].includes(player.colourBy) && player.pieces.loose() && !player.fine) {
             entries.push(entry(tones.released, say('released')));
         }
         document.getElementById('legend').replaceChildren(...entries);
+    }
+
+    // Each material that is there; a guess by density is said to be one.
+    materialEntries(entry) {
+        const { materials } = this.facts.scene;
+        const names = words.materials[speech.chinese ? 1 : 0];
+        return names.flatMap((name, kind) => {
+            const own = materials.filter((material) => material.kind === kind);
+            const text = own.some((material) => material.assumed) ? say('assumed', name) : name;
+            return own.length > 0 ? [entry(materialTones[kind], text)] : [];
+        });
     }
 }
 

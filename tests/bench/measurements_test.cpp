@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <regex>
 #include <set>
@@ -31,6 +32,19 @@ TEST(Measurements, BenchmarksAreRows) {
     ASSERT_EQ(table.rows.size(), 2u);
     EXPECT_EQ(table.rows[0], (std::vector<std::string>{"map/250", "56.0 ms", "112 ms", "59,880"}));
     EXPECT_EQ(table.rows[1], (std::vector<std::string>{"with a label", "0.0123 s", "1,585 s", ""}));
+}
+
+TEST(Measurements, StylesAreReadFromWhatTheirBenchmarkPrints) {
+    const auto styles = std::find_if(measurements().begin(), measurements().end(),
+                                     [](const Measurement& measurement) { return measurement.name == "styles"; });
+    ASSERT_NE(styles, measurements().end());
+    const Table table = styles->tables.at(0).read({R"({"of": "the run"})", R"({"benchmarks": [
+        {"name": "page played/iterations:1/real_time", "time_unit": "ms", "real_time": 9000, "cpu_time": 20,
+         "presentation_fps": 29.5, "analysis_fps": 31.0, "ratio": 0.952, "page_MB": 21.0, "start_s": 2.7}]})"});
+    ASSERT_EQ(table.rows.size(), 1u);
+    EXPECT_EQ(table.rows[0].front(), "page played");
+    EXPECT_EQ((std::vector<std::string>(table.rows[0].end() - 5, table.rows[0].end())),
+              (std::vector<std::string>{"29.5", "31.0", "0.952", "21.0", "2.70"}));
 }
 
 TEST(Measurements, ReadersStandBesideEachOther) {

@@ -121,7 +121,7 @@ struct Studio::Impl {
         std::vector<LegendEntry> legend;
         std::vector<ColourBar> bars;
         if (sheet.commonLegend && !picture.panels().empty()) {
-            legend = commonLegend(picture.panels().front().view, released);
+            legend = commonLegend(picture.panels().front().view, scene.data(), released);
             bars = m_bars;
             m_looking.removeDuplicates();
             if (m_looking.size() == 1) {

@@ -115,6 +115,14 @@ void paintWhole(QPainter& painter, const QRectF& box, const QString& text, doubl
 
 }  // namespace
 
+void dress(render::View& view, render::Style style) {
+    view.style = style;
+    if (style == render::Style::Presentation) {
+        view.groundGrid = false;
+        view.shading = true;
+    }
+}
+
 QString paneName(render::PaneContent content) {
     switch (content) {
         case render::PaneContent::Fe:
@@ -189,6 +197,7 @@ Sheet presetSheet(const PresetRequest& request, const render::View& like, const 
     sheet.look = request.look.value_or(around ? render::Preset::Corner : render::Preset::Side);
     render::View view = like;
     view.captions = true;
+    dress(view, request.style.value_or(render::Style::Presentation));
     const auto add = [&](PaneContent content, double time, const QString& stage = {}) {
         sheet.panels.push_back(panelOf(view, content, time, stage));
     };
@@ -205,9 +214,6 @@ Sheet presetSheet(const PresetRequest& request, const render::View& like, const 
         add(PaneContent::Fragments, times[0]);
     } else if (around) {
         sheet.around = surroundingsFactor;
-        view.style = render::Style::Presentation;
-        view.groundGrid = false;
-        view.shading = true;
         add(PaneContent::Fragments, times[0], tr("Debris and surroundings"));
     } else {
         sheet.commonLegend = true;

@@ -74,6 +74,7 @@ struct PresetRequest {
     std::vector<double> times;  ///< s, on the file's clock; empty: those of the published figure, as shares of the FE result
     std::optional<render::Preset> look;  ///< unset: that of the preset
     bool camerasOfView = false;          ///< those of `like` as they are
+    std::optional<render::Style> style;  ///< unset: presentation, for readers who see only the figure
     double end = 0.0;                    ///< s, last instant that can be shown
 };
 
@@ -83,7 +84,11 @@ QSize usualSize(std::optional<FigurePreset> preset);
 /// How many instants a preset shows.
 std::size_t presetInstants(FigurePreset preset);
 
-/// A preset as a sheet that arrange() has yet to settle. @param like  colours, style, hidden parts and so on
+/// Gives a view a style for a picture that is handed over: materials come with shaded edges and earth without the lines of a grid;
+/// colours of analysis leave all else as it is.
+void dress(render::View& view, render::Style style);
+
+/// A preset as a sheet that arrange() has yet to settle. @param like  colours, hidden parts and so on
 /// Throws UsageError for another number of times than it shows.
 Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data);
 

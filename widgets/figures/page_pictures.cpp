@@ -62,6 +62,23 @@ std::vector<double> pageTimes(const render::SceneData& data, const std::vector<B
     return times;
 }
 
+PagePicture groundPicture(const Orthophoto& orthophoto) {
+    const QImage southUp(orthophoto.rgba.data(), orthophoto.width, orthophoto.height, 4 * orthophoto.width,
+                         QImage::Format_RGBA8888);
+    QImage image = southUp.mirrored();
+    if (std::max(image.width(), image.height()) > pageGroundPixels) {
+        image = image.scaled(pageGroundPixels, pageGroundPixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    }
+    bool whole = true;
+    for (std::size_t p = 3; p < orthophoto.rgba.size(); p += 4) {
+        whole = whole && orthophoto.rgba[p] == 255;
+    }
+    // Only PNG keeps what the picture does not cover.
+    const PagePictureKind kind = PagePictureKind::Ground;
+    return whole ? PagePicture{kind, 0.0, {}, "image/jpeg", fileOf(image.convertToFormat(QImage::Format_RGB888), "JPG"), {}}
+                 : PagePicture{kind, 0.0, {}, "image/png", fileOf(image, "PNG"), {}};
+}
+
 std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const PageDrawing& drawing, const Execution& execution) {
     const Message stage{"page.drawing", "Drawing the pictures of the page", {}};
     std::vector<PagePicture> pictures;
@@ -69,6 +86,7 @@ std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const P
     FigureStyle style;
     style.dpi = dpi;
     render::View view = render::defaultView(data, viewPixels.width(), viewPixels.height());
+    dress(view, render::Style::Presentation);
     // One camera for all instants, so that they can be compared.
     Sheet all;
     for (const double time : drawing.times) {
@@ -88,7 +106,7 @@ std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const P
         style.north = northOf(drawing.mapStyle.place, drawing.mapStyle.system);
         arrange(sheet, framing, style.pixels, style.dpi, false, false);
         const QImage image = studio.sheet(sheet, style).image();
-        pictures.push_back({PagePictureKind::Views, view.time, {}, "image/png", fileOf(image, "PNG"), {}});
+        pictures.push_back({PagePictureKind::Views, view.time, {}, "image/jpeg", fileOf(image, "JPG"), {}});
     }
     if (drawing.map != nullptr) {
         MapPictureStyle map = drawing.mapStyle;

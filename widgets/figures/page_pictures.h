@@ -8,6 +8,7 @@
 #include "core/base/execution.h"
 #include "core/evidence/page_picture.h"
 #include "core/evidence/report_facts.h"
+#include "core/fe/orthophoto.h"
 #include "core/scenario/case.h"
 #include "widgets/figures/map_picture.h"
 #include "widgets/render/basics/scene_data.h"
@@ -24,6 +25,9 @@ struct PageDrawing {
 
 /// Instants at which a page shows the views where a browser cannot: first and last one, end of the FE result, bookmarks; few.
 std::vector<double> pageTimes(const render::SceneData& data, const std::vector<Bookmark>& bookmarks);
+
+/// An orthophoto as a page carries it, north up, with fewer pixels where it has more than a page takes.
+PagePicture groundPicture(const Orthophoto& orthophoto);
 
 /// Draws them off screen. Call ensureGuiApplication() first. Throws what a Studio throws, and Cancelled.
 std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const PageDrawing& drawing, const Execution& execution);

@@ -85,7 +85,8 @@ std::vector<Option> FigureRequest::viewOptions() {
         {"--colour", "BY", false,
          "fragments by highlight (default), component, birth_time, speed or cluster; loose structure by island"},
         {"--scale", "COLOURS", false, "of birth time and speed: standard (default), viridis, cividis or grey"},
-        {"--style", "STYLE", false, "analysis (default) or presentation: every element in the look of its material"},
+        {"--style", "STYLE", false,
+         "analysis or presentation: every element in the look of its material (default: analysis; of --preset presentation)"},
         {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
         {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
         {"--hide", "NAME", true, "leaves a component out; may be repeated"},
@@ -288,6 +289,10 @@ figures::Sheet FigureRequest::sheetOf(const render::SceneData& data, const io::R
     request.look = m_look;
     request.camerasOfView = m_view.has_value() && !m_look;
     request.end = last;
+    request.style = m_surfaces;
+    if (!m_surfaces && m_view) {
+        request.style = m_view->style;
+    }
     return figures::presetSheet(request, viewOf(data, pixels), data);
 }
 

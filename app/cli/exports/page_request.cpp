@@ -60,13 +60,25 @@ void writePage(const std::string& path, const std::shared_ptr<const io::RunReade
     }
     extras.terrain = scene.terrain;
     extras.around = io::shownFiles(around.shown);
+    extras.surroundings = scene.surroundings;
+    extras.orthophoto = scene.orthophoto;
     extras.validation = io::keptValidations();
     extras.chinese = figures::chineseWords();
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, session.execution()).map);
     addPictures(extras, scene, *run, photographs, session);
+    if (scene.orthophoto != nullptr) {
+        extras.pictures.push_back(figures::groundPicture(*scene.orthophoto));
+    }
     const io::PageReport report = io::exportPage(path, *run, *inputs.fe, extras, session.execution());
     session.err() << "rubble-cli: note: " << path << ": places lie within " << englishNumber(1000.0 * report.placeError)
                   << " mm of those recorded, nodes of the FE result within " << englishNumber(1000.0 * report.nodeError) << " mm\n";
+    if (report.siteTriangles > 0) {
+        session.err() << "rubble-cli: note: " << path << ": what stands around the structure, "
+                      << englishInteger(static_cast<std::int64_t>(report.siteTriangles)) << " triangles, lies within "
+                      << englishNumber(1000.0 * report.siteError) << " mm of its files\n";
+    } else if (report.siteLeftOut) {
+        session.err() << "rubble-cli: note: " << path << ": what stands around the structure is too large for the views\n";
+    }
     if (report.statesLeftOut > 0) {
         session.err() << "rubble-cli: note: " << path << ": " << englishInteger(static_cast<std::int64_t>(report.statesLeftOut))
                       << " states of the FE result are left out to keep the page small; there nodes lie up to "

@@ -19,6 +19,7 @@ namespace rubble::cli {
 namespace {
 
 constexpr int startTimeoutMs = 30000;
+constexpr int endPollMs = 20;
 /// Where the child finds the end of the pipe to which it writes its display number.
 constexpr int displayDescriptor = 3;
 
@@ -97,8 +98,11 @@ VirtualDisplay::~VirtualDisplay() {
 
 void VirtualDisplay::end() {
     if (m_server > 0) {
-        kill(m_server, SIGTERM);
-        waitpid(m_server, nullptr, 0);
+        // Xvfb that is just going to sleep notices a signal only when it wakes, minutes later.
+        do {
+            kill(m_server, SIGTERM);
+            poll(nullptr, 0, endPollMs);
+        } while (waitpid(m_server, nullptr, WNOHANG) == 0);
         m_server = 0;
         unsetenv("DISPLAY");
     }

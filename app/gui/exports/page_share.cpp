@@ -49,6 +49,11 @@ void makePage(const PageOrder& order, const Execution& execution) {
     drawing.mapStyle.system = run.origin().frame.crs;
     drawing.photographs = photographs;
     extras.pictures = figures::drawPagePictures(order.scene, drawing, execution);
+    extras.surroundings = order.scene.surroundings;
+    extras.orthophoto = order.scene.orthophoto;
+    if (order.scene.orthophoto != nullptr) {
+        extras.pictures.push_back(figures::groundPicture(*order.scene.orthophoto));
+    }
     io::exportPage(order.path, run, *order.inputs.fe, extras, execution);
 }
 

@@ -34,6 +34,7 @@ figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View&
     figures::PresetRequest request;
     request.preset = *choice.preset;
     request.end = lastInstant(data);
+    request.style = view.style;
     return figures::presetSheet(request, view, data);
 }
 

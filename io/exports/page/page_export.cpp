@@ -7,6 +7,7 @@
 #include "io/base/files.h"
 #include "io/exports/page/page_facts.h"
 #include "io/exports/page/page_scene.h"
+#include "io/exports/page/page_site.h"
 #include "io/exports/page/page_sources.h"
 #include "io/exports/provenance.h"
 
@@ -62,7 +63,7 @@ std::string policyHash(std::string_view text) {
 }
 
 std::string_view kindName(PagePictureKind kind) {
-    return kind == PagePictureKind::Map ? "map" : "photograph";
+    return kind == PagePictureKind::Map ? "map" : kind == PagePictureKind::Ground ? "ground" : "photograph";
 }
 
 std::string sourceOf(const PagePicture& picture) {
@@ -142,6 +143,7 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
     const Message stage{"io.export.page", "Writing {0}", {path}};
     execution.report(stage, 0.0);
     PageScene scene = pageScene(run, fe, {}, execution);
+    addSite(scene, extras.surroundings.get());
     json facts = pageFacts(run, fe, extras, scene);
     scene.about["arrays"] = scene.data.contents();
     scene.about["dataBytes"] = scene.data.size();
@@ -165,8 +167,8 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
     parts.data = encodeBase64(scene.data.compressed(execution));
     writeAtomically(path, [&](std::ostream& out) { writeFrame(out, parts); });
     execution.report(stage, 1.0);
-    return {std::filesystem::file_size(path), scene.placeError, scene.nodeError, scene.nodeErrorBetween,
-            scene.statesThere - scene.statesKept};
+    return {std::filesystem::file_size(path),     scene.placeError, scene.nodeError,     scene.nodeErrorBetween,
+            scene.statesThere - scene.statesKept, scene.siteError,  scene.siteTriangles, scene.siteLeftOut};
 }
 
 }  // namespace rubble::io

@@ -9,6 +9,8 @@
 #include "core/evidence/maps/debris_map.h"
 #include "core/evidence/page_picture.h"
 #include "core/fe/fe_result.h"
+#include "core/fe/orthophoto.h"
+#include "core/fe/site_mesh.h"
 #include "core/fe/terrain_grid.h"
 #include "core/scenario/case.h"
 #include "core/validation/validation_record.h"
@@ -25,9 +27,11 @@ struct PageExtras {
     std::shared_ptr<const TerrainGrid> terrain;  ///< that is shown; null: the level ground
     std::shared_ptr<const DebrisMap> map;        ///< of the end, whose sums the page prints; null: none
     std::vector<PagePicture> pictures;
-    std::vector<ShownFile> around{};                     ///< drawn around the structure in the pictures
-    std::vector<ValidationRecord> validation{};          ///< that the build of now was held against
-    std::function<std::string(const Message&)> chinese;  ///< a message in Chinese; unset: messages stay English
+    std::vector<ShownFile> around{};                              ///< drawn around the structure in the pictures
+    std::shared_ptr<const std::vector<SiteMesh>> surroundings{};  ///< of these files; null: none
+    std::shared_ptr<const Orthophoto> orthophoto{};               ///< where the picture of the ground lies; null: nowhere
+    std::vector<ValidationRecord> validation{};                   ///< that the build of now was held against
+    std::function<std::string(const Message&)> chinese;           ///< a message in Chinese; unset: messages stay English
 };
 
 /// What was written.
@@ -37,6 +41,9 @@ struct PageReport {
     double nodeError = 0.0;         ///< m, largest of a node at the states that are kept
     double nodeErrorBetween = 0.0;  ///< m, the same at those that are left out
     std::size_t statesLeftOut = 0;
+    double siteError = 0.0;         ///< m, largest of a corner of what stands around the structure
+    std::size_t siteTriangles = 0;  ///< of it that the views draw
+    bool siteLeftOut = false;       ///< it has more triangles than a page takes
 };
 
 /// Throws UsageError if a page cannot show a run: no fragments, another FE file, more than a browser holds; ParseError.

@@ -267,18 +267,42 @@ json findingFacts(const RunReader& run, const FeResult& fe, const PageTexts& tex
     return facts;
 }
 
-/// Files around the structure that the views of a page do not draw; `fallenOn`: debris may lie on some of them.
-json aroundFacts(const RunReader& run, const PageExtras& extras) {
-    const std::vector<RecordedInput>& meshes = run.origin().surroundings;
-    std::set<std::string> names;
-    const auto add = [&](const std::string& path) { names.insert(std::filesystem::path(path).filename().string()); };
-    for (const RecordedInput& mesh : meshes) {
-        add(mesh.path);
-    }
+bool hasGroundPicture(const PageExtras& extras) {
+    return extras.orthophoto != nullptr && std::ranges::count(extras.pictures, PagePictureKind::Ground, &PagePicture::kind) > 0;
+}
+
+/// Files around the structure that the views of a page do not draw; `fallenOn`: debris may lie on some of them; `large`: a page
+/// does not take as many triangles.
+json aroundFacts(const RunReader& run, const PageExtras& extras, const PageScene& scene) {
+    std::set<std::string> drawn, names;
+    const auto nameOf = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
     for (const ShownFile& file : extras.around) {
-        add(file.path);
+        const bool seen = file.role == "orthophoto" ? hasGroundPicture(extras) : scene.siteTriangles > 0;
+        (seen ? drawn : names).insert(nameOf(file.path));
     }
-    return {{"names", names}, {"fallenOn", !meshes.empty()}};
+    bool fallenOn = false;
+    for (const RecordedInput& mesh : run.origin().surroundings) {
+        if (!drawn.contains(nameOf(mesh.path))) {
+            names.insert(nameOf(mesh.path));
+            fallenOn = true;
+        }
+    }
+    return {{"names", names}, {"fallenOn", fallenOn}, {"large", scene.siteLeftOut}};
+}
+
+/// Where the picture of the ground lies, m, and the sides of its pixels on the page and in its file; null: there is none.
+json groundPictureFacts(const PageExtras& extras) {
+    if (!hasGroundPicture(extras)) {
+        return nullptr;
+    }
+    const Orthophoto& photo = *extras.orthophoto;
+    const double coarser = std::max(1.0, static_cast<double>(std::max(photo.width, photo.height)) / pageGroundPixels);
+    return {{"x0", photo.x0},
+            {"y0", photo.y0},
+            {"width", photo.right() - photo.x0},
+            {"height", photo.top() - photo.y0},
+            {"pixel", coarser * photo.pixel},
+            {"ownPixel", photo.pixel}};
 }
 
 /// How many the case has; null: there is no case.
@@ -321,13 +345,13 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["ground"] = groundFacts(run, extras);
     facts["north"] = northFact(origin);
     facts["map"] = mapFacts(extras);
-    facts["around"] = aroundFacts(run, extras);
+    facts["ground"]["picture"] = groundPictureFacts(extras);
+    facts["around"] = aroundFacts(run, extras, scene);
     facts["photographs"] = photographFact(extras);
-    facts["precision"] = {{"place", scene.placeError},
-                          {"node", scene.nodeError},
-                          {"nodeBetween", scene.nodeErrorBetween},
-                          {"statesKept", scene.statesKept},
-                          {"statesThere", scene.statesThere}};
+    facts["precision"] = {
+        {"place", scene.placeError},           {"node", scene.nodeError},          {"nodeBetween", scene.nodeErrorBetween},
+        {"statesKept", scene.statesKept},      {"statesThere", scene.statesThere}, {"site", scene.siteError},
+        {"siteTriangles", scene.siteTriangles}};
     return facts;
 }
 

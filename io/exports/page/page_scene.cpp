@@ -192,14 +192,24 @@ void addShapes(nlohmann::json& about) {
     }
 }
 
+/// Of each component the number of its material, and whether that was guessed from a density.
+nlohmann::json materialsOf(const Components& components, const Scenario& scenario) {
+    nlohmann::json materials = nlohmann::json::array();
+    for (const Component& component : components.list) {
+        const auto settings = scenario.components.find(component.name);
+        const bool given = settings != scenario.components.end() && settings->second.material.has_value();
+        materials.push_back({{"kind", static_cast<int>(component.material)}, {"assumed", !given}});
+    }
+    return materials;
+}
+
 PageScene packedScene(const RunReader& run, const FeResult& fe, const PagePrecision& precision, const Execution& execution) {
     const std::shared_ptr<const FragmentSet> made = run.fragments();
     const FragmentSet& fragments = *made;
     const Scenario& scenario = run.origin().scenario;
-    const std::vector<ComponentId> componentOf =
-        groupComponents(fe.mesh(), scenario.regrouping, scenario.components, scenario.assumptions).of;
+    const Components components = groupComponents(fe.mesh(), scenario.regrouping, scenario.components, scenario.assumptions);
     PageScene scene;
-    addStructure(scene, run, fe, componentOf, precision, execution);
+    addStructure(scene, run, fe, components.of, precision, execution);
     const PieceCollector collector(run, fe, fragments);
     const std::vector<PagePiece> pieces = collector.pieces();
     const std::vector<BodyRecord>& bodies = collector.bodies();
@@ -225,6 +235,7 @@ PageScene packedScene(const RunReader& run, const FeResult& fe, const PagePrecis
     scene.about["placeStep"] = precision.placeStep;
     scene.about["cornerStep"] = precision.cornerStep;
     scene.about["components"] = run.componentNames();
+    scene.about["materials"] = materialsOf(components, scenario);
     return scene;
 }
 

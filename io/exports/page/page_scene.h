@@ -12,12 +12,15 @@ namespace rubble::io {
 /// What the views of a page draw, and how far it may lie from what was recorded.
 struct PageScene {
     PageData data;
-    nlohmann::json about;         ///< what the script needs beside the arrays: counts, steps, names
-    double placeError = 0.0;      ///< m, largest of a corner of a fragment or an island at any recorded instant
-    double nodeError = 0.0;       ///< m, largest of a node of the FE result at the states that are kept
-    double nodeErrorBetween = 0;  ///< m, the same at those that are left out; 0: none is
-    std::size_t statesKept = 0;   ///< of the FE result
-    std::size_t statesThere = 0;  ///< that the run reached
+    nlohmann::json about;           ///< what the script needs beside the arrays: counts, steps, names
+    double placeError = 0.0;        ///< m, largest of a corner of a fragment or an island at any recorded instant
+    double nodeError = 0.0;         ///< m, largest of a node of the FE result at the states that are kept
+    double nodeErrorBetween = 0;    ///< m, the same at those that are left out; 0: none is
+    std::size_t statesKept = 0;     ///< of the FE result
+    std::size_t statesThere = 0;    ///< that the run reached
+    double siteError = 0.0;         ///< m, largest of a corner of what stands around the structure
+    std::size_t siteTriangles = 0;  ///< of it
+    bool siteLeftOut = false;       ///< it has more of them than a page takes
 };
 
 /// Most fragments, and most elements, of a page.

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/support/command_run.h"
@@ -61,10 +63,48 @@ TEST_F(Figure, IsDrawnWithoutADisplay) {
     EXPECT_NE(textOf(m_folder / "fe.png"), textOf(m_folder / "fragments.png"));
 }
 
+TEST_F(Figure, EndsWithADisplayThatMissesTheFirstSignal) {
+    const std::string server = m_folder / "bin/Xvfb";
+    std::filesystem::create_directories(m_folder / "bin");
+    std::ofstream(server) << "#!/bin/sh\nPATH=${PATH#*:}\nXvfb \"$@\" &\nmissed=0\n"
+                             "trap 'if [ $missed = 1 ]; then kill $!; exit; fi; missed=1' TERM\nwhile :; do wait $!; done\n";
+    std::filesystem::permissions(server, std::filesystem::perms::owner_all);
+    const Outcome outcome = CommandRun()
+                                .with("DISPLAY", std::nullopt)
+                                .with("PATH", (m_folder / "bin") + ":" + std::getenv("PATH"))
+                                .cli({"figure", m_run, "--time", "0.3", "--size", "640x400", "--out", m_folder / "a.png"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(pngSize(m_folder / "a.png"), std::make_pair(640u, 400u));
+}
+
 TEST_F(Figure, FollowsTheTime) {
     ASSERT_EQ(figure({"--time", "0.1", "--out", m_folder / "early.png"}).exitCode, 0);
     ASSERT_EQ(figure({"--time", "0.5", "--out", m_folder / "late.png"}).exitCode, 0);
     EXPECT_NE(textOf(m_folder / "early.png"), textOf(m_folder / "late.png"));
+}
+
+TEST_F(Figure, ArrangementsHaveMaterialsUnlessAStyleIsSaid) {
+    const auto view = [this](std::vector<std::string> more) {
+        const std::string path = m_folder / "figure.svg";
+        more.insert(more.end(), {"--size", "640x400", "--out", path});
+        const Outcome outcome = figure(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        const std::string svg = textOf(path);
+        const std::size_t begin = svg.find("<![CDATA[") + 9;
+        return nlohmann::json::parse(svg.substr(begin, svg.find("]]>", begin) - begin)).at("view");
+    };
+    const auto style = [&](const std::string& preset, std::vector<std::string> more) {
+        more.insert(more.end(), {"--preset", preset});
+        return view(more)["style"];
+    };
+    for (const char* preset : {"fe_against_fragments", "at_the_end", "in_its_surroundings", "stages"}) {
+        EXPECT_EQ(style(preset, {}), "presentation") << preset;
+        EXPECT_EQ(style(preset, {"--style", "analysis"}), "analysis") << preset;
+    }
+    const auto own = view({"--time", "0.3"});
+    EXPECT_EQ(own["style"], "analysis");
+    std::ofstream(m_folder / "saved.json") << own;
+    EXPECT_EQ(style("at_the_end", {"--view", m_folder / "saved.json"}), "analysis") << "as the saved view has it";
 }
 
 TEST_F(Figure, ShowsWhatAViewSays) {

@@ -108,13 +108,29 @@ TEST_F(Preset, EndSurroundingsAndStagesShowWhatTheirFiguresShow) {
     EXPECT_EQ(end.panels[0].view.time, 1.5);
     const Sheet around = sheet(FigurePreset::Surroundings);
     ASSERT_EQ(around.panels.size(), 1u);
-    EXPECT_EQ(around.panels[0].view.style, render::Style::Presentation);
     const Sheet stages = sheet(FigurePreset::Stages);
     ASSERT_EQ(stages.panels.size(), 4u);
     EXPECT_EQ(stages.panels[0].view.time, m_data.fe->times().front());
     EXPECT_EQ(stages.panels[3].view.time, 1.5);
     EXPECT_EQ(stages.panels[3].stage, "Final stage");
     EXPECT_LT(stages.panels[1].view.time, stages.panels[2].view.time);
+}
+
+TEST_F(Preset, HasMaterialsUnlessTheStyleOfAnalysisIsAskedFor) {
+    for (const auto& [name, preset] : figurePresets) {
+        for (const SheetPanel& panel : sheet(preset).panels) {
+            EXPECT_EQ(panel.view.style, render::Style::Presentation) << name;
+            EXPECT_TRUE(panel.view.shading && !panel.view.groundGrid) << name;
+        }
+        PresetRequest request;
+        request.preset = preset;
+        request.style = render::Style::Analysis;
+        for (const SheetPanel& panel : presetSheet(request, m_view, m_data).panels) {
+            EXPECT_EQ(panel.view.style, render::Style::Analysis) << name;
+            EXPECT_EQ(panel.view.shading, m_view.shading) << name;
+            EXPECT_EQ(panel.view.groundGrid, m_view.groundGrid) << name;
+        }
+    }
 }
 
 TEST_F(Preset, TakesTheInstantsItIsGivenAndNoOtherNumber) {

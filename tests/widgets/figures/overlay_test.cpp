@@ -124,9 +124,12 @@ TEST_F(Legends, ReleasedStructureIsCountedApart) {
     EXPECT_EQ(overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe).legend[0].text, "active 9 of 10 elements");
     // In the look of its material it has no colour of its own, and a legend must not promise one.
     render::View view;
-    EXPECT_EQ(commonLegend(view, true).size(), 3u);
+    EXPECT_EQ(commonLegend(view, m_scene.data(), true).size(), 3u);
     view.style = render::Style::Presentation;
-    EXPECT_TRUE(commonLegend(view, true).empty());
+    for (const LegendEntry& entry : commonLegend(view, m_scene.data(), true)) {
+        EXPECT_TRUE(entry.text.contains(QStringLiteral("assumed"))) << "materials alone: " << entry.text.toStdString();
+    }
+    EXPECT_FALSE(commonLegend(view, m_scene.data(), true).empty());
 }
 
 TEST_F(Legends, EveryColouringExplainsItself) {
@@ -185,7 +188,7 @@ TEST_F(Legends, IslandsAreNamedAndCountedInTheirColours) {
     EXPECT_EQ(overlay.legend.back().text, QStringLiteral("smaller islands: 3"));
     render::View view;
     view.colourBy = render::ColourBy::Island;
-    EXPECT_EQ(commonLegend(view, true).back().text, QStringLiteral("each loose island in a colour of its own"));
+    EXPECT_EQ(commonLegend(view, m_scene.data(), true).back().text, QStringLiteral("each loose island in a colour of its own"));
 }
 
 TEST_F(Legends, WhatTheViewSwitchesOffIsGone) {

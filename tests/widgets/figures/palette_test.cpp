@@ -5,6 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "tests/support/whole_file.h"
 
 namespace rubble::figures {
 namespace {
@@ -104,6 +107,15 @@ TEST(Palette, SceneDrawsWithTheSameColours) {
         EXPECT_EQ(scene.categories.size(), p.categories.size());
     }
     EXPECT_EQ(palette(render::Theme::Print).window, QColor(Qt::white));
+}
+
+TEST(Palette, APageHasTheMaterialsOfTheViews) {
+    std::string row = "const materialTones = [";
+    for (const QColor& colour : palette(render::Theme::Light).materials) {
+        row += (row.back() == '[' ? "[" : ", [") + std::to_string(colour.red()) + ", " + std::to_string(colour.green()) + ", " +
+               std::to_string(colour.blue()) + "]";
+    }
+    EXPECT_NE(io::wholeFile(sourcePath("resources/page/60-player.js")).find(row + "];"), std::string::npos) << row;
 }
 
 }  // namespace

@@ -341,7 +341,7 @@ Overlay longestOverlay(const render::View& view, const render::Scene& scene, con
     return overlayOf(view, scene, pane, status);
 }
 
-std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
+std::vector<LegendEntry> commonLegend(const render::View& view, const render::SceneData& data, bool released) {
     const Palette& p = palette(view.theme);
     std::vector<LegendEntry> legend;
     const bool byIsland = view.colourBy == render::ColourBy::Island;
@@ -355,6 +355,9 @@ std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
         legend.push_back({QColor(), tr("each loose island in a colour of its own")});
     } else if (released && view.style == render::Style::Analysis) {
         legend.push_back({p.released, tr("released structure")});
+    }
+    if (view.style == render::Style::Presentation) {
+        addMaterials(legend, data, sceneColours(view.theme));
     }
     return legend;
 }

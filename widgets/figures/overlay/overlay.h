@@ -56,7 +56,7 @@ double scaleLineWidth(double metresPerPixel, double room, double textHeight);
 double paintScaleLine(QPainter& painter, double metresPerPixel, const render::Pane& strip, double textHeight);
 
 /// What colours stand for, without counts: for several pictures together.
-std::vector<LegendEntry> commonLegend(const render::View& view, bool released);
+std::vector<LegendEntry> commonLegend(const render::View& view, const render::SceneData& data, bool released);
 /// Width of a legend in one line, device pixels.
 double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars, double textHeight);
 /// One line of a legend in print colours, in the middle of a strip.

@@ -14,6 +14,7 @@
 #include "io/base/base64.h"
 #include "io/exports/page/page_export.h"
 #include "io/exports/page/page_scene.h"
+#include "io/exports/page/page_site.h"
 #include "io/run/fragment_places.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/io/sample_run.h"
@@ -379,6 +380,52 @@ TEST_F(Page, SurroundingsThatTheViewsDoNotDrawAreNamed) {
     const json facts = exported(extras).facts["around"];
     EXPECT_EQ(facts["names"], (json::array({"ortho.tif", "roof.obj"})));
     EXPECT_EQ(facts["fallenOn"], true);
+}
+
+TEST_F(Page, SurroundingsOfTheViewsLieWhereTheirFilesHaveThem) {
+    record(8, 8);
+    SiteMesh mesh;
+    mesh.points = {{-8.1234, 6.0, -1.0}, {812345.6789, 6.0, -1.0}, {8.0, -600.00099, 4.0007}};
+    mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
+    PageExtras extras;
+    extras.surroundings = std::make_shared<std::vector<SiteMesh>>(2, mesh);
+    extras.around = {{"surroundings", "/site/wall.obj", "bb"}, {"orthophoto", "/site/ortho.tif", "cc"}};
+    const ReadPage page = exported(extras);
+    EXPECT_EQ(page.facts["around"]["names"], json::array({"ortho.tif"})) << "there is no picture of the ground";
+    EXPECT_EQ(page.facts["precision"]["siteTriangles"], 4);
+    EXPECT_EQ(m_report.siteTriangles, 4u);
+    EXPECT_EQ(page.steps("siteCorners"), (std::vector<std::int64_t>{0, 1, 2, 2, 1, 0, 3, 4, 5, 5, 4, 3}));
+    const auto numbers = page.integers("sitePoints");
+    const double step = page.facts["scene"]["site"]["step"];
+    ASSERT_EQ(numbers.size(), 18u);
+    Eigen::Matrix<std::int64_t, 3, 1> at = Eigen::Matrix<std::int64_t, 3, 1>::Zero();
+    for (std::size_t i = 0; i < 6; ++i) {
+        at += Eigen::Matrix<std::int64_t, 3, 1>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+        EXPECT_LE((step * at.cast<double>() - mesh.points[i % 3]).norm(), m_report.siteError + 1e-9) << i;
+    }
+    EXPECT_GT(m_report.siteError, 1e-4);
+    EXPECT_LE(m_report.siteError, pageErrorMost);
+    extras.orthophoto = std::make_shared<const Orthophoto>(Orthophoto{-10.0, -20.0, 0.5, 4096, 100, {}});
+    extras.pictures = {{PagePictureKind::Ground, 0.0, {}, "image/jpeg", "x", {}}};
+    const json facts = exported(extras).facts;
+    EXPECT_EQ(facts["around"]["names"], json::array());
+    EXPECT_EQ(facts["ground"]["picture"]["pixel"], 1.0) << "of 4,096 pixels 2,048 are taken";
+    EXPECT_EQ(facts["ground"]["picture"]["width"], 2048.0);
+}
+
+TEST_F(Page, SurroundingsOfTooManyTrianglesAreLeftOutAndNamed) {
+    record(8, 8);
+    SiteMesh mesh;
+    mesh.points = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
+    mesh.triangles.assign(pageSiteTrianglesMost + 1, {0, 1, 2});
+    PageExtras extras;
+    extras.surroundings = std::make_shared<std::vector<SiteMesh>>(1, mesh);
+    extras.around = {{"surroundings", "/site/town.obj", "bb"}};
+    const json facts = exported(extras).facts;
+    EXPECT_EQ(facts["around"]["names"], json::array({"town.obj"}));
+    EXPECT_EQ(facts["around"]["large"], true);
+    EXPECT_TRUE(facts["scene"]["site"].is_null());
+    EXPECT_TRUE(m_report.siteLeftOut);
 }
 
 TEST_F(Page, ABookmarkOutsideOfTheRunIsMarked) {

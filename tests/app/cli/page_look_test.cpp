@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "io/case/case_file.h"
+#include "io/site/input_files.h"
+#include "tests/support/browser.h"
+#include "tests/support/photographed_case.h"
+
+namespace rubble::cli {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// The page of the small collapse, within a wall and a picture of the ground; nothing is run where there is no browser.
+class PageLook : public SmallRun {
+protected:
+    void SetUp() override {
+        if (Browser::program().empty()) {
+            std::cout << "not run: no Chromium here\n";
+            return;
+        }
+        run({}, "1");
+        std::ofstream(m_folder / "wall.obj") << "v -2 3 0\nv 9 3 0\nv 9 3 2.5\nv -2 3 2.5\nf 1 2 3\nf 1 3 4\n";
+        writeGreyTiff(m_folder / "ground.tif", 60, 60);
+        std::ofstream(m_folder / "ground.tfw") << "1\n0\n0\n-1\n-30\n30\n";
+        Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
+        theCase.inputs.push_back({"surroundings-1", InputRole::Surroundings, "wall.obj", {}});
+        theCase.inputs.push_back({"orthophoto-1", InputRole::Orthophoto, "ground.tif",
+                                  io::digestOfInput(m_folder / "ground.tif", InputRole::Orthophoto, Execution()).sha256});
+        io::saveCase(m_folder / "small.rubble", theCase);
+        const Outcome outcome =
+            cli({"export", m_out, "--case", m_folder / "small.rubble", "--export", "page=" + (m_folder / "small.html")});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        m_notes = outcome.err;
+        m_browser = std::make_unique<Browser>(m_folder / "profile", 1280, 800);
+        m_browser->open(m_folder / "small.html");
+        m_browser->waitFor("page.player.site.photo");
+        said("page.jump(page.player.end)");
+    }
+    void TearDown() override {
+        if (m_browser) {
+            EXPECT_THAT(m_browser->complaints(), testing::IsEmpty());
+            EXPECT_EQ(said("page.player.renderer.gl.getError()"), 0);
+        }
+    }
+    nlohmann::json said(const std::string& expression) { return m_browser->evaluate(expression); }
+    /// Pixels of the pane of the fragments that become {darker, brighter} by a change of the page.
+    nlohmann::json changedBy(const std::string& change) {
+        return said(
+            "(() => { const player = page.player; const gl = player.renderer.gl; const pane = player.panes()[1];"
+            " const pixels = () => { player.draw(); const out = new Uint8Array(4 * pane.width * pane.height);"
+            " gl.readPixels(pane.x, pane.y, pane.width, pane.height, gl.RGBA, gl.UNSIGNED_BYTE, out); return out; };"
+            " const before = pixels(); " +
+            change +
+            "; const after = pixels(); const counts = [0, 0];"
+            " for (let i = 0; i < after.length; i += 4) { const by = after[i] + after[i + 1] - before[i] - before[i + 1];"
+            " counts[0] += by < -12 ? 1 : 0; counts[1] += by > 12 ? 1 : 0; } return counts; })()");
+    }
+
+    std::string m_notes;
+    std::unique_ptr<Browser> m_browser;
+};
+
+TEST_F(PageLook, BeginsWithMaterials) {
+    if (!m_browser) {
+        return;
+    }
+    EXPECT_EQ(said("page.player.fine"), true);
+    // 2,000 kg/m3 and nobody's word: masonry, as the program guesses.
+    EXPECT_THAT(said("document.getElementById('legend').textContent").get<std::string>(), HasSubstr("masonry (assumed)"));
+    EXPECT_THAT(said("document.querySelector('input[value=highlight]').parentNode.textContent").get<std::string>(),
+                HasSubstr("material"));
+    said("document.getElementById('contrast').click()");
+    EXPECT_EQ(said("page.player.fine"), false) << "high contrast keeps plain colours";
+    EXPECT_THAT(said("document.getElementById('panel-look').textContent").get<std::string>(), HasSubstr("High contrast shows"));
+}
+
+TEST_F(PageLook, SunEdgesAndSurroundingsAreDrawn) {
+    if (!m_browser) {
+        return;
+    }
+    said("page.panels.lookFrom('corner')");
+    const nlohmann::json unlit = changedBy("player.renderer.shadows.forEach((each) => { each.works = false; })");
+    EXPECT_EQ(unlit[0], 0) << "a shadow only takes light";
+    EXPECT_GT(unlit[1].get<int>(), 500);
+    const nlohmann::json edged = changedBy("player.edges = false");
+    EXPECT_GT(edged[1].get<int>(), 300);
+    EXPECT_GT(edged[1].get<int>(), 20 * edged[0].get<int>()) << "edges are dark";
+    const nlohmann::json bare = changedBy("player.site.solid = null");
+    EXPECT_GT(bare[0].get<int>() + bare[1].get<int>(), 500) << "the wall";
+    const nlohmann::json earth = changedBy("player.site.photo = null");
+    EXPECT_GT(earth[0].get<int>() + earth[1].get<int>(), 5000) << "the picture of the ground";
+    const nlohmann::json plain = changedBy("player.setStyle('analysis')");
+    EXPECT_GT(plain[0].get<int>() + plain[1].get<int>(), 5000);
+}
+
+TEST_F(PageLook, TheStyleIsChosenByKeysAndKeptInTheOtherLanguage) {
+    if (!m_browser) {
+        return;
+    }
+    said("document.getElementById('tab-look').click(), document.querySelector('input[name=style]:checked').focus()");
+    EXPECT_EQ(said("document.activeElement.value"), "presentation");
+    m_browser->press("ArrowRight");
+    EXPECT_EQ(said("page.player.style"), "analysis");
+    EXPECT_EQ(said("document.activeElement.value"), "analysis") << "the focus stays on what was chosen";
+    EXPECT_THAT(said("document.getElementById('legend').textContent").get<std::string>(), HasSubstr("fragments"));
+    said("document.getElementById('chinese').click()");
+    EXPECT_EQ(said("document.querySelector('input[name=style]:checked').value"), "analysis");
+    EXPECT_THAT(said("document.querySelector('input[name=style]:checked').labels[0].textContent").get<std::string>(),
+                HasSubstr("分析"));
+    said("document.querySelector('input[name=style]:checked').focus()");
+    m_browser->press("ArrowLeft");
+    EXPECT_EQ(said("page.player.style"), "presentation");
+    EXPECT_THAT(said("document.getElementById('legend').textContent").get<std::string>(), HasSubstr("砌体（假定）"));
+}
+
+TEST_F(PageLook, WithoutTexturesOfDepthsThereAreNoShadows) {
+    if (!m_browser) {
+        return;
+    }
+    EXPECT_EQ(said("(() => { const gl = page.player.renderer.gl; gl.checkFramebufferStatus = () => 0;"
+                   " const made = new Shadow(gl); delete gl.checkFramebufferStatus; return made.works; })()"),
+              false);
+    EXPECT_THAT(said("document.getElementById('panel-look').textContent").get<std::string>(), Not(HasSubstr("no shadows")));
+    said("page.player.renderer.shadows.forEach((each) => { each.works = false; }), page.panels.build(), page.player.draw()");
+    EXPECT_THAT(said("document.getElementById('panel-look').textContent").get<std::string>(), HasSubstr("draws no shadows"));
+}
+
+TEST_F(PageLook, SurroundingsAreMeasuredAndTold) {
+    if (!m_browser) {
+        return;
+    }
+    EXPECT_THAT(m_notes, HasSubstr("what stands around the structure, 2 triangles, lies within"));
+    const std::string limits = said("document.getElementById('panel-about').textContent");
+    EXPECT_THAT(limits, HasSubstr("in 2 triangles"));
+    EXPECT_THAT(limits, Not(HasSubstr("do not draw what surrounds")));
+    // Straight at the wall, over all that lies before it.
+    const auto hit = said(R"js((() => {
+        const { player } = page;
+        const pane = player.panes()[0];
+        const m = player.camera.matrix(pane.width / pane.height);
+        const p = [8, 3, 2];
+        const clip = [0, 1, 3].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]);
+        const scale = player.canvas.clientWidth / player.canvas.width;
+        return player.pickAt(scale * (pane.x + pane.width * (0.5 + 0.5 * clip[0] / clip[2])),
+            scale * (player.canvas.height - pane.y - pane.height * (0.5 + 0.5 * clip[1] / clip[2])));
+    })())js");
+    ASSERT_TRUE(hit["point"].is_array()) << hit;
+    EXPECT_EQ(hit["element"], -1);
+    EXPECT_NEAR(hit["point"][1].get<double>(), 3.0, 0.01);
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

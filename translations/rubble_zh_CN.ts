@@ -1163,6 +1163,22 @@
         <source>Save what the views show and how, for rubble-cli figure and for later</source>
         <translation>保存视图所示内容和方式，供命令行和以后使用</translation>
     </message>
+    <message>
+        <source>Compare two clouds…</source>
+        <translation>比较两个点云…</translation>
+    </message>
+    <message>
+        <source>Measure distances and volumes from one point cloud to another, as of before and after</source>
+        <translation>量取一个点云到另一个点云的距离和体积，例如倒塌前后</translation>
+    </message>
+    <message>
+        <source>Scan the run…</source>
+        <translation>扫描计算…</translation>
+    </message>
+    <message>
+        <source>Make a point cloud as laser scanners would take it of what the run leaves</source>
+        <translation>像激光扫描仪那样从计算留下之物生成点云</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -12110,12 +12126,36 @@
         <translation>请去掉列和坐标系，或给出点云。</translation>
     </message>
     <message>
-        <source>heights, cloud or outline</source>
-        <translation>高程、点云或轮廓</translation>
-    </message>
-    <message>
         <source>{0} is no point cloud or table of points: it has no columns, and names its system itself</source>
         <translation>{0} 不是点云或点的表格：它没有列，其坐标系由文件自身写明</translation>
+    </message>
+    <message>
+        <source>A drawing without areas stands in every section: compare a survey, and draw a section on its map.</source>
+        <translation>没有面域的图出现在每个剖面中：请先比较一个测绘，再在其差异图上绘制剖面。</translation>
+    </message>
+    <message>
+        <source>Check their places, or give a greater range.</source>
+        <translation>请检查其位置，或给出更大的量程。</translation>
+    </message>
+    <message>
+        <source>The scanners see nothing within {0}</source>
+        <translation>扫描仪在 {0} 以内什么也看不到</translation>
+    </message>
+    <message>
+        <source>check their heights, and that they are in the system of the case</source>
+        <translation>请检查其高程，以及是否属于案例的坐标系</translation>
+    </message>
+    <message>
+        <source>heights, cloud, outline or points</source>
+        <translation>heights、cloud、outline 或 points</translation>
+    </message>
+    <message>
+        <source>measured heights, which sections are held against</source>
+        <translation>测得的高程，供剖面比较</translation>
+    </message>
+    <message>
+        <source>scanners stand below the ground</source>
+        <translation>扫描仪位于地面以下</translation>
     </message>
 </context>
 <context>
@@ -13380,6 +13420,29 @@
     </message>
 </context>
 <context>
+    <name>rubble::CloudPlacing</name>
+    <message>
+        <source>A cloud is fitted to the site: open the FE result first.</source>
+        <translation>点云要拟合到现场：请先打开有限元结果。</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>It is fitted to what stands and lies where the run ends.</source>
+        <translation>拟合到计算结束时站立和堆积之物。</translation>
+    </message>
+    <message>
+        <source>There is no run: it is fitted to the terrain alone.</source>
+        <translation>没有计算：只拟合到地形。</translation>
+    </message>
+    <message>
+        <source>What did not move</source>
+        <translation>未移动的部分</translation>
+    </message>
+</context>
+<context>
     <name>rubble::CloudPoints</name>
     <message>
         <source>%1 photographs of the cloud added</source>
@@ -13445,12 +13508,121 @@
         <source>No distances to this run were measured: colours say the height.</source>
         <translation>尚未量取到此次计算的距离：颜色表示高度。</translation>
     </message>
+    <message>
+        <source>where the scanners stood</source>
+        <translation>扫描仪的位置</translation>
+    </message>
+    <message>
+        <source>Fill is where the run lies above the cloud.</source>
+        <translation>填方指计算位于点云之上的部分。</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>距离</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CloudReading</name>
+    <message>
+        <source>No heading names the columns of this table. Left empty, the first three are taken as x, y and z where all rows hold numbers.</source>
+        <translation>此表没有表头写明各列。留空时，若各行都是数字，则前三列视为 x、y 和 z。</translation>
+    </message>
+    <message>
+        <source>The file names no coordinate system. Left empty, its coordinates are taken to be those of the case.</source>
+        <translation>文件未写明坐标系。留空时，其坐标按案例的坐标系处理。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CloudTools</name>
+    <message>
+        <source>%1: %2 points; debris %3, fallen structure %4, standing structure %5, ground %6. Fragments seen: %7 of %8.</source>
+        <translation>%1：%2 点；堆积物 %3，坠落结构 %4，站立结构 %5，地面 %6。所见碎块：%7，共 %8。</translation>
+    </message>
+    <message>
+        <source>Places of the scanners</source>
+        <translation>扫描仪的位置</translation>
+    </message>
+    <message>
+        <source>Points are saved as LAS, PLY or CSV: end the name with .las, .ply or .csv.</source>
+        <translation>点可保存为 LAS、PLY 或 CSV：文件名须以 .las、.ply 或 .csv 结尾。</translation>
+    </message>
+    <message>
+        <source>Scan of the run</source>
+        <translation>计算的扫描</translation>
+    </message>
+    <message>
+        <source>Point cloud</source>
+        <translation>点云</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>距离</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Computation</name>
     <message>
         <source>Opening</source>
         <translation>正在打开</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::DistanceWords</name>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1 m³ (± %2 random, ± %3 systematic)</source>
+        <translation>%1 m³（随机 ± %2，系统 ± %3）</translation>
+    </message>
+    <message>
+        <source>The level of detection is not known.</source>
+        <translation>检测限未知。</translation>
+    </message>
+    <message>
+        <source>Level of detection %1 m in the middle (95 %).</source>
+        <translation>检测限的中位数为 %1 m（95 %）。</translation>
+    </message>
+    <message>
+        <source>Level of detection %1 m in the middle (95 %), of roughness alone: nobody stated the registration error.</source>
+        <translation>检测限的中位数为 %1 m（95 %），仅由粗糙度得出：无人给出配准误差。</translation>
+    </message>
+    <message>
+        <source>Volumes are not known: no cell was measured.</source>
+        <translation>体积未知：没有量到任何单元。</translation>
+    </message>
+    <message>
+        <source>Fill %1, cut %2, net %3, at 95 %.</source>
+        <translation>填方 %1，挖方 %2，净值 %3，均为 95 %。</translation>
+    </message>
+    <message>
+        <source>Below the level of detection also lie fill %1, cut %2 m³, which are not counted.</source>
+        <translation>另有低于检测限而未计入的填方 %1、挖方 %2 m³。</translation>
+    </message>
+    <message>
+        <source>Cells measured: %1 of %2.</source>
+        <translation>量到的单元：%1，共 %2。</translation>
+    </message>
+    <message>
+        <source>Seen straight from above: where the scanners stood is not known.</source>
+        <translation>从正上方看：扫描仪的位置未知。</translation>
+    </message>
+    <message>
+        <source>Seen from the scanners that were given: %1.</source>
+        <translation>从给定的扫描仪看：%1 台。</translation>
+    </message>
+    <message>
+        <source>Seen from the scanners that the cloud names: %1.</source>
+        <translation>从点云写明的扫描仪看：%1 台。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 distances differ by more than the level of detection.</source>
+        <translation>%2 个距离中有 %1 个的差别超过检测限。</translation>
+    </message>
+    <message>
+        <source>Fill is where the second cloud lies above the first.</source>
+        <translation>填方指第二个点云位于第一个之上的部分。</translation>
     </message>
 </context>
 <context>
@@ -13678,10 +13850,6 @@
         <translation>地形</translation>
     </message>
     <message>
-        <source>Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)</source>
-        <translation>高程栅格 (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>terrain %1</source>
         <translation>地形 %1</translation>
     </message>
@@ -13828,6 +13996,45 @@
     <message>
         <source>Cases, FE results, runs and figures of them (*);;Cases (*.rubble);;Runs (*.run.h5)</source>
         <translation>案例、有限元结果、计算及其图片 (*);;案例 (*.rubble);;计算 (*.run.h5)</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::FileKinds</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Point clouds and tables</source>
+        <translation>点云和表格</translation>
+    </message>
+    <message>
+        <source>Rasters of heights</source>
+        <translation>高程栅格</translation>
+    </message>
+    <message>
+        <source>Surveys</source>
+        <translation>测绘</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Terrains</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>Point clouds (*.las *.ply);;Tables (*.csv)</source>
+        <translation>点云 (*.las *.ply);;表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -14235,10 +14442,6 @@
     <message>
         <source>Terrain</source>
         <translation>地形</translation>
-    </message>
-    <message>
-        <source>Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)</source>
-        <translation>高程栅格 (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;所有文件 (*)</translation>
     </message>
     <message>
         <source>terrain left out</source>
@@ -14832,20 +15035,12 @@
         <translation>略去的部分</translation>
     </message>
     <message>
-        <source>Polygons (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
-        <translation>多边形 (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>area of interest added</source>
         <translation>已添加关注区域</translation>
     </message>
     <message>
         <source>left-out polygons added</source>
         <translation>已添加略去的多边形</translation>
-    </message>
-    <message>
-        <source>Surveys (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
-        <translation>测绘 (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx *.pts *.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
     </message>
     <message>
         <source>when the survey was taken</source>
@@ -14886,6 +15081,18 @@
     <message>
         <source>removed debris added</source>
         <translation>添加被运走之物</translation>
+    </message>
+    <message>
+        <source>cloud fitted to what did not move</source>
+        <translation>点云已拟合到未移动的部分</translation>
+    </message>
+    <message>
+        <source>how the survey is read</source>
+        <translation>测绘的读取方式</translation>
+    </message>
+    <message>
+        <source>A drawing without areas stands in every section: compare a survey, and draw a section on its map.</source>
+        <translation>没有面域的图出现在每个剖面中：请先比较一个测绘，再在其差异图上绘制剖面。</translation>
     </message>
 </context>
 <context>
@@ -18682,6 +18889,125 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::CloudPairDialog</name>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Normal scale</source>
+        <translation>法向尺度</translation>
+    </message>
+    <message>
+        <source>Projection scale</source>
+        <translation>投影尺度</translation>
+    </message>
+    <message>
+        <source>Depth of the cylinder</source>
+        <translation>圆柱的深度</translation>
+    </message>
+    <message>
+        <source>Registration error</source>
+        <translation>配准误差</translation>
+    </message>
+    <message>
+        <source>Cells of the volumes</source>
+        <translation>体积的单元</translation>
+    </message>
+    <message>
+        <source>Measure distances</source>
+        <translation>量取距离</translation>
+    </message>
+    <message>
+        <source>Cancel measuring</source>
+        <translation>取消量取</translation>
+    </message>
+    <message>
+        <source>Save distances…</source>
+        <translation>保存距离…</translation>
+    </message>
+    <message>
+        <source>Compare two clouds</source>
+        <translation>比较两个点云</translation>
+    </message>
+    <message>
+        <source>Measures from the first cloud to the second along the local normal (M3C2), as their files have them: what the case says of their place does not move them. Lengths are brought to metres.</source>
+        <translation>沿局部法向（M3C2）从第一个点云量到第二个，位置如其文件所写：案例所说的配准不移动它们。长度换算为米。</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Take a cloud that is not in the case</source>
+        <translation>采用案例以外的点云</translation>
+    </message>
+    <message>
+        <source>Second cloud</source>
+        <translation>第二个点云</translation>
+    </message>
+    <message>
+        <source>First cloud</source>
+        <translation>第一个点云</translation>
+    </message>
+    <message>
+        <source>Second, of later</source>
+        <translation>第二个，较晚</translation>
+    </message>
+    <message>
+        <source>First, of before</source>
+        <translation>第一个，较早</translation>
+    </message>
+    <message>
+        <source>Normal scale, m</source>
+        <translation>法向尺度，m</translation>
+    </message>
+    <message>
+        <source>Projection scale, m</source>
+        <translation>投影尺度，m</translation>
+    </message>
+    <message>
+        <source>Depth, m</source>
+        <translation>深度，m</translation>
+    </message>
+    <message>
+        <source>By which one cloud may be out of place against the other, m</source>
+        <translation>一个点云相对另一个可能错开的量，m</translation>
+    </message>
+    <message>
+        <source>Registration error, m</source>
+        <translation>配准误差，m</translation>
+    </message>
+    <message>
+        <source>no volumes</source>
+        <translation>不求体积</translation>
+    </message>
+    <message>
+        <source>Side of the square cells over which cut, fill and net are summed straight up, m</source>
+        <translation>竖直方向累计挖方、填方和净值所用的方形单元的边长，m</translation>
+    </message>
+    <message>
+        <source>Volume cells, m</source>
+        <translation>体积单元，m</translation>
+    </message>
+    <message>
+        <source>Choose two clouds.</source>
+        <translation>请选择两个点云。</translation>
+    </message>
+    <message>
+        <source>Taken: %1, and %2.</source>
+        <translation>拍摄时间：%1 和 %2。</translation>
+    </message>
+    <message>
+        <source>The second is the older one: fill is what was there before.</source>
+        <translation>第二个较早：填方是此前在那里的部分。</translation>
+    </message>
+    <message>
+        <source>Distances are being measured.</source>
+        <translation>正在量取距离。</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::ComponentTree</name>
     <message>
         <source>Solids</source>
@@ -19839,12 +20165,16 @@ What the file fits: %2.</source>
         <translation>案例的全部证据</translation>
     </message>
     <message>
-        <source>Photographs, surveys, clouds, outlines and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
-        <translation>照片、测绘、点云、轮廓和控制点：各自所示的内容、其位置已知到多少米（95 %），以及计算与之重合多少</translation>
-    </message>
-    <message>
         <source>elsewhere</source>
         <translation>在别处</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>测点</translation>
+    </message>
+    <message>
+        <source>Photographs, surveys, clouds, outlines, measured points and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
+        <translation>照片、测绘、点云、轮廓、测点和控制点：各自表示什么、其位置准确到多少米（95 %），以及计算与其重合的程度</translation>
     </message>
 </context>
 <context>
@@ -19959,6 +20289,97 @@ What the file fits: %2.</source>
     <message>
         <source>first: %1</source>
         <translation>首例：%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::FitDialog</name>
+    <message>
+        <source>Moved by %1 m, turned by %2°.</source>
+        <translation>移动 %1 m，转动 %2°。</translation>
+    </message>
+    <message>
+        <source>RMS of %1 points to their surfaces: %2 m before, %3 m after.</source>
+        <translation>%1 个点到其表面的 RMS：之前 %2 m，之后 %3 m。</translation>
+    </message>
+    <message>
+        <source>One point to each cube of %1 m was fitted.</source>
+        <translation>每个边长 %1 m 的立方体取一点进行拟合。</translation>
+    </message>
+    <message>
+        <source>Places at the structure are then known to %1 m (standard deviation).</source>
+        <translation>此后结构处的位置准确到 %1 m（标准差）。</translation>
+    </message>
+    <message>
+        <source>Most of the cloud did not move: fit all of it</source>
+        <translation>点云大部分未移动：全部拟合</translation>
+    </message>
+    <message>
+        <source>Radius of the fit</source>
+        <translation>拟合半径</translation>
+    </message>
+    <message>
+        <source>Areas from a file…</source>
+        <translation>取自文件的区域…</translation>
+    </message>
+    <message>
+        <source>Remove last area</source>
+        <translation>删除最后的区域</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>Cancel the fit</source>
+        <translation>取消拟合</translation>
+    </message>
+    <message>
+        <source>Fit to what did not move</source>
+        <translation>拟合到未移动的部分</translation>
+    </message>
+    <message>
+        <source>Click the corners around what did not move, such as streets and walls that still stand; a double click or Enter closes.</source>
+        <translation>点击未移动部分周围的角点，例如街道和仍然站立的墙；双击或 Enter 闭合。</translation>
+    </message>
+    <message>
+        <source>Cloud from above</source>
+        <translation>从上方所见的点云</translation>
+    </message>
+    <message>
+        <source>Place survey</source>
+        <translation>放置测绘</translation>
+    </message>
+    <message>
+        <source>Radius, m</source>
+        <translation>半径，m</translation>
+    </message>
+    <message>
+        <source>Surfaces within it of a point are what the point is fitted to, m: more than the cloud is out of place</source>
+        <translation>点拟合到此半径以内的表面，m：应大于点云错开的量</translation>
+    </message>
+    <message>
+        <source>The nearest 80 % of the points decide; what moved must be less than that</source>
+        <translation>由最近的 80 % 的点决定；移动的部分须少于其余</translation>
+    </message>
+    <message>
+        <source>Take polygons of a file as areas that did not move</source>
+        <translation>把文件中的多边形作为未移动的区域</translation>
+    </message>
+    <message>
+        <source>Fits the points of the areas to the surfaces of the site</source>
+        <translation>把区域中的点拟合到现场的表面</translation>
+    </message>
+    <message>
+        <source>The cloud is being fitted.</source>
+        <translation>正在拟合点云。</translation>
+    </message>
+    <message>
+        <source>Fit, and what is left is told here.</source>
+        <translation>拟合之后，此处列出剩余量。</translation>
+    </message>
+    <message>
+        <source>Nothing is said yet of what did not move.</source>
+        <translation>尚未说明哪些部分未移动。</translation>
     </message>
 </context>
 <context>
@@ -22291,6 +22712,46 @@ What the file fits: %2.</source>
         <source>Add its photographs: %1</source>
         <translation>添加其中的照片：%1</translation>
     </message>
+    <message>
+        <source>Cells of the volumes</source>
+        <translation>体积的单元</translation>
+    </message>
+    <message>
+        <source>as the cloud says</source>
+        <translation>如点云所写</translation>
+    </message>
+    <message>
+        <source>Save distances…</source>
+        <translation>保存距离…</translation>
+    </message>
+    <message>
+        <source>Give the scanners</source>
+        <translation>给出扫描仪</translation>
+    </message>
+    <message>
+        <source>State the error</source>
+        <translation>给出误差</translation>
+    </message>
+    <message>
+        <source>no volumes</source>
+        <translation>不求体积</translation>
+    </message>
+    <message>
+        <source>Side of the square cells over which cut, fill and net are summed straight up, m; left empty none are. Where nobody stated the registration error, their systematic error is not known</source>
+        <translation>竖直方向累计挖方、填方和净值所用的方形单元的边长，m；留空则不求。无人给出配准误差时，其系统误差未知</translation>
+    </message>
+    <message>
+        <source>Volume cells, m</source>
+        <translation>体积单元，m</translation>
+    </message>
+    <message>
+        <source>Scanners</source>
+        <translation>扫描仪</translation>
+    </message>
+    <message>
+        <source>Writes the measured places with distance, level of detection and roughness as a cloud (LAS, PLY) or a table (CSV)</source>
+        <translation>把量得之处连同距离、检测限和粗糙度写成点云（LAS、PLY）或表格（CSV）</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::PredictionBox</name>
@@ -22544,6 +23005,52 @@ What the file fits: %2.</source>
     <message>
         <source>What views begin with: components in the look of their materials, or fragments set off from the structure</source>
         <translation>视图开始时的样式：构件呈现其材料的外观，或碎块与结构相区别</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ReadingBox</name>
+    <message>
+        <source>Coordinate system of the cloud</source>
+        <translation>点云的坐标系</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>如文件所写</translation>
+    </message>
+    <message>
+        <source>EPSG code such as EPSG:25832, WKT or PROJ, of a file that names no system. Kept in the case</source>
+        <translation>未写明坐标系的文件的坐标系：EPSG 代码（例如 EPSG:25832）、WKT 或 PROJ。保存在案例中</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translation>表的列</translation>
+    </message>
+    <message>
+        <source>as its heading says</source>
+        <translation>如表头所写</translation>
+    </message>
+    <message>
+        <source>Columns of a table in their order, parted by commas: x, y, z, intensity, red, green, blue, class, return, returns, time; skip for others. Kept in the case</source>
+        <translation>表的各列，按次序以逗号分隔：x, y, z, intensity, red, green, blue, class, return, returns, time；其他列写 skip。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ReadingDialog</name>
+    <message>
+        <source>How %1 is read</source>
+        <translation>%1 的读取方式</translation>
+    </message>
+    <message>
+        <source>Add survey</source>
+        <translation>添加测绘</translation>
     </message>
 </context>
 <context>
@@ -23381,6 +23888,108 @@ Program: %3</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::ScanDialog</name>
+    <message>
+        <source>four around the debris</source>
+        <translation>堆积物四周的四台</translation>
+    </message>
+    <message>
+        <source>Step between rays</source>
+        <translation>光线的间隔</translation>
+    </message>
+    <message>
+        <source>Range of the scanners</source>
+        <translation>扫描仪的量程</translation>
+    </message>
+    <message>
+        <source>Noise along a ray</source>
+        <translation>沿光线的噪声</translation>
+    </message>
+    <message>
+        <source>Seed of directions and noise</source>
+        <translation>方向和噪声的种子</translation>
+    </message>
+    <message>
+        <source>Scan and save…</source>
+        <translation>扫描并保存…</translation>
+    </message>
+    <message>
+        <source>Cancel the scan</source>
+        <translation>取消扫描</translation>
+    </message>
+    <message>
+        <source>Scan the run</source>
+        <translation>扫描计算</translation>
+    </message>
+    <message>
+        <source>Makes a point cloud as laser scanners would take it of what the run leaves. It shows what a scan can tell of a collapse; what is hidden has no points.</source>
+        <translation>像激光扫描仪那样从计算留下之物生成点云，可看出扫描能说明倒塌的什么；被遮挡之处没有点。</translation>
+    </message>
+    <message>
+        <source>One ray falls to each square of this side, degrees</source>
+        <translation>每个此边长的方格有一条光线，度</translation>
+    </message>
+    <message>
+        <source>Farthest that a ray goes, m</source>
+        <translation>光线所及的最远距离，m</translation>
+    </message>
+    <message>
+        <source>Standard deviation along the ray, m</source>
+        <translation>沿光线的标准差，m</translation>
+    </message>
+    <message>
+        <source>Equal seeds give equal points</source>
+        <translation>相同的种子给出相同的点</translation>
+    </message>
+    <message>
+        <source>Scanners</source>
+        <translation>扫描仪</translation>
+    </message>
+    <message>
+        <source>Step, °</source>
+        <translation>间隔，°</translation>
+    </message>
+    <message>
+        <source>Range, m</source>
+        <translation>量程，m</translation>
+    </message>
+    <message>
+        <source>Noise, m</source>
+        <translation>噪声，m</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>The site is being scanned.</source>
+        <translation>正在扫描现场。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ScannerField</name>
+    <message>
+        <source>From a table…</source>
+        <translation>取自表…</translation>
+    </message>
+    <message>
+        <source>Places of the scanners</source>
+        <translation>扫描仪的位置</translation>
+    </message>
+    <message>
+        <source>Easting, northing and height of each scanner in the system of the case, m: 12.5,-3,1.8; 40,7,2.1. Points are held against what was to be seen from there</source>
+        <translation>每台扫描仪在案例坐标系中的东坐标、北坐标和高程，m：12.5,-3,1.8; 40,7,2.1。点与从那里所能看到的进行比较</translation>
+    </message>
+    <message>
+        <source>Take them from a table whose heading names easting, northing and height</source>
+        <translation>取自表头写明东坐标、北坐标和高程的表</translation>
+    </message>
+    <message>
+        <source>Write easting, northing and height of each scanner, such as 12.5,-3,1.8; 40,7,2.1</source>
+        <translation>请写出每台扫描仪的东坐标、北坐标和高程，例如 12.5,-3,1.8; 40,7,2.1</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::ScenarioBar</name>
     <message>
         <source>Open a kept run…</source>
@@ -24008,6 +24617,18 @@ Program: %3</source>
         <source>The mesh stays as it was.</source>
         <translation>网格保持原样。</translation>
     </message>
+    <message>
+        <source>Ground classes</source>
+        <translation>地面类别</translation>
+    </message>
+    <message>
+        <source>2; without it all but vegetation and wires</source>
+        <translation>2；没有时为植被和电线以外的全部</translation>
+    </message>
+    <message>
+        <source>Classes of a point cloud whose points are the terrain, 0 to 255, parted by commas, such as 2,9. Left empty it is 2, ground; of a cloud without ground all points but vegetation and wires</source>
+        <translation>点云中作为地形的点的类别，0 至 255，以逗号分隔，例如 2,9。留空时为 2（地面）；没有地面类别的点云取植被和电线以外的全部点</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::StageRail</name>
@@ -24463,6 +25084,22 @@ Program: %3</source>
         <source>How far centroids lie apart is not known: one side has no debris.</source>
         <translation>质心的距离未知：有一侧没有堆积物。</translation>
     </message>
+    <message>
+        <source>Register it to the ground and compare</source>
+        <translation>配准到地面并比较</translation>
+    </message>
+    <message>
+        <source>Say what it shows</source>
+        <translation>说明其中有什么</translation>
+    </message>
+    <message>
+        <source>Say when it was taken</source>
+        <translation>说明拍摄时间</translation>
+    </message>
+    <message>
+        <source>Pick pairs…</source>
+        <translation>选取点对…</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::SurveyPlace</name>
@@ -24565,6 +25202,26 @@ Program: %3</source>
     <message>
         <source>Shows</source>
         <translation>显示时刻</translation>
+    </message>
+    <message>
+        <source>Error of control points in a table</source>
+        <translation>表中控制点的误差</translation>
+    </message>
+    <message>
+        <source>Fit to what did not move…</source>
+        <translation>拟合到未移动的部分…</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the places of a table along each axis, m, where it has no column deviation_m; it is part of the error of the registration</source>
+        <translation>表中位置沿各轴的标准差，m，用于没有标准差列的表；计入配准误差</translation>
+    </message>
+    <message>
+        <source>Control points to, m</source>
+        <translation>控制点精度，m</translation>
+    </message>
+    <message>
+        <source>Draw what did not move: the points there are fitted to the site by least squares, and what is left is told before you accept it</source>
+        <translation>绘出未移动的部分：该处的点以最小二乘拟合到现场，接受之前列出剩余量</translation>
     </message>
 </context>
 <context>

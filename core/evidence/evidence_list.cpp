@@ -11,30 +11,21 @@ namespace rubble {
 namespace {
 
 constexpr double confidence = 1.96;
+constexpr std::array<std::string_view, 11> heightEndings{".tif", ".tiff", ".asc", ".bil", ".img", ".hgt",
+                                                         ".dt0", ".dt1",  ".dt2", ".xyz", ".grd"};
+constexpr std::array<std::string_view, 9> cloudEndings{".las", ".laz", ".e57", ".ply", ".pcd", ".ptx", ".pts", ".csv", ".txt"};
+constexpr std::array<std::string_view, 7> outlineEndings{".gpkg", ".geojson", ".json", ".shp", ".fgb", ".kml", ".dxf"};
 
 /// What nobody looked into is told by the ending of its file.
 EvidenceForm formByEnding(const std::string& path) {
     const std::string ending = inSmallLetters(path.substr(std::min(path.size(), path.rfind('.'))));
-    for (const char* cloud : {".las", ".laz", ".e57", ".ply", ".pcd", ".ptx", ".pts", ".csv", ".txt"}) {
-        if (ending == cloud) {
-            return EvidenceForm::Cloud;
-        }
-    }
-    for (const char* outline : {".gpkg", ".geojson", ".json", ".shp", ".fgb", ".kml"}) {
-        if (ending == outline) {
-            return EvidenceForm::Outline;
+    for (const EvidenceForm form : {EvidenceForm::Cloud, EvidenceForm::Outline}) {
+        const std::span<const std::string_view> endings = endingsOf(form);
+        if (std::find(endings.begin(), endings.end(), ending) != endings.end()) {
+            return form;
         }
     }
     return EvidenceForm::Heights;
-}
-
-EvidenceForm formOf(const CaseInput& survey) {
-    if (!survey.kind) {
-        return formByEnding(survey.path);
-    }
-    return *survey.kind == SurveyKind::Cloud     ? EvidenceForm::Cloud
-           : *survey.kind == SurveyKind::Outline ? EvidenceForm::Outline
-                                                 : EvidenceForm::Heights;
 }
 
 Message instantOf(const std::optional<double>& instant) {
@@ -43,7 +34,10 @@ Message instantOf(const std::optional<double>& instant) {
 }
 
 EvidenceRow surveyRow(const CaseInput& input) {
-    EvidenceRow row{input.id, formOf(input), input.path, input.taken, instantOf(input.instant)};
+    EvidenceRow row{input.id, evidenceFormOf(input), input.path, input.taken, instantOf(input.instant)};
+    if (row.form == EvidenceForm::Measured) {
+        row.says = {"evidence.measured", "measured heights, which sections are held against", {}};
+    }
     if (input.before) {
         row.says = {"evidence.before", "the site before the collapse", {}};
     }
@@ -82,6 +76,32 @@ EvidenceRow pointsRow(const Site& site) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> endingsOf(EvidenceForm form) {
+    switch (form) {
+        case EvidenceForm::Heights:
+            return heightEndings;
+        case EvidenceForm::Cloud:
+            return cloudEndings;
+        case EvidenceForm::Outline:
+            return outlineEndings;
+        case EvidenceForm::Photograph:
+        case EvidenceForm::Points:
+        case EvidenceForm::Measured:
+            break;
+    }
+    return {};
+}
+
+EvidenceForm evidenceFormOf(const CaseInput& survey) {
+    if (!survey.kind) {
+        return formByEnding(survey.path);
+    }
+    // [SurveyKind]
+    constexpr std::array<EvidenceForm, surveyKindNames.size()> forms{EvidenceForm::Heights, EvidenceForm::Cloud,
+                                                                     EvidenceForm::Outline, EvidenceForm::Measured};
+    return forms[static_cast<std::size_t>(*survey.kind)];
+}
 
 std::vector<EvidenceRow> evidenceOf(const Case& theCase) {
     std::vector<EvidenceRow> rows;

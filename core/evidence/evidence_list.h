@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
@@ -11,9 +13,10 @@
 namespace rubble {
 
 /// What evidence is; a survey of a case of before, where that was not kept, by the ending of its file.
-enum class EvidenceForm { Photograph, Heights, Cloud, Outline, Points };
-/// "photograph", "heights", "cloud", "outline", "points"
-inline constexpr std::array<const char*, 5> evidenceFormNames{"photograph", "heights", "cloud", "outline", "points"};
+/// Points are the control points of the case, measured ones those that sections are held against.
+enum class EvidenceForm { Photograph, Heights, Cloud, Outline, Points, Measured };
+/// "photograph", "heights", "cloud", "outline", "points", "measured"
+inline constexpr std::array<const char*, 6> evidenceFormNames{"photograph", "heights", "cloud", "outline", "points", "measured"};
 
 /// A thing that a case is held against, and what it is held to say.
 struct EvidenceRow {
@@ -26,6 +29,12 @@ struct EvidenceRow {
     double score = unknown;   ///< overlap with the simulated debris, 0 to 1; NaN: none was made
     Message elsewhere = {};   ///< what says that it lies elsewhere than its site; without id: nothing does
 };
+
+/// Endings of files that heights, clouds or outlines are read from, in small letters: ".las". Of other evidence none.
+std::span<const std::string_view> endingsOf(EvidenceForm form);
+
+/// What a survey is, by what was found in its file, else by its ending.
+EvidenceForm evidenceFormOf(const CaseInput& survey);
 
 /// All evidence of a case in one list: photographs, surveys, control points, in the order of the case. Scores are left open, and so
 /// are the place of a photograph, which its camera tells, and what lies elsewhere.

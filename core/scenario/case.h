@@ -21,9 +21,9 @@ namespace rubble {
 
 enum class InputRole { Fe, Terrain, Photograph, Survey, Orthophoto, Surroundings };
 
-/// What a file of a survey holds.
-enum class SurveyKind { Heights, Cloud, Outline };
-inline constexpr std::array<std::string_view, 3> surveyKindNames{"heights", "cloud", "outline"};
+/// What a file of a survey holds. Points are those of a total station and lines of a drawing, which sections are held against.
+enum class SurveyKind { Heights, Cloud, Outline, Points };
+inline constexpr std::array<std::string_view, 4> surveyKindNames{"heights", "cloud", "outline", "points"};
 
 /// A file that a case stands on, by relative path and SHA-256.
 struct CaseInput {
@@ -51,6 +51,8 @@ struct CaseInput {
     CloudRequest read = {};
     /// Of a survey: what its file holds; unset: it was never looked at.
     std::optional<SurveyKind> kind = std::nullopt;
+    /// Of a survey that is a cloud: where its scanners stood, m, easting, northing and height; empty: as its file says.
+    std::vector<Vec3> scanners = {};
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 

@@ -160,13 +160,16 @@ json inputJson(const CaseInput& input) {
     if (input.kind) {
         object["holds"] = std::string(surveyKindNames[static_cast<std::size_t>(*input.kind)]);
     }
+    for (const Vec3& scanner : input.scanners) {
+        object["scanners_m"].push_back(jsonVector(scanner));
+    }
     return object;
 }
 
 SurveyKind kindFrom(const JsonCursor& value) {
     const auto found = std::find(surveyKindNames.begin(), surveyKindNames.end(), value.text());
     if (found == surveyKindNames.end()) {
-        value.fail("heights, cloud or outline");
+        value.fail("heights, cloud, outline or points");
     }
     return static_cast<SurveyKind>(found - surveyKindNames.begin());
 }
@@ -185,7 +188,7 @@ std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) 
 CaseInput inputFrom(const JsonCursor& object) {
     object.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m",
                       "ground_noise_m", "offset_error_m", "registration", "taken", "before_collapse", "instant_s", "crs", "columns",
-                      "holds"});
+                      "holds", "scanners_m"});
     CaseInput input{object["id"].text(), roleFrom(object["role"]), object["path"].text(), object["sha256"].text()};
     if (object.has("shows_fallen")) {
         input.showsFallen = object["shows_fallen"].flag();
@@ -215,6 +218,11 @@ CaseInput inputFrom(const JsonCursor& object) {
     input.read = cloudRequestFromJson(object);
     if (object.has("holds")) {
         input.kind = kindFrom(object["holds"]);
+    }
+    if (object.has("scanners_m")) {
+        for (const JsonCursor& scanner : object["scanners_m"].elements()) {
+            input.scanners.push_back(scanner.vector());
+        }
     }
     return input;
 }

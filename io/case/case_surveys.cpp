@@ -3,14 +3,23 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/error.h"
+#include "core/evidence/evidence_list.h"
+#include "io/fe/meshes/ply_header.h"
+#include "io/fe/meshes/raw_mesh_file.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/height_source.h"
+#include "io/site/clouds/point_cloud.h"
 #include "io/site/input_files.h"
 #include "io/site/outline_file.h"
+#include "io/site/surveys/measured_points.h"
 
 namespace rubble::io {
 
 SurveyKind surveyKindOf(const std::string& path, const CloudRequest& read) {
+    if (holdsMeasuredPoints(path)) {
+        return SurveyKind::Points;
+    }
     if (holdsOutline(path)) {
         return SurveyKind::Outline;
     }
@@ -36,6 +45,38 @@ std::size_t takeSurvey(Case& theCase, const std::string& casePath, const std::st
     inputs.push_back({"survey-" + std::to_string(number), InputRole::Survey, relative.generic_string(), sha256});
     inputs.back().kind = surveyKindOf(path, {});
     return inputs.size() - 1;
+}
+
+void stateReading(CaseInput& survey, const std::string& path, const CloudRequest& read) {
+    if (!read.empty()) {
+        openCloud(path, read);
+    }
+    const SurveyKind kind = surveyKindOf(path, read);
+    if (!read.empty() && kind != SurveyKind::Cloud && kind != SurveyKind::Points) {
+        refuseRequestOfNoCloud(path);
+    }
+    survey.read = read;
+    if (survey.role == InputRole::Survey) {
+        survey.kind = kind;
+    }
+}
+
+OpenReading readingLeftOpen(const CaseInput& survey, const std::string& path, const Frame& frame) {
+    if (evidenceFormOf(survey) != EvidenceForm::Cloud) {
+        // A table of which nobody knows the columns is read by nothing, so it is called heights.
+        CaseInput byEnding = survey;
+        byEnding.kind.reset();
+        return {false, survey.kind == SurveyKind::Heights && evidenceFormOf(byEnding) == EvidenceForm::Cloud};
+    }
+    if (isMeshPath(path) && !isPlyOfPoints(path)) {
+        return {};
+    }
+    try {
+        const std::unique_ptr<PointCloud> cloud = openCloud(path, survey.read);
+        return {cloud->head().crs.empty() && !frame.crs.empty(), cloud->findings().count("cloud.columns_assumed") > 0};
+    } catch (const Error&) {
+        return {};  // what is wrong with it is said where it is read
+    }
 }
 
 }  // namespace rubble::io

@@ -184,6 +184,29 @@ TEST_F(SiteForm, WhatSpeaksAgainstAPlaceIsShown) {
     EXPECT_EQ(asked, "EPSG:2263");
 }
 
+TEST_F(SiteForm, ClassesOfTheGroundAreTypedAndWhatIsNoneIsNotTaken) {
+    Site site;
+    site.groundClasses = {2, 9};
+    dialog.setContent(site, {});
+    QLineEdit* classes = nullptr;
+    for (auto* each : dialog.findChildren<QLineEdit*>()) {
+        classes = each->accessibleName() == QStringLiteral("Ground classes") ? each : classes;
+    }
+    ASSERT_NE(classes, nullptr);
+    EXPECT_EQ(classes->text(), QStringLiteral("2,9"));
+    const auto typed = [&](const QString& text) {
+        classes->selectAll();
+        QTest::keyClicks(classes, text);
+        emit classes->editingFinished();
+        return dialog.site().groundClasses;
+    };
+    const std::vector<std::uint16_t> other{8, 2};
+    EXPECT_EQ(typed(QStringLiteral("8, 2")), other);
+    EXPECT_EQ(typed(QStringLiteral("8,256")), other);
+    EXPECT_EQ(classes->text(), QStringLiteral("8,2")) << "it says what counts";
+    EXPECT_EQ(typed(QStringLiteral("road")), other);
+}
+
 TEST_F(SiteForm, EnterTakesWhatWasTypedAndEscapeNothing) {
     dialog.setContent(Site(), {});
     press(QStringLiteral("Add control point"));

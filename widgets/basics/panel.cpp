@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QStyle>
 #include <QTimer>
@@ -92,6 +93,14 @@ void FindingList::set(const Findings& findings) {
         // Before it shows itself: without a parent it would be a window.
         m_column->addWidget(notice);
         notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
+        for (const Doing& doing : m_doings) {
+            if (doing.id == finding.what.id) {
+                auto* button = new QPushButton(doing.words);
+                // What it does may set other findings, which ends the button.
+                connect(button, &QPushButton::clicked, this, [this, act = doing.act] { QTimer::singleShot(0, this, act); });
+                m_column->addWidget(button, 0, Qt::AlignLeft);
+            }
+        }
     }
     setVisible(!findings.empty());
 }

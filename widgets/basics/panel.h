@@ -3,6 +3,9 @@
 #include <QHash>
 #include <QPointer>
 #include <QScrollArea>
+#include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/finding.h"
@@ -33,16 +36,26 @@ private:
     QLabel* m_label;
 };
 
-/// Findings of a stage, one notice each, with count, example and remedy.
+/// Findings of a stage, one notice each, with count, example and remedy, and a button where the remedy can be done at once.
 class FindingList : public QWidget {
     Q_OBJECT
 
 public:
+    /// What does the remedy of a finding.
+    struct Doing {
+        std::string id;  ///< of what was found
+        QString words;   ///< on the button
+        std::function<void()> act;
+    };
+
     explicit FindingList(QWidget* parent = nullptr);
+    /// Of findings that are set from now on.
+    void setDoings(std::vector<Doing> doings) { m_doings = std::move(doings); }
     void set(const Findings& findings);
 
 private:
     QVBoxLayout* m_column;
+    std::vector<Doing> m_doings;
 };
 
 /// A group of a panel: small heading, then rows of label, value and unit.

@@ -54,6 +54,7 @@ SiteDialog::SiteDialog(QWidget* parent)
       m_crs(new QLineEdit),
       m_shift(new NumberField(tr("Height shift"))),
       m_collide(new QCheckBox(tr("Debris falls on the surroundings too"))),
+      m_classes(new QLineEdit),
       m_table(new QTableWidget(0, ColumnCount)),
       m_offsets(new QTableWidget(0, OffsetColumnCount)),
       m_add(new QPushButton(tr("Add control point"))),
@@ -78,6 +79,12 @@ SiteDialog::SiteDialog(QWidget* parent)
         tr("The highest surface of the meshes becomes part of the terrain: debris meets roofs, walls and banks, "
            "and gets below no overhang. Needs a terrain"));
     form->addRow(QString(), m_collide);
+    m_classes->setAccessibleName(tr("Ground classes"));
+    m_classes->setPlaceholderText(tr("2; without it all but vegetation and wires"));
+    m_classes->setToolTip(
+        tr("Classes of a point cloud whose points are the terrain, 0 to 255, parted by commas, such as 2,9. Left empty it is 2, "
+           "ground; of a cloud without ground all points but vegetation and wires"));
+    form->addRow(tr("Ground classes"), m_classes);
     column->addLayout(form);
     buildTable();
     column->addWidget(m_table, 2);
@@ -105,6 +112,7 @@ SiteDialog::SiteDialog(QWidget* parent)
     connect(m_offsets, &QTableWidget::cellChanged, this, &SiteDialog::takeOffset);
     connect(m_crs, &QLineEdit::editingFinished, this, &SiteDialog::showFit);
     connect(m_shift, &NumberField::edited, this, [this](std::optional<double> value) { m_site.heightShift = value.value_or(0.0); });
+    connect(m_classes, &QLineEdit::editingFinished, this, &SiteDialog::takeClasses);
     connect(m_collide, &QCheckBox::toggled, this, [this](bool on) { m_site.collide = on; });
     resize(880, 460);
 }
@@ -124,6 +132,29 @@ void SiteDialog::buildTable() {
     m_table->setTabKeyNavigation(false);
     m_remove->setToolTip(tr("Delete the chosen control point"));
     m_add->setToolTip(tr("Add a control point to be typed"));
+}
+
+void SiteDialog::takeClasses() {
+    std::vector<std::uint16_t> classes;
+    bool sound = true;
+    for (const QString& part : m_classes->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        bool number = false;
+        const int each = part.trimmed().toInt(&number);
+        sound = sound && number && each >= 0 && each <= groundClassMost;
+        classes.push_back(static_cast<std::uint16_t>(each));
+    }
+    if (sound) {
+        m_site.groundClasses = std::move(classes);
+    }
+    showClasses();
+}
+
+void SiteDialog::showClasses() {
+    QStringList words;
+    for (const std::uint16_t each : m_site.groundClasses) {
+        words << QString::number(each);
+    }
+    m_classes->setText(words.join(QLatin1Char(',')));
 }
 
 void SiteDialog::buildOffsets() {
@@ -185,6 +216,7 @@ void SiteDialog::setContent(const Site& site, const QString& crs, const std::vec
     m_crs->setText(crs);
     m_shift->setNumber(site.heightShift);
     m_collide->setChecked(site.collide);
+    showClasses();
     m_collide->setEnabled(!surroundings.empty() || site.collide);
     m_offsets->setVisible(!surroundings.empty());
     fillOffsets();

@@ -45,6 +45,8 @@ public:
     const std::vector<SiteMeshOffset>& surroundings() const { return m_meshes; }
 
 private:
+    void takeClasses();
+    void showClasses();
     void buildTable();
     void buildOffsets();
     void fillOffsets();
@@ -63,6 +65,7 @@ private:
     QLineEdit* m_crs;
     NumberField* m_shift;
     QCheckBox* m_collide;
+    QLineEdit* m_classes;
     QTableWidget* m_table;
     QTableWidget* m_offsets;
     QPushButton* m_add;

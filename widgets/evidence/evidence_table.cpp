@@ -35,6 +35,8 @@ QString evidenceFormText(EvidenceForm form) {
             return EvidenceTable::tr("outline");
         case EvidenceForm::Points:
             return EvidenceTable::tr("control points");
+        case EvidenceForm::Measured:
+            return EvidenceTable::tr("measured points");
         case EvidenceForm::Heights:
             break;
     }
@@ -44,9 +46,10 @@ QString evidenceFormText(EvidenceForm form) {
 EvidenceTable::EvidenceTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     setHorizontalHeaderLabels({tr("evidence"), tr("shows"), tr("within, m"), tr("overlap")});
     setAccessibleName(tr("All evidence of the case"));
-    setToolTip(tr(
-        "Photographs, surveys, clouds, outlines and control points: what each is held to show, within how many metres its place is "
-        "known (95 %), and how far the run overlaps with it"));
+    setToolTip(
+        tr("Photographs, surveys, clouds, outlines, measured points and control points: what each is held to show, within how many "
+           "metres its place is "
+           "known (95 %), and how far the run overlaps with it"));
     verticalHeader()->hide();
     setEditTriggers(NoEditTriggers);
     setSelectionBehavior(SelectRows);

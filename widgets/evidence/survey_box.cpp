@@ -25,6 +25,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/surveys/point_box.h"
+#include "widgets/evidence/surveys/reading_box.h"
 #include "widgets/evidence/surveys/removal_box.h"
 #include "widgets/run/caution_words.h"
 
@@ -112,6 +113,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_cell(new NumberField(tr("Cells of the survey comparison"))),
       m_least(new NumberField(tr("Least height of debris"))),
       m_place(new SurveyPlace),
+      m_reading(new ReadingBox),
       m_points(new PointBox),
       m_removals(new RemovalBox),
       m_fit(new QComboBox),
@@ -145,6 +147,7 @@ SurveyBox::SurveyBox(QWidget* parent)
     files->addWidget(m_remove);
     column->addWidget(m_add);
     column->addLayout(files);
+    column->addWidget(m_reading);
     column->addWidget(m_place);
     column->addWidget(m_points);
     buildFields();
@@ -316,6 +319,15 @@ void SurveyBox::buildResults() {
     m_section->setToolTip(tr("Draw a line on the difference map: run and survey are cut along it, drawn and measured together"));
     connect(m_section, &QPushButton::clicked, this, &SurveyBox::sectionRequested);
     column->addWidget(m_findings);
+    const auto focused = [](QWidget* field) { return [field] { field->setFocus(Qt::OtherFocusReason); }; };
+    m_findings->setDoings({{"survey.offset", tr("Register it to the ground and compare"),
+                            [this] {
+                                m_fit->setCurrentIndex(m_fit->findData(static_cast<int>(SurveyFit::Ground)));
+                                emit compareRequested();
+                            }},
+                           {"survey.fallen_unknown", tr("Say what it shows"), focused(m_showsFallen)},
+                           {"survey.removal_unknown", tr("Say when it was taken"), [this] { m_place->askTime(); }},
+                           {"survey.far", tr("Pick pairs…"), [this] { emit m_place->pickRequested(); }}});
 }
 
 SurveySettings SurveyBox::settings() const {
@@ -344,7 +356,7 @@ void SurveyBox::setContent(const Content& content) {
     m_noise->setNumber(content.errors.noise);
     m_groundNoise->setNumber(content.errors.groundNoise);
     m_offsetError->setNumber(content.errors.offset);
-    m_place->setStated(content.stated, content.chosen >= 0);
+    m_place->setStated(content.stated, content.chosen >= 0, content.cloud);
     showScope();
     m_removals->setRemovals(content.removals, content.available);
     m_showing = false;

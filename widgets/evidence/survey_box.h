@@ -23,6 +23,7 @@ class FindingList;
 class Notice;
 class NumberField;
 class PointBox;
+class ReadingBox;
 class RemovalBox;
 
 /// Surveys of the real debris: which of them, how it is held against the simulated debris, and what comes of it.
@@ -43,6 +44,7 @@ public:
         bool available = false;  ///< a case is open
         QStringList names;       ///< of all surveys
         int chosen = -1;
+        bool cloud = false;               ///< the chosen survey is a point cloud
         std::optional<bool> showsFallen;  ///< whether the chosen survey shows live structure that fell; unset: not known
         SurveyScope scope;                ///< what of the chosen survey is compared
         Errors errors;
@@ -62,6 +64,7 @@ public:
     void setSettings(const SurveySettings& settings);
     SurveyPlace& place() { return *m_place; }
     PointBox& points() { return *m_points; }
+    ReadingBox& reading() { return *m_reading; }
     RemovalBox& removals() { return *m_removals; }
 
 signals:
@@ -98,6 +101,7 @@ private:
     NumberField* m_cell;
     NumberField* m_least;
     SurveyPlace* m_place;
+    ReadingBox* m_reading;
     PointBox* m_points;
     RemovalBox* m_removals;
     QComboBox* m_fit;

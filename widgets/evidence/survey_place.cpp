@@ -52,6 +52,8 @@ SurveyPlace::SurveyPlace(QWidget* parent)
       m_placed(new QLabel),
       m_pick(new QPushButton(tr("Pick pairs…"))),
       m_pairs(new QPushButton(tr("Pairs from a table…"))),
+      m_control(new NumberField(tr("Error of control points in a table"))),
+      m_fit(new QPushButton(tr("Fit to what did not move…"))),
       m_unplace(new QPushButton(tr("Unplace"))) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
@@ -87,6 +89,16 @@ SurveyPlace::SurveyPlace(QWidget* parent)
     buttons->addWidget(m_pairs, 1);
     buttons->addWidget(m_unplace);
     form->addRow(buttons);
+    m_control->setRange(0.0, 1000.0);
+    m_control->setEmptyMeans(tr("not known"));
+    m_control->setToolTip(
+        tr("Standard deviation of the places of a table along each axis, m, where it has no column deviation_m; it is part of the "
+           "error of the registration"));
+    form->addRow(tr("Control points to, m"), m_control);
+    form->addRow(m_fit);
+    m_fit->setToolTip(
+        tr("Draw what did not move: the points there are fitted to the site by least squares, and what is left is told before you "
+           "accept it"));
     m_pairs->setToolTip(tr(
         "Move the survey to where it belongs by three places or more, from a table with the columns survey_x, survey_y, survey_z, "
         "x_m, y_m, z_m"));
@@ -96,10 +108,11 @@ SurveyPlace::SurveyPlace(QWidget* parent)
     connect(m_instant, &NumberField::edited, this, &SurveyPlace::send);
     connect(m_pick, &QPushButton::clicked, this, &SurveyPlace::pickRequested);
     connect(m_pairs, &QPushButton::clicked, this, &SurveyPlace::pairsRequested);
+    connect(m_fit, &QPushButton::clicked, this, &SurveyPlace::fitRequested);
     connect(m_unplace, &QPushButton::clicked, this, &SurveyPlace::unplaceRequested);
 }
 
-void SurveyPlace::setStated(const Stated& stated, bool some) {
+void SurveyPlace::setStated(const Stated& stated, bool some, bool cloud) {
     m_stated = stated;
     m_showing = true;
     m_taken->setText(QString::fromStdString(stated.taken));
@@ -109,11 +122,20 @@ void SurveyPlace::setStated(const Stated& stated, bool some) {
     m_placed->setVisible(some);
     m_said->setVisible(false);
     m_showing = false;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_taken, m_before, m_pick, m_pairs}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_taken, m_before, m_pick, m_pairs, m_control}) {
         widget->setEnabled(some);
     }
     m_instant->setEnabled(some && !stated.before);
+    m_fit->setVisible(some && cloud);
     m_unplace->setEnabled(some && stated.registration.has_value());
+}
+
+std::optional<double> SurveyPlace::control() const {
+    return m_control->number();
+}
+
+void SurveyPlace::askTime() {
+    m_taken->setFocus(Qt::OtherFocusReason);
 }
 
 void SurveyPlace::takeTime() {

@@ -29,8 +29,12 @@ public:
         std::optional<Registration> registration;
         friend bool operator==(const Stated&, const Stated&) = default;
     };
-    /// @param some  there is a survey to say it of
-    void setStated(const Stated& stated, bool some);
+    /// @param some  there is a survey to say it of; @param cloud  it has points that can be fitted
+    void setStated(const Stated& stated, bool some, bool cloud = false);
+    /// How well the control points of a table are known where it does not say it, m, standard deviation; unset: not known.
+    std::optional<double> control() const;
+    /// Puts the keyboard where the time is written.
+    void askTime();
 
 signals:
     /// When it was taken and what it shows were changed; the registration never is here.
@@ -38,6 +42,8 @@ signals:
     /// Pairs are to be clicked, or taken from a table.
     void pickRequested();
     void pairsRequested();
+    /// It is to be fitted to what did not move.
+    void fitRequested();
     void unplaceRequested();
 
 private:
@@ -53,6 +59,8 @@ private:
     QLabel* m_placed;
     QPushButton* m_pick;
     QPushButton* m_pairs;
+    NumberField* m_control;
+    QPushButton* m_fit;
     QPushButton* m_unplace;
 };
 

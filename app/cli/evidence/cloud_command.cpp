@@ -183,7 +183,7 @@ void checkDistanceFiles(const Arguments& arguments, const std::vector<std::strin
 
 void writeDistanceFiles(const Arguments& arguments, const io::CloudComparison& made) {
     if (const auto path = arguments.value("--csv")) {
-        io::writeAtomically(*path, [&](std::ostream& out) { writeDistances(out, made); });
+        io::writeAtomically(*path, [&](std::ostream& out) { io::writeDistances(out, made); });
     }
     for (const std::string& path : arguments.values("--out")) {
         io::writeDistanceCloud(path, made);
@@ -222,6 +222,7 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     Findings findings;
     const CaseInput stated = statedOfCloud(arguments, run.origin(), findings);
     request.placed = stated.registration;
+    request.scanners = request.scanners.empty() ? stated.scanners : request.scanners;
     request.read = stated.read;
     takeCloudRequest(arguments, request.read);
     if (!request.settings.registrationError && !arguments.has("--fit") && !arguments.has("--pairs")) {

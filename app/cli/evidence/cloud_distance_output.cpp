@@ -10,12 +10,11 @@
 #include "core/base/csv_text.h"
 #include "core/base/message.h"
 #include "core/base/unknown.h"
+#include "io/site/clouds/distance_files.h"
 
 namespace rubble::cli {
 
 namespace {
-
-constexpr std::array<const char*, coreStateCount> stateNames{"measured", "no_normal", "no_first", "no_second", "no_point"};
 
 constexpr std::array<const char*, 3> sightsNames{"cloud", "asked", "above"};
 
@@ -44,19 +43,17 @@ double middleOf(std::vector<double> values) {
 DistanceTotals totalsOf(const io::CloudComparison& made) {
     DistanceTotals totals;
     std::vector<double> distances;
-    std::vector<double> levels;
     for (const CoreDistance& core : made.distances) {
         ++totals.states[static_cast<std::size_t>(core.state)];
         if (core.state == CoreState::Measured) {
             distances.push_back(core.distance);
         }
         if (!std::isnan(core.detection)) {
-            levels.push_back(core.detection);
+            ++totals.detectable;
             totals.significant += core.significant() ? 1 : 0;
         }
     }
-    totals.detectable = static_cast<std::int64_t>(levels.size());
-    totals.detection = middleOf(std::move(levels));
+    totals.detection = middleDetection(made.distances);
     if (distances.empty()) {
         return totals;
     }
@@ -247,7 +244,7 @@ Json cloudDistanceJson(const io::CloudComparison& made, const CloudDistanceSetti
     object["with_level_of_detection"] = totals.detectable;
     Json states;
     for (std::size_t s = 0; s < coreStateCount; ++s) {
-        states[stateNames[s]] = totals.states[s];
+        states[io::coreStateNames[s]] = totals.states[s];
     }
     object["states"] = std::move(states);
     object["cores_beyond"] = made.beyond;
@@ -286,32 +283,6 @@ void printRunDistance(std::ostream& out, const io::RunDistance& made, const Clou
                                      (made.sights == io::SightsFrom::Cloud ? "as the cloud says" : "as asked for"));
     facts.add("simulated debris", sightedText(made.debris));
     facts.print(out);
-}
-
-void writeDistances(std::ostream& out, const io::CloudComparison& made) {
-    out << "x,y,z,state,distance,level_of_detection,significant,roughness_first,roughness_second,points_first,points_second,pairs,"
-           "mean_first,mean_second,normal_x,normal_y,normal_z\n";
-    std::string line;
-    for (std::size_t k = 0; k < made.cores.size(); ++k) {
-        const CoreDistance& core = made.distances[k];
-        line.clear();
-        for (const double value : made.cores[k]) {
-            line += exactNumber(value) + ',';
-        }
-        line += stateNames[static_cast<std::size_t>(core.state)];
-        line += ',' + exactNumber(core.distance) + ',' + exactNumber(core.detection) + ',';
-        if (!std::isnan(core.detection)) {
-            line += core.significant() ? '1' : '0';
-        }
-        line += ',' + exactNumber(core.first.roughness) + ',' + exactNumber(core.second.roughness);
-        line +=
-            ',' + std::to_string(core.first.points) + ',' + std::to_string(core.second.points) + ',' + std::to_string(core.pairs);
-        line += ',' + exactNumber(core.first.mean) + ',' + exactNumber(core.second.mean);
-        for (const double value : core.normal) {
-            line += ',' + exactNumber(value);
-        }
-        out << line << '\n';
-    }
 }
 
 }  // namespace rubble::cli

@@ -18,7 +18,4 @@ void printCloudDistance(std::ostream& out, const io::CloudComparison& made, cons
 Json runDistanceJson(const io::RunDistance& made, const CloudDistanceSettings& settings);
 void printRunDistance(std::ostream& out, const io::RunDistance& made, const CloudDistanceSettings& settings);
 
-/// A table of all core points; what is not known is an empty field.
-void writeDistances(std::ostream& out, const io::CloudComparison& made);
-
 }  // namespace rubble::cli

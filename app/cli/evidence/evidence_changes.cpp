@@ -18,7 +18,6 @@
 #include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/site/clouds/height_source.h"
-#include "io/site/clouds/point_cloud.h"
 #include "io/site/survey_file.h"
 #include "io/site/surveys/survey_registration.h"
 
@@ -27,9 +26,9 @@ namespace rubble::cli {
 namespace {
 
 /// Options that say something of a survey.
-constexpr std::array<std::string_view, 10> surveyOptions{"--pairs",      "--pairs-error", "--fit",     "--registration-error",
+constexpr std::array<std::string_view, 11> surveyOptions{"--pairs",      "--pairs-error", "--fit",     "--registration-error",
                                                          "--unregister", "--taken",       "--instant", "--before",
-                                                         "--columns",    "--crs"};
+                                                         "--columns",    "--crs",         "--scanner"};
 
 void needs(const Arguments& arguments, std::string_view option, std::string_view other) {
     if (arguments.has(option) && !arguments.has(other)) {
@@ -45,7 +44,6 @@ void checkEvidenceOptions(const Arguments& arguments) {
     needs(arguments, "--pairs-error", "--pairs");
     needs(arguments, "--fit", "--radius");
     needs(arguments, "--radius", "--fit");
-    needs(arguments, "--scanner", "--fit");
     needs(arguments, "--removed", "--since");
     needs(arguments, "--since", "--removed");
     if (arguments.has("--unregister") && (arguments.has("--pairs") || arguments.has("--fit"))) {
@@ -94,26 +92,14 @@ public:
         request.read = m_survey.read;
         request.frame = m_opened.inputs.frame;
         request.site = site();
-        request.settings.normalRadius = parseLength(m_arguments, "--radius", 0.0);
-        request.settings.projectionRadius = 0.5 * request.settings.normalRadius;
-        request.settings.depth = request.settings.normalRadius;
+        request.settings = io::scalesOfFit(parseLength(m_arguments, "--radius", 0.0));
         request.placed = m_survey.registration;
-        request.scanners = scannersFrom(m_arguments);
+        request.scanners = m_survey.scanners;
         const std::string area = *m_arguments.value("--fit");
         request.stable = area == "all" ? Outline() : io::readScope(area, request.frame, site(), m_findings, m_session.execution());
         ScannedSite target = targetSite();
         const CloudFit fit = io::fitCloudToSite(request, std::move(target.shape), target.ground, m_findings, m_session.execution());
-        Registration both =
-            movedOn(m_survey.registration.value_or(Registration{.about = fit.about}), fit.turn, fit.about, fit.shift);
-        both.fitted = fit.pairs;
-        both.fitBefore = fit.before;
-        both.fitLeft = fit.after;
-        both.error = fit.error;
-        const Aabb structure = io::boundsAtRest(m_opened.inputs.fe->mesh());
-        for (int corner = 0; corner < 8; ++corner) {
-            both.error = std::max(*both.error, fit.errorAt(structure.corner(static_cast<Aabb::CornerType>(corner))));
-        }
-        m_survey.registration = both;
+        m_survey.registration = fittedOn(m_survey.registration, fit, io::boundsAtRest(m_opened.inputs.fe->mesh()));
     }
 
 private:
@@ -140,23 +126,16 @@ private:
     io::OpenedCase m_opened;
 };
 
-/// Keeps how a survey is read once it can be read so. Throws as openCloud().
-void stateReading(CaseInput& survey, const std::string& path) {
-    if (!survey.read.empty()) {
-        io::openCloud(path, survey.read);
-    }
-    survey.kind = io::surveyKindOf(path, survey.read);
-    if (!survey.read.empty() && survey.kind != SurveyKind::Cloud) {
-        io::refuseRequestOfNoCloud(path);
-    }
-}
-
 void changeSurvey(Case& theCase, const Arguments& arguments, Session& session, Findings& findings) {
     const std::string path = *arguments.value("--survey");
     CaseInput& survey = theCase.inputs[io::takeSurvey(theCase, arguments.operand(), path)];
     if (arguments.has("--columns") || arguments.has("--crs")) {
-        takeCloudRequest(arguments, survey.read);
-        stateReading(survey, path);
+        CloudRequest read = survey.read;
+        takeCloudRequest(arguments, read);
+        io::stateReading(survey, path, read);
+    }
+    if (arguments.has("--scanner")) {
+        survey.scanners = scannersFrom(arguments);
     }
     if (arguments.has("--taken")) {
         survey.taken = clockFrom(arguments, "--taken");
@@ -216,7 +195,7 @@ std::vector<Option> evidenceChangeOptions() {
             pairsErrorOption("M"),
             {"--fit", "FILE|all", false, "place a cloud by what did not move: polygons of it, or all; after the pairs"},
             {"--radius", "M", false, "about a point, m: surfaces within it are what it is fitted to"},
-            scannerOption("for the fit: where a scanner stood, easting, northing and height, m (default: as the cloud says)"),
+            scannerOption("where a scanner of a cloud stood, easting, northing and height, m; kept (default: as the cloud says)"),
             {"--registration-error", "M", false, "standard deviation by which a place of it may be off, m (default: as found)"},
             {"--unregister", "", false, "let it lie as its coordinates say"},
             columnsOption(),

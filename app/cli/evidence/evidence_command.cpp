@@ -77,7 +77,7 @@ public:
         try {
             if (row.form == EvidenceForm::Photograph) {
                 fillPhotograph(row);
-            } else if (row.form != EvidenceForm::Points && m_run != nullptr) {
+            } else if (row.form != EvidenceForm::Points && row.form != EvidenceForm::Measured && m_run != nullptr) {
                 row.score = m_run->scoreOf(m_case, m_casePath, inputOf(row.id), m_findings, m_execution);
             }
         } catch (const Cancelled&) {

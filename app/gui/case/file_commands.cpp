@@ -9,7 +9,9 @@
 #include <fstream>
 #include <vector>
 
+#include "app/gui/case/cloud_reading.h"
 #include "app/gui/case/project_files.h"
+#include "app/gui/session/file_kinds.h"
 #include "app/gui/session/moved_inputs.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -107,14 +109,16 @@ void FileCommands::setTerrain(const QString& path, const widgets::Wording& what)
     if (!path.isEmpty()) {
         const QDir folder = QFileInfo(m_document.base()).absoluteDir();
         inputs.push_back({"terrain-1", InputRole::Terrain, folder.relativeFilePath(path).toStdString(), ""});
+        if (!askCloudReading(&m_window, inputs.back(), path, m_document.theCase().frame)) {
+            return;
+        }
     }
     m_document.setInputs(std::move(inputs), what);
 }
 
 void FileCommands::chooseTerrain() {
-    const QString path = QFileDialog::getOpenFileName(
-        &m_window, tr("Terrain"), QFileInfo(m_document.base()).absolutePath(),
-        tr("Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Terrain"), QFileInfo(m_document.base()).absolutePath(), terrainFileKinds());
     if (!path.isEmpty()) {
         setTerrain(path, [name = QFileInfo(path).fileName()] { return tr("terrain %1").arg(name); });
     }
@@ -141,6 +145,9 @@ void FileCommands::setFiles(InputRole role, const QStringList& paths, bool besid
             ++number;
         }
         inputs.push_back({stem + std::to_string(number), role, folder.relativeFilePath(path).toStdString(), ""});
+        if (role == InputRole::Surroundings && !askCloudReading(&m_window, inputs.back(), path, m_document.theCase().frame)) {
+            return;
+        }
     }
     m_document.setInputs(std::move(inputs), what);
 }

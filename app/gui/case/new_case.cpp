@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/gui/case/cloud_reading.h"
 #include "app/gui/case/component_display.h"
+#include "app/gui/session/file_kinds.h"
 #include "app/gui/session/regrouping_edit.h"
 #include "core/fe/material.h"
 #include "core/fe/units.h"
@@ -335,9 +337,8 @@ void NewCase::edit(const QString& key, const ParameterValue& value) {
 }
 
 void NewCase::chooseTerrain() {
-    const QString path = QFileDialog::getOpenFileName(
-        m_wizard.get(), tr("Terrain"), QFileInfo(m_document.base()).absolutePath(),
-        tr("Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(m_wizard.get(), tr("Terrain"), QFileInfo(m_document.base()).absolutePath(),
+                                                      terrainFileKinds());
     if (!path.isEmpty()) {
         setTerrain(path);
     }
@@ -349,6 +350,9 @@ void NewCase::setTerrain(const QString& path) {
     if (!path.isEmpty()) {
         const QDir folder = QFileInfo(m_document.base()).absoluteDir();
         inputs.push_back({"terrain-1", InputRole::Terrain, folder.relativeFilePath(path).toStdString(), ""});
+        if (!askCloudReading(m_wizard.get(), inputs.back(), path, m_document.theCase().frame)) {
+            return;
+        }
     }
     m_document.setInputs(std::move(inputs), [path] {
         return path.isEmpty() ? tr("terrain left out") : tr("terrain %1").arg(QFileInfo(path).fileName());

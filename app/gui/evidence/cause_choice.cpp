@@ -201,7 +201,8 @@ std::vector<CauseChoice::Cause> CauseChoice::causes() const {
 
 std::vector<EvidenceRow> CauseChoice::ownEvidence() const {
     std::vector<EvidenceRow> rows = evidenceOf(m_document.theCase());
-    std::erase_if(rows, [](const EvidenceRow& row) { return row.form == EvidenceForm::Points; });
+    std::erase_if(rows,
+                  [](const EvidenceRow& row) { return row.form == EvidenceForm::Points || row.form == EvidenceForm::Measured; });
     return rows;
 }
 

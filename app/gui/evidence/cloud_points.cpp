@@ -1,5 +1,6 @@
 #include "app/gui/evidence/cloud_points.h"
 
+#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,9 @@
 
 #include "app/gui/evidence/evidence_work.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/surveys/cloud_tools.h"
+#include "app/gui/evidence/surveys/distance_words.h"
+#include "app/gui/session/file_kinds.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
@@ -19,21 +23,18 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/case_photographs.h"
+#include "io/exports/exports.h"
+#include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/e57/placed_photographs.h"
 #include "io/site/site_place.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/surveys/point_box.h"
+#include "widgets/evidence/surveys/scanner_field.h"
 #include "widgets/figures/number_text.h"
 
 namespace rubble {
-
-namespace {
-
-constexpr double fallenFrom = 1.0;  // m that live structure has moved by
-
-}  // namespace
 
 CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene, SurveyDisplay& surveys, ViewArea& area,
                          Actions& actions, QObject* parent)
@@ -57,6 +58,16 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&box, &widgets::PointBox::photographsCancelled, this, &CloudPoints::stopPhotographs);
     connect(&box, &widgets::PointBox::measureRequested, this, &CloudPoints::measure);
     connect(&box, &widgets::PointBox::cancelRequested, this, &CloudPoints::stopMeasuring);
+    connect(&box, &widgets::PointBox::saveRequested, this, &CloudPoints::saveDistances);
+    const auto scanners = [this](const std::vector<Vec3>& places) {
+        m_surveys.edit([&](CaseInput& input) { input.scanners = places; }, [] { return tr("where the scanners stood"); });
+    };
+    connect(&box.scanners(), &widgets::ScannerField::edited, this, scanners);
+    connect(&box.scanners(), &widgets::ScannerField::tableRequested, this, [this, scanners] {
+        if (const std::vector<Vec3> places = scannersOfTable(m_area.window(), m_session); !places.empty()) {
+            scanners(places);
+        }
+    });
     connect(&actions[ActionId::CloudPoints], &QAction::triggered, this, &CloudPoints::setShown);
     connect(&actions[ActionId::MeasureCloud], &QAction::triggered, this, &CloudPoints::measure);
     connect(&m_work, &PointsWork::changed, this, &CloudPoints::refresh);
@@ -92,16 +103,11 @@ bool CloudPoints::busy() const {
     return m_pause.isActive() || m_work.worker.busy() || m_work.pictures.busy() || m_work.distances.running();
 }
 
-bool CloudPoints::isCloud(const CaseInput& input) const {
-    const std::vector<EvidenceRow> rows = evidenceOf(m_document.theCase());
-    return std::any_of(rows.begin(), rows.end(),
-                       [&](const EvidenceRow& row) { return row.id == input.id && row.form == EvidenceForm::Cloud; });
-}
-
 std::optional<PointsWork::Cloud> CloudPoints::cloudOf(const std::string& id) const {
     const Inputs& inputs = m_computation.inputs();
     for (const CaseInput& input : m_document.theCase().inputs) {
-        if (input.id == id && inputs.fe != nullptr && input.role == InputRole::Survey && isCloud(input)) {
+        if (input.id == id && inputs.fe != nullptr && input.role == InputRole::Survey &&
+            evidenceFormOf(input) == EvidenceForm::Cloud) {
             return PointsWork::Cloud{id,
                                      io::inputPath(m_document.base().toStdString(), input),
                                      inputs.frame,
@@ -197,7 +203,12 @@ std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {
     if (!cloud) {
         return std::nullopt;
     }
-    PointsWork::Measured now{*cloud, *survey, record->reader, m_deck.evidence().survey().points().settings(), {}};
+    PointsWork::Measured now{*cloud,
+                             *survey,
+                             record->reader,
+                             m_deck.evidence().survey().points().settings(),
+                             m_deck.evidence().survey().points().cell().value_or(0.0),
+                             {}};
     now.survey.scope = scopeWhenTaken(m_document.theCase(), *survey, now.said);
     return now;
 }
@@ -226,6 +237,8 @@ void CloudPoints::measure() {
                                 request.placed = order.cloud.placed;
                                 request.scope = order.survey.scope;
                                 request.settings = order.settings;
+                                request.cell = order.cell;
+                                request.scanners = order.survey.scanners;
                                 if (!request.settings.registrationError) {
                                     request.settings.registrationError = order.survey.offsetError;
                                 }
@@ -392,16 +405,53 @@ QString CloudPoints::measuredText() const {
                              : u' ' + tr("Fragments that no point looks at: %1 of %2.")
                                           .arg(figures::countText(static_cast<std::size_t>(debris.unseen)),
                                                figures::countText(static_cast<std::size_t>(debris.unseen + debris.seen)));
+    QStringList words{text + u' ' + detectionWords(points.detection, points.registered) + seen};
+    words << sightWords(made->made);
+    if (made->made.compared.volumes) {
+        words << volumeWords(*made->made.compared.volumes, made->made.compared.cubicMetres) + u' ' +
+                     tr("Fill is where the run lies above the cloud.");
+    }
+    if (!distancesKept()) {
+        words << tr("They are of another run or other settings.");
+    }
+    return words.join(QLatin1Char(' '));
+}
+
+/// Distances were measured of what is chosen now.
+bool CloudPoints::distancesKept() const {
     const auto now = measuredNow();
-    return now && m_work.distances.stale(*now) ? text + seen + u' ' + tr("They are of another run or other settings.")
-                                               : text + seen;
+    return now && m_work.distances.result() != nullptr && !m_work.distances.running() && !m_work.distances.stale(*now);
+}
+
+void CloudPoints::saveDistances() {
+    const QString path = QFileDialog::getSaveFileName(
+        m_area.window(), tr("Distances"), QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/distances.las"),
+        writtenCloudKinds());
+    if (!path.isEmpty()) {
+        saveDistancesTo(path);
+    }
+}
+
+void CloudPoints::saveDistancesTo(const QString& path) {
+    const RunRecord* record = m_computation.currentRun();
+    if (!distancesKept() || record == nullptr || record->reader == nullptr) {
+        return;
+    }
+    if (!io::namesDistances(path.toStdString())) {
+        m_session.tell(CloudTools::wrongEnding());
+        return;
+    }
+    m_session.writeNow(path, [&, made = m_work.distances.result()] {
+        io::writeDistanceFile(path.toStdString(), made->made.compared);
+        io::writeProvenance(path.toStdString(), io::provenanceText(*record->reader));
+    });
 }
 
 void CloudPoints::showBox() {
     widgets::PointBox::Content content;
     const CaseInput* survey = m_surveys.current();
     const render::View& view = m_area.views().view();
-    if (survey != nullptr && isCloud(*survey)) {
+    if (survey != nullptr && evidenceFormOf(*survey) == EvidenceForm::Cloud) {
         content.cloud = true;
         content.shown = view.cloud == survey->id;
         content.colour = view.pointColour;
@@ -414,9 +464,11 @@ void CloudPoints::showBox() {
         if (m_work.pictures.busy()) {
             content.adding = tr("Adding its photographs, %1 %").arg(std::lround(100.0 * m_work.picturesFraction));
         }
+        content.scanners = survey->scanners;
         content.noMeasuring = EvidenceWork::whyNoDebris(m_computation.currentRun());
         content.measuring = m_work.distances.running();
         content.measured = measuredText();
+        content.savable = distancesKept();
         if (const auto& made = m_work.distances.result(); made != nullptr && m_work.distances.answered().survey.id == survey->id) {
             content.findings.append(made->made.compared.findings);
         }

@@ -35,6 +35,8 @@ public:
     void setShown(bool shown);
     void setColour(render::PointColour colour);
     void measure();
+    /// Writes the measured distances as LAS, PLY or CSV, by the ending; nothing while they are of something else.
+    void saveDistancesTo(const QString& path);
     /// Adds the pictures of the chosen cloud that have a camera, read in the background, as one undoable command.
     void addPhotographs();
     void stopPhotographs();
@@ -53,9 +55,10 @@ private:
     void ask();
     /// Distances to the run at hand are drawn in place of the points.
     bool distancesShown() const;
+    bool distancesKept() const;
+    void saveDistances();
     void publish();
     void showBox();
-    bool isCloud(const CaseInput& input) const;
     std::optional<PointsWork::Cloud> cloudOf(const std::string& id) const;
     std::optional<PointsWork::Measured> measuredNow() const;
     int photographsOf(const CaseInput& survey);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int picturePixels = 3000;  // longest side of what is shown: 27 MB whatever the photograph
 constexpr int outlinePixels = 1200;
-constexpr double liveThreshold = 1.0;  // m
 
 LoadedPhoto loadPhoto(const QString& path, const Execution& execution) {
     LoadedPhoto photo;
@@ -101,7 +100,7 @@ void EvidenceWork::outline(const EvidenceRun& run, const CameraModel& camera, QS
                            const MappedRun mapped = run.mapped();
                            const MapSpan span = mapSpan(mapped);
                            const SiteShape site =
-                               siteOfRun(mapped, std::clamp(time, span.first, span.last), liveThreshold, camera.place, execution);
+                               siteOfRun(mapped, std::clamp(time, span.first, span.last), fallenFrom, camera.place, execution);
                            const SitePicture seen = pictureOf(site, camera, photograph.width(), photograph.height(), outlinePixels);
                            *outlines = outlinesOf(seen, debrisIn(seen, withFallen));
                        },

@@ -15,6 +15,9 @@ namespace rubble {
 
 struct RunRecord;
 
+/// m, farther than this live structure has fallen.
+inline constexpr double fallenFrom = 1.0;
+
 /// The file of a photograph as the window shows it.
 struct LoadedPhoto {
     QString path;

@@ -151,24 +151,15 @@ std::shared_ptr<const render::SitePoints> distancePoints(const PointsWork::Dista
     points->all = made.cores.size();
     points->time = distances.time;
     points->registered = made.settings.registrationError.has_value();
-    std::vector<double> levels;
     for (const CoreDistance& core : made.distances) {
         if (core.significant()) {
             points->low = std::min(points->low, core.distance);
             points->high = std::max(points->high, core.distance);
             ++points->significant;
         }
-        if (core.state == CoreState::Measured && std::isfinite(core.detection)) {
-            levels.push_back(core.detection);
-        }
     }
     const double most = std::max(points->high, -points->low);
-    points->detection = unknown;
-    if (!levels.empty()) {
-        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-        std::nth_element(levels.begin(), middle, levels.end());
-        points->detection = *middle;
-    }
+    points->detection = middleDetection(made.distances);
     auto patch = std::make_shared<render::SitePoints::Patch>();
     for (std::size_t k = 0; k < made.distances.size(); ++k) {
         const CoreDistance& core = made.distances[k];
@@ -193,7 +184,7 @@ std::size_t PointsWork::Opened::root() const {
 
 bool PointsWork::Measured::operator==(const Measured& other) const {
     const auto parts = [](const Measured& m) {
-        return std::tie(m.cloud, m.survey, m.run, m.settings.normalRadius, m.settings.projectionRadius, m.settings.depth,
+        return std::tie(m.cloud, m.survey, m.run, m.cell, m.settings.normalRadius, m.settings.projectionRadius, m.settings.depth,
                         m.settings.registrationError);
     };
     return parts(*this) == parts(other);

@@ -64,7 +64,8 @@ public:
         CaseInput survey;  ///< its scope without what had been removed by then
         std::shared_ptr<const void> run;
         CloudDistanceSettings settings;
-        Findings said;  ///< of what the case says of the survey
+        double cell = 0.0;  ///< m, of the volumes; 0: none are taken
+        Findings said;      ///< of what the case says of the survey
         /// What can be chosen is the same.
         bool operator==(const Measured& other) const;
     };

@@ -8,10 +8,14 @@
 #include "app/gui/evidence/survey_pairs.h"
 #include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/survey_sections.h"
+#include "app/gui/evidence/surveys/cloud_placing.h"
+#include "app/gui/evidence/surveys/survey_reading.h"
+#include "app/gui/session/file_kinds.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
 #include "core/base/error.h"
+#include "core/evidence/evidence_list.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
@@ -49,65 +53,6 @@ Outline removedPlaces(const Case& theCase) {
 
 }  // namespace
 
-bool SurveyWork::Compared::operator==(const Compared& other) const {
-    return survey == other.survey && run == other.run && settings.cell == other.settings.cell &&
-           settings.leastHeight == other.settings.leastHeight && settings.fit == other.settings.fit &&
-           settings.withFallen == other.settings.withFallen && settings.scope == other.settings.scope;
-}
-
-SurveyWork::SurveyWork(Session& session) {
-    connect(&session.document(), &Document::replaced, this, [this] {
-        m_making = nullptr;
-        chosen = 0;
-        answer.drop();
-        cancel();
-    });
-}
-
-void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case& theCase, const Frame& frame,
-                       const std::string& path) {
-    answer.ask(order);
-    const io::RunOrigin ground = order.origin;
-    m_making = std::make_shared<Made>();
-    m_worker.start({Worker::Kind::Study,
-                    [made = m_making, path, run, frame, ground, site = theCase.site, survey = order.survey,
-                     settings = order.settings, said = order.said](const Execution& execution) mutable {
-                        const io::SurveyRequest wanted = io::surveyRequest(ground, survey);
-                        checkShowsDebris(survey);
-                        site.groundClasses = ground.site.groundClasses;
-                        const io::SiteWindow window(io::boundsAtRest(run.fe->mesh()), debrisBounds(run.mapped(), survey.instant));
-                        made->input = io::readSurvey(path, frame, site, window, execution, wanted);
-                        made->input.findings.append(said);
-                        settings.turn = io::SitePlace(frame, site).transform().angle;
-                        made->comparison =
-                            compareRunWithSurvey(run.mapped(), survey.instant, made->input.survey, settings, execution);
-                    },
-                    [this, made = m_making](const std::exception_ptr& thrown) { take(made, thrown); }});
-    emit changed();
-}
-
-void SurveyWork::take(const std::shared_ptr<Made>& made, const std::exception_ptr& thrown) {
-    // None is awaited any more when another case was opened meanwhile.
-    const bool awaited = thrown == nullptr && made == m_making;
-    if (awaited) {
-        answer.take(std::move(m_making));
-    }
-    const auto failure = failureOf(thrown);
-    answer.end(failure ? &*failure : nullptr);
-    if (awaited) {
-        emit compared();
-    }
-    emit changed();
-}
-
-void SurveyWork::cancel() {
-    m_worker.cancel();
-    if (!m_worker.busy()) {
-        answer.end();
-    }
-    emit changed();
-}
-
 SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::EvidencePage& page, Actions& actions, QObject* parent)
     : QObject(parent),
       m_session(session),
@@ -121,10 +66,24 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     m_pairs = new SurveyPairs(
         session, page,
         [this](const std::string& id, const PairFit& fit) {
-            choose(id);
-            if (current() != nullptr && current()->id == id) {
-                edit([&](CaseInput& input) { input.registration = fit.registration; }, [] { return tr("survey placed by pairs"); });
-            }
+            place(id, fit.registration, [] { return tr("survey placed by pairs"); });
+        },
+        this);
+    m_fit = new CloudPlacing(
+        session, page,
+        [this](const std::string& id, const Registration& fitted) {
+            place(id, fitted, [] { return tr("cloud fitted to what did not move"); });
+        },
+        this);
+    m_reading = new SurveyReading(
+        session, deck, page.window(), [this] { return current(); },
+        [this](const CaseInput& read) {
+            edit(
+                [&](CaseInput& input) {
+                    input.read = read.read;
+                    input.kind = read.kind;
+                },
+                [] { return tr("how the survey is read"); });
         },
         this);
     connect(&actions[ActionId::AddSurvey], &QAction::triggered, this, &SurveyDisplay::chooseFile);
@@ -236,7 +195,7 @@ void SurveyDisplay::addRemoval(Removal removal) {
 
 void SurveyDisplay::chooseRemoval(const std::string& since) {
     const QString path = QFileDialog::getOpenFileName(m_page.window(), tr("What was removed"),
-                                                      QFileInfo(m_document.base()).absolutePath(), polygonFiles());
+                                                      QFileInfo(m_document.base()).absolutePath(), polygonFileKinds());
     if (!path.isEmpty()) {
         addRemovalOf(since, path);
     }
@@ -244,6 +203,13 @@ void SurveyDisplay::chooseRemoval(const std::string& since) {
 
 void SurveyDisplay::addRemovalOf(const std::string& since, const QString& path) {
     readPolygons(path, [&](Outline read) { addRemoval({QFileInfo(path).fileName().toStdString(), since, std::move(read)}); });
+}
+
+void SurveyDisplay::place(const std::string& id, const Registration& registration, const widgets::Wording& what) {
+    choose(id);
+    if (current() != nullptr && current()->id == id) {
+        edit([&](CaseInput& input) { input.registration = registration; }, what);
+    }
 }
 
 void SurveyDisplay::connectPlace() {
@@ -260,6 +226,11 @@ void SurveyDisplay::connectPlace() {
     connect(&place, &widgets::SurveyPlace::pickRequested, this, [this] {
         if (const CaseInput* survey = current(); survey != nullptr) {
             m_pairs->pick(*survey);
+        }
+    });
+    connect(&place, &widgets::SurveyPlace::fitRequested, this, [this] {
+        if (const CaseInput* survey = current(); survey != nullptr) {
+            m_fit->open(*survey);
         }
     });
     connect(&place, &widgets::SurveyPlace::pairsRequested, this, &SurveyDisplay::choosePairs);
@@ -316,6 +287,8 @@ void SurveyDisplay::placeByPairs(const QString& path) {
     io::PairsRequest request;
     request.survey = io::inputPath(m_document.base().toStdString(), *survey);
     request.table = path.toStdString();
+    request.read = survey->read;
+    request.control = m_deck.evidence().survey().place().control();
     request.frame = inputs.frame;
     request.site = m_document.theCase().site;
     request.around = io::boundsAtRest(inputs.fe->mesh());
@@ -335,11 +308,8 @@ void SurveyDisplay::chooseFile() {
     if (m_document.empty()) {
         return;
     }
-    const QString path =
-        QFileDialog::getOpenFileName(m_page.window(), tr("Add a survey"), QFileInfo(m_document.base()).absolutePath(),
-                                     tr("Surveys (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.las *.laz *.e57 *.ply *.pcd *.ptx "
-                                        "*.pts *.gpkg *.geojson *.json *.shp "
-                                        "*.fgb *.kml);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(m_page.window(), tr("Add a survey"),
+                                                      QFileInfo(m_document.base()).absolutePath(), surveyFileKinds());
     if (!path.isEmpty()) {
         add(path);
     }
@@ -348,7 +318,10 @@ void SurveyDisplay::chooseFile() {
 void SurveyDisplay::add(const QString& path) {
     Case theCase = m_document.theCase();
     try {
-        io::takeSurvey(theCase, m_document.base().toStdString(), path.toStdString());
+        const std::size_t added = io::takeSurvey(theCase, m_document.base().toStdString(), path.toStdString());
+        if (!m_reading->ask(theCase.inputs[added], path)) {
+            return;
+        }
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_session.tell(failure->inOneLine());
@@ -394,14 +367,10 @@ void SurveyDisplay::draw(widgets::SurveyView::Draws what) {
     m_page.survey().draw(what);
 }
 
-QString SurveyDisplay::polygonFiles() {
-    return tr("Polygons (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)");
-}
-
 void SurveyDisplay::chooseScope(ScopePart part) {
     const QString path =
         QFileDialog::getOpenFileName(m_page.window(), part == ScopePart::Area ? tr("Area of interest") : tr("What is left out"),
-                                     QFileInfo(m_document.base()).absolutePath(), polygonFiles());
+                                     QFileInfo(m_document.base()).absolutePath(), polygonFileKinds());
     if (!path.isEmpty()) {
         addScope(part, path);
     }
@@ -450,9 +419,18 @@ bool SurveyDisplay::stale() const {
            m_computation.runStale(m_document.scenario());
 }
 
+QString SurveyDisplay::whyNoComparison() const {
+    // A table can be held against the debris as a cloud can; a drawing has lines alone.
+    if (const CaseInput* survey = current();
+        survey != nullptr && evidenceFormOf(*survey) == EvidenceForm::Measured && io::hasEnding(survey->path, ".dxf")) {
+        return tr("A drawing without areas stands in every section: compare a survey, and draw a section on its map.");
+    }
+    return EvidenceWork::whyNoDebris(m_computation.currentRun());
+}
+
 void SurveyDisplay::compare() {
     const CaseInput* survey = current();
-    if (survey == nullptr || !EvidenceWork::whyNoDebris(m_computation.currentRun()).isEmpty() || busy()) {
+    if (survey == nullptr || !whyNoComparison().isEmpty() || busy()) {
         return;
     }
     const RunRecord* record = m_computation.currentRun();
@@ -519,13 +497,14 @@ void SurveyDisplay::refresh() {
     m_work.chosen = std::clamp(m_work.chosen, 0, std::max(0, static_cast<int>(all.size()) - 1));
     content.chosen = all.empty() ? -1 : m_work.chosen;
     if (const CaseInput* survey = current(); survey != nullptr) {
+        content.cloud = evidenceFormOf(*survey) == EvidenceForm::Cloud;
         content.showsFallen = survey->showsFallen;
         content.scope = survey->scope;
         content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
         content.stated = {survey->taken, survey->before, survey->instant, survey->registration};
         content.findings = m_reach.of(*survey);
     }
-    content.noComparison = EvidenceWork::whyNoDebris(m_computation.currentRun());
+    content.noComparison = whyNoComparison();
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
     content.comparing = busy();
     const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
@@ -545,6 +524,7 @@ void SurveyDisplay::refresh() {
         }
     }
     m_deck.evidence().survey().setContent(content);
+    m_reading->show();
     m_page.setSurvey(content.comparison);
     m_page.survey().setScope(content.scope);
     m_page.survey().setMarked(removedPlaces(m_document.theCase()), m_sections->line());

@@ -5,9 +5,13 @@
 #include <utility>
 
 #include "app/gui/session/session.h"
+#include "core/evidence/evidence_list.h"
+#include "core/evidence/surveys/stated_survey.h"
+#include "core/scenario/scope_cover.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
+#include "io/site/clouds/cloud_comparison.h"
 #include "io/site/clouds/height_source.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/measured_points.h"
@@ -18,8 +22,6 @@
 namespace rubble {
 
 namespace {
-
-constexpr double fallenFrom = 1.0;  // m that live structure has moved by
 
 /// Shorter steps than heights lie apart would leave most of them, and of the areas, empty.
 void takeStep(SectionLine& line, const SurveyHeights& heights, Findings& findings) {
@@ -53,6 +55,21 @@ void SurveySections::cut(const OutlineRing& ends, const CaseInput& survey, std::
     m_dialog->raise();
 }
 
+std::vector<CaseInput> SurveySections::measuredPoints(Findings& said) const {
+    std::vector<CaseInput> points;
+    const Case& theCase = m_document.theCase();
+    for (CaseInput input : theCase.inputs) {
+        // Of another instant they would show another site.
+        if (input.role == InputRole::Survey && evidenceFormOf(input) == EvidenceForm::Measured && !input.before &&
+            input.id != m_order->survey.id && input.instant == m_order->survey.instant) {
+            input.scope = scopeWhenTaken(theCase, input, said);
+            input.path = io::inputPath(m_document.base().toStdString(), input);
+            points.push_back(std::move(input));
+        }
+    }
+    return points;
+}
+
 void SurveySections::cutAgain() {
     const RunRecord* record = m_computation.currentRun();
     if (!m_order || record == nullptr || record->reader == nullptr) {
@@ -74,9 +91,17 @@ void SurveySections::cutAgain() {
     m_section = nullptr;
     m_stale = false;
     auto outcome = std::make_shared<io::RunSection>();
+    Findings said;
+    const Case& theCase = m_document.theCase();
+    const SurveyScope scope = scopeWhenTaken(theCase, m_order->survey, said);
+    const std::vector<CaseInput> points = measuredPoints(said);
+    m_order->points.clear();
+    for (const CaseInput& input : points) {
+        m_order->points << QFileInfo(QString::fromStdString(input.path)).fileName();
+    }
     m_worker.start({Worker::Kind::Study,
-                    [outcome, order = *m_order, run = EvidenceRun(m_computation.inputs(), record), site = m_document.theCase().site,
-                     frame = m_computation.inputs().frame,
+                    [outcome, order = *m_order, scope, said, points, run = EvidenceRun(m_computation.inputs(), record),
+                     site = m_document.theCase().site, frame = m_computation.inputs().frame,
                      path = io::inputPath(m_document.base().toStdString(), m_order->survey)](const Execution& execution) mutable {
                         MappedRun mapped = run.mapped();
                         const SiteSurface ground = groundOf(mapped);
@@ -84,14 +109,21 @@ void SurveySections::cutAgain() {
                         mapped.terrain = nullptr;
                         SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
                         const Survey& survey = order.made->input.survey;
-                        Findings findings;
+                        Findings findings = said;
                         std::vector<Vec3> measured;
                         if (!survey.isFootprint && io::holdsCloud(path, order.survey.read)) {
-                            measured = io::readMeasuredPoints({path, order.survey.read, frame, site, order.survey.registration},
-                                                              findings, execution);
+                            measured = io::readMeasuredPoints(
+                                {path, order.survey.read, frame, site, order.survey.registration, scope}, findings, execution);
                         } else if (!survey.isFootprint) {
                             measured = heightsBeside(survey.heights, ground, order.line);
                             takeStep(order.line, survey.heights, findings);
+                            io::addBeyond(findings, path,
+                                          std::erase_if(measured, [&](const Vec3& at) { return !covers(scope, at.head<2>()); }));
+                        }
+                        for (const CaseInput& input : points) {
+                            const std::vector<Vec3> more = io::readMeasuredPoints(
+                                {input.path, input.read, frame, site, input.registration, input.scope}, findings, execution);
+                            measured.insert(measured.end(), more.begin(), more.end());
                         }
                         *outcome = io::cutRun(std::move(shape), ground, order.line, measured, execution);
                         findings.append(outcome->findings);
@@ -124,8 +156,12 @@ void SurveySections::show(const QString& complaint) {
             content.zero = m_section->zero;
             content.findings = m_section->findings;
         }
-        if (m_order && !m_order->made->input.survey.isFootprint) {
-            content.survey = QFileInfo(QString::fromStdString(m_order->survey.path)).fileName();
+        if (m_order) {
+            QStringList names = m_order->points;
+            if (!m_order->made->input.survey.isFootprint) {
+                names.prepend(QFileInfo(QString::fromStdString(m_order->survey.path)).fileName());
+            }
+            content.survey = names.join(QStringLiteral(", "));
         }
         content.complaint = complaint;
         content.cutting = m_order && m_section == nullptr && complaint.isEmpty();

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/gui/evidence/survey_display.h"
 #include "io/site/surveys/run_section.h"
@@ -40,7 +42,10 @@ private:
         SectionLine line;
         CaseInput survey;
         std::shared_ptr<const SurveyWork::Made> made;
+        QStringList points = {};  ///< names of the measured points that stand in it too
     };
+    /// Measured points of the case that stand in the section too, by full path and with what of them counts.
+    std::vector<CaseInput> measuredPoints(Findings& said) const;
     void cutAgain();
     void show(const QString& complaint = {});
     void save();

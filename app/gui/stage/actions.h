@@ -138,6 +138,8 @@ enum class ActionId {
     AddSurvey,
     CompareSurvey,
     MeasureCloud,
+    CompareClouds,
+    ScanRun,
     ShowEnsemble,
     SimulateEnsemble,
     ShowCauses,

@@ -116,6 +116,7 @@ void ActionStates::refresh() {
     m_actions.enable(ActionId::NoTerrain, has(InputRole::Terrain));
     m_actions.enable(ActionId::NoSurroundings, has(InputRole::Orthophoto) || has(InputRole::Surroundings));
     m_actions.enable(ActionId::CompareSurvey, finished && has(InputRole::Survey));
+    m_rooms.cloudTools->refresh();
     offerPhotograph(*m_rooms.evidence, m_actions);
     offerColours();
     m_rooms.playback->refresh(record != nullptr && computation.runStale(document.scenario()));

@@ -83,7 +83,7 @@ void Screenshot::look() {
     // What the photographs show, islands and studies are made in the background.
     if (!m_window.rooms().evidence->settled() || m_window.rooms().islands->busy() || m_window.rooms().survey->busy() ||
         m_window.session().part<SurveyReach>().busy() || m_window.rooms().cloudPoints->busy() ||
-        m_window.rooms().studies->work().running()) {
+        m_window.rooms().cloudTools->busy() || m_window.rooms().studies->work().running()) {
         return;
     }
     m_timer.stop();

@@ -15,6 +15,7 @@
 #include "app/gui/evidence/evidence_studies.h"
 #include "app/gui/evidence/map_display.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/surveys/cloud_tools.h"
 #include "app/gui/evidence/validation_display.h"
 #include "app/gui/exports/case_sealing.h"
 #include "app/gui/exports/picture_export.h"
@@ -91,6 +92,7 @@ struct WindowRooms {
     std::unique_ptr<EvidenceDisplay> evidence;
     std::unique_ptr<SurveyDisplay> survey;
     std::unique_ptr<CloudPoints> cloudPoints;
+    std::unique_ptr<CloudTools> cloudTools;
     std::unique_ptr<EvidenceListDisplay> evidenceList;
     std::unique_ptr<Inspection> inspection;
     std::unique_ptr<MapDisplay> map;

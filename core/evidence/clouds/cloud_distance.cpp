@@ -256,4 +256,16 @@ std::vector<CoreDistance> siteDistances(const std::vector<Vec3>& cores, const Po
     return measured<CloudAndSite>(cores, first, second, settings, execution);
 }
 
+double middleDetection(const std::vector<CoreDistance>& cores) {
+    std::vector<double> levels;
+    for (const CoreDistance& core : cores) {
+        if (std::isfinite(core.detection)) {
+            levels.push_back(core.detection);
+        }
+    }
+    const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+    std::nth_element(levels.begin(), middle, levels.end());
+    return levels.empty() ? unknown : *middle;
+}
+
 }  // namespace rubble

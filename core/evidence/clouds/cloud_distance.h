@@ -80,4 +80,7 @@ std::vector<CoreDistance> cloudDistances(const std::vector<Vec3>& cores, const P
 std::vector<CoreDistance> siteDistances(const std::vector<Vec3>& cores, const PointIndex& first, const SeenSite& second,
                                         const CloudDistanceSettings& settings, const Execution& execution);
 
+/// The middle one of all levels of detection; NaN: there is none.
+double middleDetection(const std::vector<CoreDistance>& cores);
+
 }  // namespace rubble

@@ -278,4 +278,16 @@ CloudFit fitCloud(const PointIndex& first, const std::vector<Vec3>& second, cons
     return CloudFitting(first, second, settings, execution).fit();
 }
 
+Registration fittedOn(const std::optional<Registration>& before, const CloudFit& fit, const Aabb& around) {
+    Registration both = movedOn(before.value_or(Registration{.about = fit.about}), fit.turn, fit.about, fit.shift);
+    both.fitted = fit.pairs;
+    both.fitBefore = fit.before;
+    both.fitLeft = fit.after;
+    both.error = fit.error;
+    for (int corner = 0; corner < 8 && !around.isEmpty(); ++corner) {
+        both.error = std::max(*both.error, fit.errorAt(around.corner(static_cast<Aabb::CornerType>(corner))));
+    }
+    return both;
+}
+
 }  // namespace rubble

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/execution.h"
 #include "core/evidence/clouds/point_index.h"
+#include "core/scenario/registration.h"
 
 namespace rubble {
 
@@ -52,5 +54,9 @@ struct CloudFit {
 /// Throws UsageError (fewer than 50 points have a plane; planes that leave a direction or a turn open), Cancelled.
 CloudFit fitCloud(const PointIndex& first, const std::vector<Vec3>& second, const CloudFitSettings& settings,
                   const Execution& execution);
+
+/// How a cloud lies that was fitted from where a case had placed it. What is known of the pairs stays.
+/// @param before  unset: it lay as its coordinates say; @param around  what the error holds for, at its worst corner
+Registration fittedOn(const std::optional<Registration>& before, const CloudFit& fit, const Aabb& around);
 
 }  // namespace rubble

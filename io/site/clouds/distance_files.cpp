@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/csv_text.h"
+#include "io/base/files.h"
 #include "io/site/clouds/cloud_system.h"
 #include "io/site/clouds/point_writer.h"
 
@@ -70,6 +72,44 @@ void writeDistanceCloud(const std::string& path, const CloudComparison& made) {
         point.colour = colourOf(made.distances[k], most);
         appendMeasures(point.more, made.distances[k]);
     });
+}
+
+void writeDistances(std::ostream& out, const CloudComparison& made) {
+    out << "x,y,z,state,distance,level_of_detection,significant,roughness_first,roughness_second,points_first,points_second,pairs,"
+           "mean_first,mean_second,normal_x,normal_y,normal_z\n";
+    std::string line;
+    for (std::size_t k = 0; k < made.cores.size(); ++k) {
+        const CoreDistance& core = made.distances[k];
+        line.clear();
+        for (const double value : made.cores[k]) {
+            line += exactNumber(value) + ',';
+        }
+        line += coreStateNames[static_cast<std::size_t>(core.state)];
+        line += ',' + exactNumber(core.distance) + ',' + exactNumber(core.detection) + ',';
+        if (!std::isnan(core.detection)) {
+            line += core.significant() ? '1' : '0';
+        }
+        line += ',' + exactNumber(core.first.roughness) + ',' + exactNumber(core.second.roughness);
+        line +=
+            ',' + std::to_string(core.first.points) + ',' + std::to_string(core.second.points) + ',' + std::to_string(core.pairs);
+        line += ',' + exactNumber(core.first.mean) + ',' + exactNumber(core.second.mean);
+        for (const double value : core.normal) {
+            line += ',' + exactNumber(value);
+        }
+        out << line << '\n';
+    }
+}
+
+bool namesDistances(const std::string& path) {
+    return namesWrittenCloud(path) || hasEnding(path, ".csv");
+}
+
+void writeDistanceFile(const std::string& path, const CloudComparison& made) {
+    if (namesWrittenCloud(path)) {
+        writeDistanceCloud(path, made);
+    } else {
+        writeAtomically(path, [&](std::ostream& out) { writeDistances(out, made); });
+    }
 }
 
 }  // namespace rubble::io

@@ -286,6 +286,10 @@ SightedDebris sightedDebris(const SiteShape& site, std::span<const std::uint32_t
     return made;
 }
 
+CloudDistanceSettings scalesOfFit(double radius) {
+    return {radius, 0.5 * radius, radius, std::nullopt, false};
+}
+
 CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground, Findings& findings,
                         const Execution& execution) {
     RunDistance made;

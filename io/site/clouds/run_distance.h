@@ -69,6 +69,9 @@ struct RunDistance {
 RunDistance compareCloudWithSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground,
                                  std::span<const double> volumes, const Execution& execution);
 
+/// The scales of a request that fits alone. @param radius  m, about a point: surfaces within it are what it is fitted to
+CloudDistanceSettings scalesOfFit(double radius);
+
 /// Fits a cloud to a site by what did not move, as compareCloudWithSite() does where that is asked for: the move goes on from that
 /// of the request. Findings say what was left out. Throws as above, and as fitCloud().
 CloudFit fitCloudToSite(const RunDistanceRequest& request, SiteShape site, const SiteSurface& ground, Findings& findings,

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/error.h"
 #include "core/scenario/scope_cover.h"
 #include "io/base/file_words.h"
+#include "io/base/files.h"
 #include "io/site/clouds/cloud_comparison.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/gdal_session.h"
+#include "io/site/outline_file.h"
+#include "io/site/surveys/named_points.h"
 
 namespace rubble::io {
 
@@ -141,6 +145,18 @@ std::vector<Vec3> readMeasuredPoints(const MeasuredRequest& request, Findings& f
     }
     addBeyond(findings, request.path, std::erase_if(places, [&](const Vec3& at) { return !covers(request.scope, at.head<2>()); }));
     return places;
+}
+
+bool holdsMeasuredPoints(const std::string& path) {
+    if (!hasEnding(path, ".dxf")) {
+        return namesStationPoints(path);
+    }
+    try {
+        readOutline(path, {}, {}, false, Execution());
+    } catch (const ParseError& error) {
+        return error.message().id == "survey.no_polygon";
+    }
+    return false;
 }
 
 }  // namespace rubble::io

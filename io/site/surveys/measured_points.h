@@ -31,4 +31,8 @@ inline constexpr std::size_t measuredMost = 20'000'000;
 /// Throws ParseError (none of these, no point, too many), WorldError, Cancelled, and as CloudPlace.
 std::vector<Vec3> readMeasuredPoints(const MeasuredRequest& request, Findings& findings, const Execution& execution);
 
+/// Whether a file holds points that somebody measured one by one: a table whose heading has their names, or a drawing without an
+/// area. Throws WorldError.
+bool holdsMeasuredPoints(const std::string& path);
+
 }  // namespace rubble::io

@@ -205,4 +205,17 @@ std::vector<NamedPoint> readNamedPoints(const std::string& path, Findings& findi
     return points;
 }
 
+bool namesStationPoints(const std::string& path) {
+    if (!hasEnding(path, ".csv") && !hasEnding(path, ".txt")) {
+        return false;
+    }
+    try {
+        const DelimitedTable table = readDelimitedStart(path, 2);
+        const StationColumns columns = table.rows.empty() ? StationColumns() : columnsOf(path, table.rows.front().fields);
+        return columns.name && columns.x && columns.y && columns.z;
+    } catch (const ParseError&) {
+        return false;  // its readers say what is wrong with it
+    }
+}
+
 }  // namespace rubble::io

@@ -150,6 +150,8 @@ TEST_F(EvidenceOfCase, PairsThenAFitToWhatDidNotMove) {
         evidence({"--survey", m_cloud, "--fit", near, "--radius", "0.3", "--run", m_out, "--scanner", "-6,-6,3"});
     const nlohmann::json& placed = fitted["evidence"][0]["placed"];
     EXPECT_EQ(placed["pairs"], 4) << "the fit goes on from the pairs";
+    const std::vector<Vec3> scanners{Vec3(-6.0, -6.0, 3.0)};
+    EXPECT_EQ(io::loadCase(m_case).inputs.back().scanners, scanners) << "who measures later sees it from there too";
     EXPECT_GT(placed["fitted_points"], 100);
     EXPECT_LE(placed["fit_rms_m"], placed["fit_rms_before_m"]);
     EXPECT_GT(placed["error_m"], 0.001) << "walls of a metre do not tell the turn to nothing";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/base/error.h"
 #include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
@@ -47,12 +48,42 @@ std::string scattered() {
 
 TEST_F(CaseSurveys, AreCloudsWhereTheirContentIsPoints) {
     EXPECT_EQ(kindOf("named.xyz", lattice("x y z\n")), SurveyKind::Cloud) << "a table that names its columns is one of points";
-    EXPECT_EQ(kindOf("station.csv", "name,easting,northing,height\nP1,1,2,3\nP2,2,2,3\n"), SurveyKind::Cloud);
     EXPECT_EQ(kindOf("scattered.xyz", scattered()), SurveyKind::Cloud);
     EXPECT_EQ(kindOf("pnezd.txt", "101,5,4,3,TOPO\n102,6,4,3,TOPO\n", {{}, {"skip", "y", "x", "z", "skip"}}), SurveyKind::Cloud);
     MadeLas las;
     las.points = {MadePoint{}};
     EXPECT_EQ(surveyKindOf(layCloud(m_folder / "cloud.tif", las.bytes()), {}), SurveyKind::Cloud) << "whatever its name says";
+}
+
+TEST_F(CaseSurveys, AreMeasuredPointsWhereATableNamesThemOrADrawingHasNoArea) {
+    EXPECT_EQ(kindOf("station.csv", "name,easting,northing,height\nP1,1,2,3\nP2,2,2,3\n"), SurveyKind::Points);
+    const std::string line =
+        "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\n0\n66\n1\n70\n0\n0\nVERTEX\n8\n0\n10\n0\n20\n0\n30\n1\n0\n"
+        "VERTEX\n8\n0\n10\n5\n20\n0\n30\n2\n0\nSEQEND\n0\nENDSEC\n0\nEOF\n";
+    EXPECT_EQ(kindOf("line.dxf", line), SurveyKind::Points);
+    EXPECT_NE(kindOf("none.dxf", "no drawing\n"), SurveyKind::Points);
+}
+
+TEST_F(CaseSurveys, LeaveOpenWhatTheirFilesDoNotSay) {
+    const auto open = [&](const std::string& name, const std::string& text, const std::string& crs) {
+        CaseInput survey{"survey-1", InputRole::Survey, name, ""};
+        survey.kind = kindOf(name, text);
+        Frame frame;
+        frame.crs = crs;
+        return readingLeftOpen(survey, m_folder / name, frame);
+    };
+    EXPECT_FALSE(open("named.csv", "x,y,z\n1,2,3\n4,5,7\n", "").any());
+    EXPECT_TRUE(open("named.csv", "x,y,z\n1,2,3\n4,5,7\n", "EPSG:25832").system);
+    EXPECT_TRUE(open("bare.txt", "7 1 2 0.5\n7 10 3 0.5\n7 4 9 1.5\n", "").columns);
+    EXPECT_TRUE(open("odd.csv", "a,b,c\n1,2,3\n4,5,7\n", "").columns) << "its heading says nothing that is known";
+    // Stated once it can be read so, and left alone otherwise.
+    CaseInput survey{"survey-1", InputRole::Survey, "odd.csv", ""};
+    survey.kind = SurveyKind::Heights;
+    EXPECT_THROW(stateReading(survey, m_folder / "odd.csv", {{}, {"x", "y"}}), Error);
+    EXPECT_TRUE(survey.read.empty());
+    stateReading(survey, m_folder / "odd.csv", {{}, {"y", "x", "z"}});
+    EXPECT_EQ(survey.kind, SurveyKind::Cloud);
+    EXPECT_EQ(survey.read.columns.front(), "y");
 }
 
 TEST_F(CaseSurveys, AreHeightsWhereARasterIsRead) {

@@ -10,6 +10,7 @@
 
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/evidence/surveys/scanner_field.h"
 
 namespace rubble::widgets {
 
@@ -24,10 +25,13 @@ PointBox::PointBox(QWidget* parent)
       m_projection(new NumberField(tr("Projection scale"))),
       m_depth(new NumberField(tr("Depth of the cylinder"))),
       m_registration(new NumberField(tr("Registration error"))),
+      m_cell(new NumberField(tr("Cells of the volumes"))),
+      m_scanners(new ScannerField(tr("as the cloud says"))),
       m_photographs(new QPushButton),
       m_noPhotographs(new QPushButton(tr("Cancel"))),
       m_measure(new QPushButton(tr("Measure distances"))),
       m_cancel(new QPushButton(tr("Cancel"))),
+      m_save(new QPushButton(tr("Save distances…"))),
       m_said(new QLabel) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -63,6 +67,9 @@ PointBox::PointBox(QWidget* parent)
     connect(m_photographs, &QPushButton::clicked, this, &PointBox::photographsRequested);
     column->addWidget(m_complaint);
     column->addWidget(m_findings);
+    m_findings->setDoings(
+        {{"distance.from_above", tr("Give the scanners"), [this] { m_scanners->ask(); }},
+         {"distance.registration_unknown", tr("State the error"), [this] { m_registration->setFocus(Qt::OtherFocusReason); }}});
     buildMeasuring();
     connect(m_shown, &QCheckBox::toggled, this, [this](bool shown) {
         if (!m_showing) {
@@ -98,6 +105,13 @@ void PointBox::buildMeasuring() {
     form->addRow(tr("Projection scale, m"), m_projection);
     form->addRow(tr("Depth, m"), m_depth);
     form->addRow(tr("Registration error, m"), m_registration);
+    m_cell->setRange(0.01, 1000.0);
+    m_cell->setEmptyMeans(tr("no volumes"));
+    m_cell->setToolTip(
+        tr("Side of the square cells over which cut, fill and net are summed straight up, m; left empty none are. Where nobody "
+           "stated the registration error, their systematic error is not known"));
+    form->addRow(tr("Volume cells, m"), m_cell);
+    form->addRow(tr("Scanners"), m_scanners);
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addLayout(form);
     m_measure->setToolTip(
@@ -106,8 +120,14 @@ void PointBox::buildMeasuring() {
     auto* row = new QHBoxLayout;
     row->addWidget(m_measure);
     row->addWidget(m_cancel);
+    row->addWidget(m_save);
     row->addStretch(1);
     column->addLayout(row);
+    m_save->setObjectName(QStringLiteral("saveDistances"));
+    m_save->setToolTip(
+        tr("Writes the measured places with distance, level of detection and roughness as a cloud (LAS, PLY) or a table (CSV)"));
+    connect(m_save, &QPushButton::clicked, this, &PointBox::saveRequested);
+    m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_said->setWordWrap(true);
     column->addWidget(m_said);
     setSettings({1.0, 0.5, 3.0, {}, false});
@@ -129,6 +149,14 @@ void PointBox::setSettings(const CloudDistanceSettings& settings) {
     m_registration->setNumber(settings.registrationError);
 }
 
+std::optional<double> PointBox::cell() const {
+    return m_cell->number();
+}
+
+void PointBox::setCell(const std::optional<double>& cell) {
+    m_cell->setNumber(cell);
+}
+
 void PointBox::setContent(const Content& content) {
     m_showing = true;
     m_content = content;
@@ -144,8 +172,10 @@ void PointBox::setContent(const Content& content) {
     m_noPhotographs->setVisible(adding);
     m_complaint->set(Notice::Kind::Error, content.complaint);
     m_findings->set(content.findings);
+    m_scanners->setPlaces(content.scanners);
     m_measure->setEnabled(content.noMeasuring.isEmpty() && !content.measuring);
     m_cancel->setVisible(content.measuring);
+    m_save->setVisible(content.savable);
     const QString said = content.measured.isEmpty() ? content.noMeasuring : content.measured;
     m_said->setText(said);
     m_said->setVisible(!said.isEmpty());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <vector>
 
 #include "core/base/finding.h"
 #include "core/evidence/clouds/cloud_distance.h"
@@ -16,6 +18,7 @@ namespace rubble::widgets {
 class FindingList;
 class Notice;
 class NumberField;
+class ScannerField;
 
 /// The points of a surveyed cloud in the views: whether they are drawn, what their colours say, how many are there, and the
 /// distances from them to the simulated site (M3C2).
@@ -34,14 +37,20 @@ public:
         QString status;       ///< how many are drawn, where the octree lies; or what is being done
         QString complaint;    ///< what went wrong
         Findings findings;
-        QString noMeasuring;  ///< why no distances can be measured; empty: they can
+        std::vector<Vec3> scanners;  ///< that were given, m, in the system of the case
+        QString noMeasuring;         ///< why no distances can be measured; empty: they can
         bool measuring = false;
-        QString measured;  ///< what came of it
+        QString measured;      ///< what came of it
+        bool savable = false;  ///< distances were measured, of what is there now
     };
     void setContent(const Content& content);
+    ScannerField& scanners() { return *m_scanners; }
     /// What the fields ask for.
     CloudDistanceSettings settings() const;
     void setSettings(const CloudDistanceSettings& settings);
+    /// m, side of the cells that volumes are taken over; unset: none are.
+    std::optional<double> cell() const;
+    void setCell(const std::optional<double>& cell);
 
 signals:
     void shownChosen(bool shown);
@@ -50,6 +59,8 @@ signals:
     void photographsCancelled();
     void measureRequested();
     void cancelRequested();
+    /// Distances are to be written to a file.
+    void saveRequested();
 
 private:
     void buildMeasuring();
@@ -65,10 +76,13 @@ private:
     NumberField* m_projection;
     NumberField* m_depth;
     NumberField* m_registration;
+    NumberField* m_cell;
+    ScannerField* m_scanners;
     QPushButton* m_photographs;
     QPushButton* m_noPhotographs;
     QPushButton* m_measure;
     QPushButton* m_cancel;
+    QPushButton* m_save;
     QLabel* m_said;
 };
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/unknown.h"
+
 namespace rubble::widgets {
 
 namespace {
@@ -59,7 +61,7 @@ QSize SurveyPlan::size() const {
     return {static_cast<int>(m_heights.nx), static_cast<int>(m_heights.ny)};
 }
 
-std::optional<Vec3> SurveyPlan::placeAt(const QPointF& pixel) const {
+std::optional<Eigen::Vector2d> SurveyPlan::planAt(const QPointF& pixel) const {
     if (m_heights.nx < 2 || m_heights.ny < 2) {
         return std::nullopt;
     }
@@ -67,11 +69,13 @@ std::optional<Vec3> SurveyPlan::placeAt(const QPointF& pixel) const {
     const double top = static_cast<double>(m_heights.ny) - 1.0;
     const double down = std::clamp(pixel.y() - 0.5, 0.0, top);
     const Eigen::Vector2d place = m_heights.placeOf(std::clamp(pixel.x() - 0.5, 0.0, right), m_upwards ? top - down : down);
-    const double height = m_heights.at(place.x(), place.y());
-    if (!place.allFinite() || !std::isfinite(height)) {
-        return std::nullopt;
-    }
-    return Vec3(place.x(), place.y(), height);
+    return place.allFinite() ? std::optional(place) : std::nullopt;
+}
+
+std::optional<Vec3> SurveyPlan::placeAt(const QPointF& pixel) const {
+    const std::optional<Eigen::Vector2d> place = planAt(pixel);
+    const double height = place ? m_heights.at(place->x(), place->y()) : unknown;
+    return std::isfinite(height) ? std::optional(Vec3(place->x(), place->y(), height)) : std::nullopt;
 }
 
 std::optional<QPointF> SurveyPlan::pixelOf(const Vec3& place) const {

@@ -16,6 +16,8 @@ public:
 
     QSize size() const;
     double spacing() const { return m_heights.spacing(); }
+    /// Where a pixel lies, m, local; at the edge where it lies beyond. Unset: there is no picture.
+    std::optional<Eigen::Vector2d> planAt(const QPointF& pixel) const;
     /// The surveyed place below a pixel, m, local; unset: nothing was surveyed there.
     std::optional<Vec3> placeAt(const QPointF& pixel) const;
     /// The pixel of a place, m, local; unset: it lies beyond the rows and columns.

@@ -6,8 +6,10 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include "app/gui/case/file_commands.h"
@@ -243,6 +245,38 @@ TEST_F(SurveyPlaces, ASectionIsDrawnCutMeasuredAndSaved) {
     EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.png"));
     sections.dialog()->reject();
     EXPECT_FALSE(sections.line()) << "the line goes with its profile";
+}
+
+TEST_F(SurveyPlaces, ASectionLeavesOutWhatIsMaskedAndHoldsMeasuredPointsToo) {
+    compared();
+    std::ofstream(m_folder / "station.csv") << "name,easting,northing,height\nA,-5,0.1,1.0\nB,5,0.1,1.0\nC,8,0.1,1.2\n";
+    surveys().add(QString::fromStdString(m_folder / "station.csv"));
+    const auto& list = window->rooms().deck->evidence().list();
+    ASSERT_EQ(list.rowCount(), 2);
+    EXPECT_TRUE(list.item(1, 1)->text().contains(QStringLiteral("sections"))) << qPrintable(list.item(1, 1)->text());
+    EXPECT_EQ(session->document().theCase().inputs.back().kind, SurveyKind::Points);
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().kind, SurveyKind::Points);
+    surveys().choose(session->document().theCase().inputs[session->document().theCase().inputs.size() - 2].id);
+    const auto cut = [&] {
+        emit box().sectionRequested();
+        drawOnMap({{-12.0, 0.0}, {12.0, 0.0}});
+        SurveySections& sections = surveys().sections();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !sections.busy() && sections.section() != nullptr; }, patience));
+        return sections.section()->section.points;
+    };
+    const std::size_t all = cut().size();
+    EXPECT_TRUE(surveys().sections().dialog()->content().survey.contains(QStringLiteral("after.asc, station.csv")));
+    surveys().sections().dialog()->reject();
+    // The heights at the right end are left out; the points of the station have a scope of their own.
+    const Outline right{{{{{0.0, -9.0}, {20.0, -9.0}, {20.0, 9.0}, {0.0, 9.0}}}}};
+    surveys().edit([&](CaseInput& input) { input.scope.leftOut = right; }, [] { return QStringLiteral("left out"); });
+    compare();
+    const std::vector<SectionPoint> masked = cut();
+    surveys().sections().dialog()->reject();
+    EXPECT_LT(masked.size(), all);
+    const auto east = std::count_if(masked.begin(), masked.end(), [](const SectionPoint& point) { return point.place.x() > 0.5; });
+    EXPECT_EQ(east, 2) << "those of the station";
 }
 
 TEST_F(SurveyPlaces, EscAfterADrawingWasEndedLeavesThePageOpen) {

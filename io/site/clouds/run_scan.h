@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "core/base/execution.h"
+#include "core/base/finding.h"
+#include "core/evidence/clouds/site_scan.h"
+#include "core/evidence/scanned_site.h"
+#include "io/site/clouds/run_distance.h"
+#include "io/site/site_place.h"
+
+namespace rubble::io {
+
+/// What a point of a scan may lie on: the kinds of SiteThing.
+inline constexpr std::size_t scannedThings = 5;
+
+/// A scan of a run, and what it was made with.
+struct RunScan {
+    ScanSettings settings;  ///< m, local
+    SiteScan scan;
+    SiteShape shape;
+    SightedDebris debris;
+    std::array<std::uint64_t, scannedThings> counts{};  ///< points by what they lie on
+    Findings findings;
+};
+
+/// Scans the site of a run with its ground. @param settings  scanners in m, local; without any, four stand around the debris, 1.8 m
+/// above the ground. Throws UsageError (nothing is seen, and as scanSite()), Cancelled.
+RunScan scanRun(ScannedSite site, ScanSettings settings, const Execution& execution);
+
+/// Whether a path ends as that of a scan that can be written: .las, .ply or .csv.
+bool namesScan(const std::string& path);
+
+/// Writes a scan in the system of the case with the class of each point; a LAS says where its scanners stood. Throws WorldError.
+void writeScan(const std::string& path, const RunScan& made, const SitePlace& place, const std::string& crs);
+
+}  // namespace rubble::io

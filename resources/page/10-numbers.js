@@ -98,6 +98,21 @@ class PageArrays {
         return out;
     }
 
+    // Places of three numbers, each kept as its difference to the one before, in steps of so many metres.
+    places(name, step) {
+        const reader = this.reader(name);
+        const out = new Float32Array(this.contents[name].count);
+        for (let i = 0, x = 0, y = 0, z = 0; i < out.length; i += 3) {
+            x += reader.next();
+            y += reader.next();
+            z += reader.next();
+            out[i] = x * step;
+            out[i + 1] = y * step;
+            out[i + 2] = z * step;
+        }
+        return out;
+    }
+
     // Numbers that were kept as differences to the one before.
     steps(name, Type) {
         const out = this.integers(name, Type);

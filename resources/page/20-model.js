@@ -327,16 +327,7 @@ class Pieces {
             this.offsets[p + 1] = this.offsets[p] + about.cornerCounts[this.shapes[p]];
             this.to[p] = Math.min(this.to[p], ends[this.bodies[p]]);
         }
-        this.corners = new Float32Array(3 * this.offsets[this.count]);
-        const reader = arrays.reader('pieceCorners');
-        for (let i = 0, x = 0, y = 0, z = 0; i < this.corners.length; i += 3) {
-            x += reader.next();
-            y += reader.next();
-            z += reader.next();
-            this.corners[i] = x * about.cornerStep;
-            this.corners[i + 1] = y * about.cornerStep;
-            this.corners[i + 2] = z * about.cornerStep;
-        }
+        this.corners = arrays.places('pieceCorners', about.cornerStep);
         // The first piece of each element, and after each piece the next of its element; -1: none.
         this.firstOf = new Int32Array(about.elementCount).fill(-1);
         this.nextOf = new Int32Array(this.count);

@@ -199,13 +199,18 @@ class Renderer {
     // Where the corners of the pieces were at rest: a piece keeps the grain that its element had.
     restOfPieces() {
         const { structure, pieces } = this;
-        const rest = Float32Array.from(pieces.corners);
+        const { corners, offsets, shapes } = structure;
+        const nodes = new Uint32Array(pieces.offsets[pieces.count]);
+        const rest = new Float32Array(3 * nodes.length);
         for (let p = 0; p < pieces.count; ++p) {
+            // A piece of another shape than its element takes one of its nodes: its grain is of one tone.
             const e = pieces.elements[p];
-            for (let c = 0; pieces.shapes[p] === structure.shapes[e] && c < pieces.offsets[p + 1] - pieces.offsets[p]; ++c) {
-                rest.set(structure.node(0, structure.corners[structure.offsets[e] + c]), 3 * (pieces.offsets[p] + c));
+            const same = pieces.shapes[p] === shapes[e] ? 1 : 0;
+            for (let c = pieces.offsets[p]; c < pieces.offsets[p + 1]; ++c) {
+                nodes[c] = corners[offsets[e] + same * (c - pieces.offsets[p])];
             }
         }
+        structure.fillPlaces(0, nodes, rest);
         return rest;
     }
 

@@ -9,26 +9,13 @@ class Site {
         this.corners = new Uint32Array(0);
         const { site } = facts.scene;
         if (site !== null) {
-            this.unpack(arrays, site);
+            this.points = arrays.places('sitePoints', site.step);
+            this.corners = arrays.steps('siteCorners', Uint32Array);
             this.solid = renderer.solid(this.points, this.corners);
         }
         if (pictured !== null && facts.ground.picture !== null) {
             this.take(renderer, pictured, facts.ground.picture, arrived);
         }
-    }
-
-    unpack(arrays, { points, step }) {
-        this.points = new Float32Array(3 * points);
-        const reader = arrays.reader('sitePoints');
-        for (let i = 0, x = 0, y = 0, z = 0; i < 3 * points; i += 3) {
-            x += reader.next();
-            y += reader.next();
-            z += reader.next();
-            this.points[i] = x * step;
-            this.points[i + 1] = y * step;
-            this.points[i + 2] = z * step;
-        }
-        this.corners = arrays.steps('siteCorners', Uint32Array);
     }
 
     async take(renderer, source, { x0, y0, width, height }, arrived) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace rubble::io {
@@ -41,6 +42,18 @@ void PackedIntegers::addRuns(std::span<const std::int64_t> numbers) {
             number = next;
         }
     }
+}
+
+void PackedPlaces::add(const Vec3& place) {
+    Vec3 shown;
+    for (int c = 0; c < 3; ++c) {
+        const std::int64_t now = std::llround(place[c] / m_step);
+        std::int64_t& last = m_before[static_cast<std::size_t>(c)];
+        m_numbers.add(now - last);
+        last = now;
+        shown[c] = m_step * static_cast<double>(now);
+    }
+    m_largestError = std::max(m_largestError, (shown - place).norm());
 }
 
 void PageData::add(std::string_view name, std::string_view type, const void* data, std::size_t bytes, std::size_t count) {

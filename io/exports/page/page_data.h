@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -7,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/execution.h"
+#include "core/base/geometry.h"
 
 namespace rubble::io {
 
@@ -25,6 +27,25 @@ public:
 private:
     std::string m_bytes;
     std::size_t m_count = 0;
+};
+
+/// Places in steps, each as its difference to the one before; those that follow one another lie close together.
+class PackedPlaces {
+public:
+    /// @param step  m
+    explicit PackedPlaces(double step) : m_step(step) {}
+    /// m
+    void add(const Vec3& place);
+
+    const PackedIntegers& numbers() const { return m_numbers; }
+    /// m, largest distance of a place from where its steps have it.
+    double largestError() const { return m_largestError; }
+
+private:
+    double m_step;
+    std::array<std::int64_t, 3> m_before{};
+    PackedIntegers m_numbers;
+    double m_largestError = 0.0;
 };
 
 /// The numbers of a page: named arrays one behind the other, each at a multiple of eight bytes, and compressed as a whole. The

@@ -1,7 +1,6 @@
 #include "io/exports/page/page_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -104,26 +103,16 @@ std::vector<PagePiece> PieceCollector::pieces() const {
     return pieces;
 }
 
-/// Corners in steps, each as its difference to the one before; those of a piece lie close together.
+/// Returns the largest error of a corner, m.
 double addCorners(PageData& data, const std::vector<PagePiece>& pieces, double step) {
-    PackedIntegers numbers;
-    std::array<std::int64_t, 3> before{};
-    double worst = 0.0;
+    PackedPlaces places(step);
     for (const PagePiece& piece : pieces) {
         for (const Vec3& corner : piece.corners) {
-            Vec3 shown;
-            for (int c = 0; c < 3; ++c) {
-                const std::int64_t now = std::llround(corner[c] / step);
-                std::int64_t& last = before[static_cast<std::size_t>(c)];
-                numbers.add(now - last);
-                last = now;
-                shown[c] = step * static_cast<double>(now);
-            }
-            worst = std::max(worst, (shown - corner).norm());
+            places.add(corner);
         }
     }
-    data.add("pieceCorners", numbers);
-    return worst;
+    data.add("pieceCorners", places.numbers());
+    return places.largestError();
 }
 
 void addPieces(PageScene& scene, const std::vector<PagePiece>& pieces) {

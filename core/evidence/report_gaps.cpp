@@ -137,4 +137,12 @@ std::vector<Message> reportOwnWords(const ReportFacts& facts) {
     return missing;
 }
 
+ReportGapWords reportGapWords(bool gaps) {
+    return {gaps ? Message{"report.gaps.some", "The report would lack", {}}
+                 : Message{"report.gaps.none", "The report lacks nothing that the program can tell", {}},
+            {"report.gaps.example", "for example", {}},
+            {"report.gaps.remedy", "remedy", {}},
+            {"report.gaps.own", "For you to say", {}}};
+}
+
 }  // namespace rubble

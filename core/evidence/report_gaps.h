@@ -23,4 +23,13 @@ Findings reportGaps(const ReportFacts& facts, const ReportPlan& plan);
 /// compared count as said.
 std::vector<Message> reportOwnWords(const ReportFacts& facts);
 
+/// Words about both lists.
+struct ReportGapWords {
+    Message lacks;    ///< above the gaps, or that there are none
+    Message example;  ///< before what a gap is an example of
+    Message remedy;   ///< before what to do about one
+    Message own;      ///< above what its author has to say
+};
+ReportGapWords reportGapWords(bool gaps);
+
 }  // namespace rubble

@@ -104,7 +104,7 @@ public:
         m_addendum.note = m_addition.note;
         const std::optional<std::string> text = contentOf(m_addition.casePath);
         if (!text) {
-            sha256OfFile(m_addition.casePath);
+            failToRead(m_addition.casePath);
         }
         compare(*text);
         const Case theirs = caseFromText(*text, m_addition.casePath);
@@ -245,6 +245,24 @@ AddedRecord addRecord(const std::string& path, const std::string& out, const Sea
     }
     longer.write(out);
     return {record, sha256OfText(text)};
+}
+
+std::vector<JournalChange> differencesToSealed(const std::string& bundle, const std::string& casePath) {
+    PackedBag packed(bundle);
+    const SealStatement statement = statementFrom(packed.text(bag::statement).value_or(""), bag::statement);
+    const std::optional<std::string> theirs = contentOf(casePath);
+    if (!theirs) {
+        failToRead(casePath);
+    }
+    return assumptionChanges(packed.text(statement.casePlace).value_or(""), statement.casePlace, *theirs, casePath);
+}
+
+std::string timeStampAnswer(const std::string& file) {
+    std::optional<std::string> answer = contentOf(file);
+    if (!answer) {
+        failToRead(file);
+    }
+    return std::move(*answer);
 }
 
 std::string timeStampRequestOf(const std::string& path) {

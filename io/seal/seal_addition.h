@@ -21,6 +21,9 @@ struct SealAddition {
     std::string note;                     ///< of an addendum: why
 };
 
+/// What a case assumes otherwise than the sealed one of a bundle, before an addendum is made of it. Throws ParseError, WorldError.
+std::vector<JournalChange> differencesToSealed(const std::string& bundle, const std::string& casePath);
+
 /// A record as it was added.
 struct AddedRecord {
     SealRecord record;
@@ -36,6 +39,9 @@ AddedRecord addRecord(const std::string& path, const std::string& out, const Sea
 /// Puts the answer of a time-stamping service into a bundle. @param answer  DER
 /// Throws as addRecord(), and ParseError for an answer that is not of this bundle.
 void addTimeStamp(const std::string& path, const std::string& out, const std::string& answer, const Execution& execution);
+
+/// The answer of a service as it lies in a file. Throws WorldError.
+std::string timeStampAnswer(const std::string& file);
 
 /// The request for a time stamp of a bundle: the one that lies in it, else a new one. Throws ParseError.
 std::string timeStampRequestOf(const std::string& path);

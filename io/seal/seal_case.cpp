@@ -45,16 +45,16 @@ public:
             if (each.source.empty()) {
                 zip.add(folder + each.place, each.text);
             } else {
-                packFile(zip, folder + each.place, each, [&](std::size_t bytes) { advance(bytes); });
+                packFile(zip, folder + each.place, each, [&](std::size_t bytes) { advance(each, bytes); });
             }
         }
         zip.finish();
     }
 
 private:
-    void advance(std::size_t bytes) {
+    void advance(const PayloadFile& file, std::size_t bytes) {
         m_done += static_cast<double>(bytes);
-        m_execution.report({"io.seal.packing", "Packing the bundle", {}},
+        m_execution.report({"io.seal.packing_file", "Packing: {0}", {std::filesystem::path(file.source).filename().string()}},
                            std::min(1.0, m_done / std::max(1.0, static_cast<double>(m_payload.bytes()))));
     }
 

@@ -278,10 +278,13 @@ void BundleCheck::checkStamp(const std::string& signature) {
         fault(bag::stampRequest, {"io.seal.request_of_another", "it asks for a time stamp of something else", {}});
     }
     if (answer.empty()) {
-        if (m_check.statement.stampAsked) {
-            doubt(bag::stampAnswer,
-                  {"io.seal.stamp_missing", "a time stamp was asked for when it was sealed, and none is here", {}});
-        }
+        doubt(bag::stampAnswer,
+              m_check.statement.stampAsked
+                  ? Message{"io.seal.stamp_missing",
+                            "a time stamp was asked for when it was sealed, and none is here; until its answer is "
+                            "put in, the time of sealing is the signer's word",
+                            {}}
+                  : Message{"io.seal.no_stamp", "there is no time stamp: the time of sealing is the signer's word", {}});
         return;
     }
     m_check.stamp = checkTimeStamp(answer, request, signature, m_trust.stampRoots);

@@ -47,8 +47,12 @@ std::vector<OtherSetting> otherSettings(const RunOrigin& origin, const Case& the
         return {{"scenario", origin.scenarioName, {}}};
     }
     std::vector<OtherSetting> other;
+    // A run keeps no setting that was as its program had it by default: what "auto" came to in another one is not known here.
+    const bool sameProgram = origin.build == buildText();
     for (const SharedDifference& difference : sharedDifferences(differencesBetween(origin.scenario, scenario->scenario))) {
-        other.push_back({difference.key(), valueText(difference.change.first), valueText(difference.change.second)});
+        const bool known = sameProgram || !std::holds_alternative<std::monostate>(difference.change.first);
+        other.push_back(
+            {difference.key(), known ? valueText(difference.change.first) : "not recorded", valueText(difference.change.second)});
     }
     if (!(origin.scenario.regrouping == scenario->scenario.regrouping)) {
         other.push_back({"regrouping", std::to_string(origin.scenario.regrouping.size()),
@@ -123,7 +127,8 @@ void takeDigests(std::vector<PayloadFile>& files, const Execution& execution) {
         file.sha256 = sha256OfFile(file.source, [&](std::size_t block) {
             file.bytes += block;
             done += static_cast<double>(block);
-            execution.report({"io.seal.digests", "Taking the digests of what is sealed", {}}, std::min(1.0, done / all));
+            execution.report({"io.seal.digests", "Taking digests: {0}", {fs::path(file.source).filename().string()}},
+                             std::min(1.0, done / all));
         });
     }
 }
@@ -344,6 +349,10 @@ void SealPayload::addExtras() {
     for (const SealedExtra& extra : m_request.extras) {
         std::error_code ignored;
         const fs::path whole = fs::absolute(extra.path).lexically_normal();
+        if (!fs::exists(whole, ignored)) {
+            throw WorldError(Message{"io.seal.extra_missing", "{0} is to be sealed as well, but is not there", {whole.string()}},
+                             Message{"io.seal.extra_missing.remedy", "Make it first, or seal without it.", {}});
+        }
         if (!fs::is_directory(whole, ignored)) {
             addFile("data/" + extra.folder + "/" + bagName(whole.filename().string()), whole.string());
             if (const std::string origin = whole.string() + ".provenance.json"; fs::exists(origin, ignored)) {

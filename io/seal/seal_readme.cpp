@@ -20,7 +20,13 @@ std::string sealReadme(const SealStatement& statement) {
 
 std::string buildReadme(const SealStatement& statement) {
     std::string text(buildReadmeFrame());
+    const std::string commit(commitText());
+    constexpr std::string_view before = ", sources ";
+    const std::size_t from = statement.build.find(before);
+    const std::size_t begin = from == std::string::npos ? statement.build.size() : from + before.size();
     putIn(text, "{{version}}", statement.version);
+    putIn(text, "{{commit}}", commit.empty() ? "not named by this build" : commit);
+    putIn(text, "{{sources}}", statement.build.substr(begin, statement.build.find(',', begin) - begin));
     putIn(text, "{{build}}", statement.build);
     return text;
 }

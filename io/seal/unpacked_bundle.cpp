@@ -104,17 +104,17 @@ void checkOthers(const SealedInput& input, const std::string& path, const Execut
 
 }  // namespace
 
-std::vector<SealedInput> UnpackedBundle::inputs() const {
-    std::vector<SealedInput> all = m_check.statement.inputs;
-    for (const CheckedRecord& checked : m_check.records) {
+std::vector<SealedInput> inputsOf(const SealCheck& check) {
+    std::vector<SealedInput> all = check.statement.inputs;
+    for (const CheckedRecord& checked : check.records) {
         const std::vector<SealedInput>& more = checked.record.addendum.inputs;
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;
 }
 
-void UnpackedBundle::locate(const std::string& id, const std::string& path, const Execution& execution) {
-    const std::vector<SealedInput> all = inputs();
+std::string checkLocated(const SealCheck& check, const std::string& id, const std::string& path, const Execution& execution) {
+    const std::vector<SealedInput> all = inputsOf(check);
     const auto found = std::find_if(all.begin(), all.end(), [&](const SealedInput& input) { return input.id == id; });
     if (found == all.end()) {
         throw UsageError(Message{"io.seal.no_sealed_input", "The bundle has no input \"{0}\"", {id}},
@@ -124,8 +124,7 @@ void UnpackedBundle::locate(const std::string& id, const std::string& path, cons
     for (const InputRole role : {InputRole::Terrain, InputRole::Fe}) {
         if (digestOfInput(path, role, execution).is(found->sha256)) {
             checkOthers(*found, path, execution);
-            m_located[found->sha256] = fs::absolute(path).lexically_normal().string();
-            return;
+            return found->sha256;
         }
     }
     checkOthers(*found, path, execution);
@@ -135,13 +134,17 @@ void UnpackedBundle::locate(const std::string& id, const std::string& path, cons
                      Message{"io.seal.located_differs.remedy", "Name the file with that SHA-256.", {}});
 }
 
+void UnpackedBundle::locate(const std::string& id, const std::string& path, const Execution& execution) {
+    m_located[checkLocated(m_check, id, path, execution)] = fs::absolute(path).lexically_normal().string();
+}
+
 std::string UnpackedBundle::placeOf(const SealedInput& input) const {
     const auto located = m_located.find(input.sha256);
     return located != m_located.end() ? located->second : input.files.empty() ? std::string() : pathOf(input.files.front());
 }
 
 std::string UnpackedBundle::inputWith(const std::string& sha256) const {
-    for (const SealedInput& input : inputs()) {
+    for (const SealedInput& input : inputsOf(m_check)) {
         if (const std::string place = placeOf(input); input.sha256 == sha256 && !place.empty()) {
             return place;
         }
@@ -154,7 +157,7 @@ std::string UnpackedBundle::inputOfRun(const std::string& sha256, const Executio
         return place;
     }
     // Of the digests that case and run keep one may be of the file alone, the other of all that is read with it.
-    for (const SealedInput& input : inputs()) {
+    for (const SealedInput& input : inputsOf(m_check)) {
         const std::string place = placeOf(input);
         std::error_code ignored;
         if (!place.empty() && fs::is_regular_file(place, ignored)) {
@@ -167,13 +170,28 @@ std::string UnpackedBundle::inputOfRun(const std::string& sha256, const Executio
     return {};
 }
 
-void UnpackedBundle::writeWorkingCase(const std::string& path) const {
-    Case theCase = loadCase(pathOf(m_check.statement.casePlace));
+void UnpackedBundle::writeWorkingCase(const std::string& path, std::int64_t addendum) const {
+    std::vector<SealedInput> sealed = m_check.statement.inputs;
+    std::string place = m_check.statement.casePlace;
+    if (addendum != 0) {
+        const auto meant = [&](const CheckedRecord& each) { return each.record.isAddendum && each.record.number == addendum; };
+        const auto found = std::find_if(m_check.records.begin(), m_check.records.end(), meant);
+        if (found == m_check.records.end()) {
+            throw UsageError(Message{"io.seal.no_addendum", "Entry {0} of the bundle is no addendum", {addendum}},
+                             Message{"io.seal.no_addendum.remedy", "Name an addendum by its number.", {}});
+        }
+        // Its own inputs come first: the others are those of the sealed case.
+        const SealAddendum& theirs = found->record.addendum;
+        sealed.insert(sealed.begin(), theirs.inputs.begin(), theirs.inputs.end());
+        place = theirs.casePlace;
+    }
+    Case theCase = loadCase(pathOf(place));
     const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
     for (CaseInput& input : theCase.inputs) {
-        const auto sealed = std::find_if(m_check.statement.inputs.begin(), m_check.statement.inputs.end(),
-                                         [&](const SealedInput& each) { return each.id == input.id; });
-        const std::string now = sealed != m_check.statement.inputs.end() ? inputWith(sealed->sha256) : std::string();
+        const auto named = std::find_if(sealed.begin(), sealed.end(), [&](const SealedInput& each) {
+            return each.id == input.id && (input.sha256.empty() || each.sha256 == input.sha256);
+        });
+        const std::string now = inputWith(named != sealed.end() ? named->sha256 : input.sha256);
         if (!now.empty()) {
             input.path = fs::path(now).lexically_relative(folder).generic_string();
         }
@@ -203,7 +221,9 @@ RunRepeat UnpackedBundle::repeat(const SealedRun& run, const Execution& executio
                         "The run {0} stands on {1}, which did not travel: SHA-256 {2}",
                         {run.place, fs::path(then).filename().string(), sha256}},
                 Message{
-                    "io.seal.not_here.remedy", "Get the file, and say where it is: rubble-cli open-sealed --input ID=FILE.", {}});
+                    "io.seal.not_here.remedy",
+                    "Get the file, and say where it is: in the window under Runs, or by rubble-cli open-sealed --input ID=FILE.",
+                    {}});
         }
         return now;
     };

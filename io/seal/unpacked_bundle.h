@@ -26,6 +26,12 @@ private:
     std::string m_path;
 };
 
+/// All inputs of a bundle, those of addenda too.
+std::vector<SealedInput> inputsOf(const SealCheck& check);
+/// Whether a file is the input that was sealed under an id. Throws UsageError if there is no such input or it has another digest,
+/// and as digestOfInput(). Returns the digest.
+std::string checkLocated(const SealCheck& check, const std::string& id, const std::string& path, const Execution& execution);
+
 /// A bundle whose files lie in a folder, to be read only.
 class UnpackedBundle {
 public:
@@ -34,7 +40,7 @@ public:
     /// Throws UsageError (the folder holds something), WorldError, ParseError, Cancelled.
     UnpackedBundle(const std::string& bundle, const SealCheck& check, const std::string& folder, const Execution& execution);
 
-    /// Says where an input is that did not travel. Throws UsageError if there is no such input or it has another digest.
+    /// Says where an input is that did not travel. Throws as checkLocated().
     void locate(const std::string& id, const std::string& path, const Execution& execution);
 
     std::string pathOf(const std::string& place) const { return m_folder + "/" + place; }
@@ -43,8 +49,9 @@ public:
     std::string inputWith(const std::string& sha256) const;
 
     /// Writes the case to be worked on: as it was sealed, with the paths of its inputs as they are now, which its journal says.
-    /// Throws WorldError.
-    void writeWorkingCase(const std::string& path) const;
+    /// @param addendum  number of the record whose case is meant; 0: the sealed one
+    /// Throws UsageError (there is no such addendum), WorldError.
+    void writeWorkingCase(const std::string& path, std::int64_t addendum = 0) const;
 
     /// All runs, those of addenda too, in the order in which they were sealed.
     std::vector<SealedRun> runs() const;
@@ -53,7 +60,6 @@ public:
 
 private:
     void unpack(const std::string& bundle, const Execution& execution);
-    std::vector<SealedInput> inputs() const;
     /// Absolute path of an input; empty as inputWith().
     std::string placeOf(const SealedInput& input) const;
     /// inputWith() of a digest that a run keeps, which may be of the file alone where that of the case is not, and the other way.

@@ -6,6 +6,7 @@
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "io/seal/bundle_verdict.h"
 #include "io/seal/seal_check.h"
 #include "io/seal/unpacked_bundle.h"
 
@@ -13,59 +14,10 @@ namespace rubble::cli {
 
 namespace {
 
-/// A run of the bundle, simulated again.
-struct RepeatedRun {
-    io::SealedRun run;
-    io::RunRepeat repeat;
-    std::string notSimulated;  ///< why; empty: it was
-};
-
-std::vector<RepeatedRun> repeatRuns(const io::UnpackedBundle& unpacked, Session& session) {
-    std::vector<RepeatedRun> list;
-    for (const io::SealedRun& run : unpacked.runs()) {
-        try {
-            list.push_back({run, unpacked.repeat(run, session.execution()), {}});
-        } catch (const WorldError& error) {
-            // What was checked is told all the same.
-            list.push_back({run, {}, englishText(error.message()) + ". " + englishText(error.remedy())});
-        }
-    }
-    return list;
-}
-
 /// The first figure or instant of a run that is not what it was.
-std::string firstDifference(const RepeatedRun& run) {
-    const io::RunRepeat& repeat = run.repeat;
-    if (!run.notSimulated.empty()) {
-        return "Not simulated: " + run.notSimulated;
-    }
-    if (!repeat.firstDifference.empty()) {
-        return englishText(repeat.firstDifference);
-    }
-    for (const io::RepeatedFigure& figure : repeat.figures) {
-        if (!figure.same()) {
-            return "The first difference is the " + figure.name + ": recorded " + figure.recorded + ", now " + figure.found + ".";
-        }
-    }
-    return {};
-}
-
-std::string verdictOf(const io::SealCheck& check, const std::vector<RepeatedRun>& repeats, bool simulated) {
-    if (!check.sound()) {
-        return "not as it was sealed";
-    }
-    for (const RepeatedRun& each : repeats) {
-        if (!each.notSimulated.empty()) {
-            return "as it was sealed, but a run could not be simulated";
-        }
-        if (!each.repeat.equal) {
-            return "as it was sealed, but a run does not repeat";
-        }
-    }
-    if (repeats.empty()) {
-        return simulated ? "as it was sealed; it holds no run" : "as it was sealed; nothing was simulated";
-    }
-    return "as it was sealed; every run is equal";
+std::string firstDifference(const io::RepeatedRun& run) {
+    const std::string difference = englishText(run.difference());
+    return run.notSimulated.empty() ? difference : "Not simulated: " + difference + ". " + englishText(run.remedy);
 }
 
 void printFaults(std::ostream& out, const char* heading, const std::vector<io::SealFault>& faults) {
@@ -77,8 +29,8 @@ void printFaults(std::ostream& out, const char* heading, const std::vector<io::S
     }
 }
 
-void print(const std::string& path, const io::SealCheck& check, const std::vector<RepeatedRun>& repeats, const std::string& verdict,
-           std::ostream& out) {
+void print(const std::string& path, const io::SealCheck& check, const std::vector<io::RepeatedRun>& repeats,
+           const std::string& verdict, std::ostream& out) {
     const io::SealStatement& statement = check.statement;
     out << path << ": " << verdict << '\n';
     FactList facts;
@@ -97,18 +49,24 @@ void print(const std::string& path, const io::SealCheck& check, const std::vecto
     facts.add("head of the journal", statement.journalHead.empty() ? "none" : statement.journalHead);
     facts.add("words of the report's author", check.notes.empty() ? "none" : check.notes);
     facts.print(out);
+    printHeading(out, "Checked");
+    FactList parts;
+    for (const io::CheckedPart& part : io::checkedParts(check)) {
+        parts.add(englishText(part.name), englishText(io::proofText(part.proof)) + ": " + englishText(part.meaning));
+    }
+    parts.print(out);
     printFaults(out, "Not as it was sealed", check.faults);
     printFaults(out, "Not proven", check.doubts);
     if (!check.records.empty()) {
         printHeading(out, "Since it was sealed");
         printRecords(out, check);
     }
-    for (const RepeatedRun& each : repeats) {
-        out << each.run.place << ": " << (each.repeat.equal ? "equal" : "not equal. " + firstDifference(each)) << '\n';
+    for (const io::RepeatedRun& each : repeats) {
+        out << each.run.place << ": " << (each.equal() ? "equal" : "not equal. " + firstDifference(each)) << '\n';
     }
 }
 
-Json asJson(const std::string& path, const io::SealCheck& check, const std::vector<RepeatedRun>& repeats,
+Json asJson(const std::string& path, const io::SealCheck& check, const std::vector<io::RepeatedRun>& repeats,
             const std::string& verdict, bool good) {
     Json object;
     object["bundle"] = path;
@@ -124,14 +82,13 @@ Json asJson(const std::string& path, const io::SealCheck& check, const std::vect
     object["doubts"] = faultsJson(check.doubts);
     object["records"] = recordsJson(check);
     object["runs"] = Json::array();
-    for (const RepeatedRun& each : repeats) {
-        object["runs"].push_back(
-            {{"file", each.run.place}, {"equal", each.repeat.equal}, {"first_difference", firstDifference(each)}});
+    for (const io::RepeatedRun& each : repeats) {
+        object["runs"].push_back({{"file", each.run.place}, {"equal", each.equal()}, {"first_difference", firstDifference(each)}});
     }
     return object;
 }
 
-std::vector<RepeatedRun> openUnpacked(const io::SealCheck& check, const Arguments& arguments, Session& session) {
+std::vector<io::RepeatedRun> openUnpacked(const io::SealCheck& check, const Arguments& arguments, Session& session) {
     std::optional<io::ScratchFolder> scratch;
     const auto into = arguments.value("--into");
     if (!into) {
@@ -145,7 +102,7 @@ std::vector<RepeatedRun> openUnpacked(const io::SealCheck& check, const Argument
     if (into) {
         unpacked.writeWorkingCase(*into + "/" + std::filesystem::path(check.statement.casePlace).filename().string());
     }
-    return arguments.has("--no-run") ? std::vector<RepeatedRun>() : repeatRuns(unpacked, session);
+    return arguments.has("--no-run") ? std::vector<io::RepeatedRun>() : io::repeatRuns(unpacked, session.execution());
 }
 
 ExitCode openSealed(const Arguments& arguments, Session& session) {
@@ -153,15 +110,15 @@ ExitCode openSealed(const Arguments& arguments, Session& session) {
                               arguments.value("--stamp-trust").value_or(""),
                               arguments.value("--digest").value_or("")};
     const io::SealCheck check = io::checkBundle(arguments.operand(), trust, session.execution());
-    std::vector<RepeatedRun> repeats;
+    std::vector<io::RepeatedRun> repeats;
     const bool opened = check.sound() && (arguments.has("--into") || !arguments.has("--no-run"));
     if (opened) {
         repeats = openUnpacked(check, arguments, session);
     }
-    const std::string verdict = verdictOf(check, repeats, !arguments.has("--no-run"));
+    const std::string verdict = englishText(io::bundleVerdict(check, repeats, !arguments.has("--no-run")));
     bool good = check.sound();
-    for (const RepeatedRun& each : repeats) {
-        good = good && each.repeat.equal;
+    for (const io::RepeatedRun& each : repeats) {
+        good = good && each.equal();
     }
     if (arguments.json()) {
         printJson(session, asJson(arguments.operand(), check, repeats, verdict, good));

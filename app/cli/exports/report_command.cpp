@@ -149,33 +149,32 @@ figures::MapPictureStyle mapStyle(const io::RunReader& run) {
     return style;
 }
 
-/// What the report would lack; nothing is repeated for it and nothing written.
-ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportRequest request) {
+/// What the report would lack, in its language; nothing is repeated for it and nothing written.
+ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportRequest request, const std::string& language) {
     const ReportPlan plan{request.repeats, arguments.value("--self-test").value_or("closed-form") != "none"};
     request.repeats = 0;
     const ReportFacts facts = io::reportFacts(request, session.execution());
     const Findings gaps = reportGaps(facts, plan);
     const std::vector<Message> words = reportOwnWords(facts);
+    const Saying say = language == "en" ? Saying(englishText) : Saying(figures::chineseWords());
     if (arguments.json()) {
         Json object;
         object["run"] = request.run->path();
         object["fingerprint"] = facts.fingerprint;
-        object["lacks"] = findingsJson(gaps);
+        object["lacks"] = findingsJson(gaps, say);
         object["own_words"] = Json::array();
         for (const Message& own : words) {
-            object["own_words"].push_back(englishText(own));
+            object["own_words"].push_back(say(own));
         }
         printJson(session, object);
     } else {
-        printHeading(session.out(), gaps.empty() ? "The report lacks nothing that the program can tell" : "The report would lack");
-        if (!gaps.empty()) {
-            printFindings(session.out(), gaps);
-        }
+        const ReportGapWords about = reportGapWords(!gaps.empty());
+        printFindings(session.out(), gaps, {about.lacks, about.example, about.remedy}, say);
         if (!words.empty()) {
-            printHeading(session.out(), "For you to say (--words FILE)");
+            printHeading(session.out(), say(about.own) + " (--words FILE)");
         }
         for (const Message& own : words) {
-            session.out() << "  " << englishText(own) << '\n';
+            session.out() << "  " << say(own) << '\n';
         }
     }
     return gaps.empty() ? ExitCode::Ok : ExitCode::Failed;
@@ -199,7 +198,7 @@ ExitCode report(const Arguments& arguments, Session& session) {
     io::ReportRequest request = requestOf(arguments, subject, inputs);
     request.siteFindings = site;
     if (checkOnly) {
-        return tellGaps(arguments, session, request);
+        return tellGaps(arguments, session, request, language);
     }
     ReportFacts facts = io::reportFacts(request, session.execution());
     addSelfTest(facts, arguments, session);
@@ -270,7 +269,7 @@ Command reportCommand() {
              {"--words", "FILE", false,
               "what only its author can say: text with # custody, # alternatives, # change, # summary, # qualification"},
              {"--repeats", "N", false, "repeats simulated for the spread of the results, 0 for none (default: 2)"},
-             {"--language", "CODE", false, "language of the report: en (default) or zh_CN"},
+             {"--language", "CODE", false, "language of the report and of --check: en (default) or zh_CN"},
              {"--self-test", "SCOPE", false, "all, closed-form (default) or none"},
              {"--cache", "FOLDER", false, "where studies of accuracy are kept (default: RUBBLE_CACHE, else the user's cache)"},
              cachedOption(),

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "app/cli/exports/page_request.h"
 #include "app/cli/exports/run_surroundings.h"
@@ -13,10 +11,9 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/jobs/program.h"
 #include "io/run/run_file.h"
-#include "io/run/run_history.h"
 #include "io/seal/seal_case.h"
+#include "io/seal/seal_offer.h"
 #include "io/seal/unpacked_bundle.h"
 
 namespace rubble::cli {
@@ -25,62 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those named, else the newest complete run of each scenario whose file was kept.
-std::vector<std::string> runsToSeal(const Arguments& arguments) {
-    if (std::vector<std::string> named = arguments.values("--runs"); !named.empty()) {
-        return named;
-    }
-    std::map<std::string, std::string> newest;
-    for (const RunEntry& entry : io::readRunHistory(io::runHistoryPath(arguments.operand()))) {
-        if (std::error_code ignored; entry.complete && !entry.file.empty() && fs::exists(entry.file, ignored)) {
-            newest[entry.scenarioId] = entry.file;
-        }
-    }
-    std::vector<std::string> runs;
-    for (const auto& [scenario, file] : newest) {
-        if (std::find(runs.begin(), runs.end(), file) == runs.end()) {
-            runs.push_back(file);
-        }
-    }
-    return runs;
-}
-
-void replaceAll(std::string& text, const std::string& word, const std::string& with) {
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size())) {
-        text.replace(at, word.size(), with);
-    }
-}
-
-/// Asks a service by a command of the user, in which {request} and {answer} stand for files.
-std::string askService(std::string command, const std::string& request) {
-    const io::ScratchFolder folder;
-    const std::string asked = folder.path() + "/request.tsq", answered = folder.path() + "/answer.tsr";
-    io::writeIn(asked, request);
-    replaceAll(command, "{request}", io::shellWord(asked));
-    replaceAll(command, "{answer}", io::shellWord(answered));
-    const std::optional<io::ProgramOutcome> outcome = io::runProgram({"sh", "-c", command});
-    const std::optional<std::string> answer = io::contentOf(answered);
-    if (!outcome || outcome->exitCode != 0 || !answer) {
-        throw WorldError(
-            {"cli.stamp_service", "The command for the time stamp gave no answer: {0}", {outcome ? outcome->err : command}},
-            {"cli.stamp_service.remedy",
-             "Try it by hand, or write the request with --stamp-request and add the answer with rubble-cli time-stamp.",
-             {}});
-    }
-    return *answer;
-}
-
 io::SealRequest requestOf(const Arguments& arguments) {
     io::SealRequest request;
     request.casePath = arguments.operand();
-    request.runs = runsToSeal(arguments);
+    request.runs = arguments.values("--runs");
+    if (request.runs.empty()) {
+        request.runs = io::newestRuns(request.casePath);
+    }
     request.leftHome = arguments.values("--leave-out");
     for (const auto& [option, folder] : {std::pair{"--add", "exports"}, {"--report", "report"}, {"--page", "page"}}) {
         for (const std::string& path : arguments.values(option)) {
-            if (std::error_code ignored; !fs::exists(path, ignored)) {
-                throw WorldError({"cli.nothing_to_seal", "{0} names {1}, which is not there.", {option, path}},
-                                 {"cli.nothing_to_seal.remedy", "Export it first, or leave the option out.", {}});
-            }
             request.extras.push_back({folder, path});
         }
     }
@@ -89,7 +40,7 @@ io::SealRequest requestOf(const Arguments& arguments) {
     request.signer = signerOf(arguments);
     request.stampRequest = arguments.has("--stamp-request");
     if (const auto command = arguments.value("--stamp-with")) {
-        request.service = [command = *command](const std::string& asked) { return askService(command, asked); };
+        request.service = io::stampServiceBy(*command);
     }
     return request;
 }

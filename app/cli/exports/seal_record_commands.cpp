@@ -102,11 +102,7 @@ ExitCode timeStamp(const Arguments& arguments, Session& session) {
         return tellWritten(*request, arguments, session);
     }
     checkLongerBundle(arguments);
-    const std::optional<std::string> text = io::contentOf(*answer);
-    if (!text) {
-        io::sha256OfFile(*answer);
-    }
-    io::addTimeStamp(arguments.operand(), longerBundle(arguments), *text, session.execution());
+    io::addTimeStamp(arguments.operand(), longerBundle(arguments), io::timeStampAnswer(*answer), session.execution());
     return tellWritten(longerBundle(arguments), arguments, session);
 }
 

@@ -6,15 +6,15 @@ void printJson(Session& session, const Json& object) {
     session.out() << object.text() << '\n';
 }
 
-Json findingsJson(const Findings& findings) {
+Json findingsJson(const Findings& findings, const std::function<std::string(const Message&)>& say) {
     Json list = Json::array();
     for (const Finding& finding : findings.list()) {
         Json row;
         row["id"] = finding.what.id;
         row["count"] = finding.count;
-        row["what"] = englishText(finding.what);
+        row["what"] = say(finding.what);
         row["example"] = finding.example;
-        row["remedy"] = englishText(finding.remedy);
+        row["remedy"] = say(finding.remedy);
         list.push_back(std::move(row));
     }
     return list;

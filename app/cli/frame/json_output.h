@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/cli/frame/session.h"
@@ -16,7 +17,8 @@ using Json = io::JsonValue;
 void printJson(Session& session, const Json& object);
 
 /// [{id, count, what, example, remedy}]
-Json findingsJson(const Findings& findings);
+/// @param say  in which language
+Json findingsJson(const Findings& findings, const std::function<std::string(const Message&)>& say = englishText);
 /// The same with one more; unset: none.
 Json findingsJson(Findings findings, const std::optional<Finding>& more);
 

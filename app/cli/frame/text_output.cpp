@@ -36,14 +36,18 @@ void printFindings(std::ostream& out, const Findings& findings) {
         out << "\nNo findings.\n";
         return;
     }
-    printHeading(out, "Findings");
+    printFindings(out, findings, {}, englishText);
+}
+
+void printFindings(std::ostream& out, const Findings& findings, const FindingWords& words, const Saying& say) {
+    printHeading(out, say(words.heading));
     for (const Finding& finding : findings.list()) {
-        out << "  " << englishInteger(finding.count) << " x  " << englishText(finding.what) << " [" << finding.what.id << "]\n";
+        out << "  " << englishInteger(finding.count) << " x  " << say(finding.what) << " [" << finding.what.id << "]\n";
         if (!finding.example.empty()) {
-            out << "        for example: " << finding.example << '\n';
+            out << "        " << say(words.example) << ": " << finding.example << '\n';
         }
         if (!finding.remedy.empty()) {
-            out << "        remedy: " << englishText(finding.remedy) << '\n';
+            out << "        " << say(words.remedy) << ": " << say(finding.remedy) << '\n';
         }
     }
 }

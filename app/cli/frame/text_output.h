@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -27,8 +28,19 @@ private:
 /// Findings of what a command stands on but does not list, as notes on the stream of errors.
 void printNotes(Session& session, const Findings& findings);
 
+/// How a message is said.
+using Saying = std::function<std::string(const Message&)>;
+
 /// Every finding with its count, example and remedy; says so if there is none.
 void printFindings(std::ostream& out, const Findings& findings);
+/// Words of a list of findings.
+struct FindingWords {
+    Message heading{"cli.findings", "Findings", {}};
+    Message example{"cli.finding_example", "for example", {}};
+    Message remedy{"cli.finding_remedy", "remedy", {}};
+};
+/// The same in other words or another language.
+void printFindings(std::ostream& out, const Findings& findings, const FindingWords& words, const Saying& say);
 
 /// Bounds of the Basic Grid, one row for each axis.
 TextTable boundsTable(const Sizing& sizing, const FragmentSet& fragments, const Components& components, const Mesh& mesh);

@@ -262,7 +262,7 @@ QString FileCommands::askForOutput(const QString& title, const QString& suffix, 
 }
 
 bool FileCommands::save() {
-    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+    return m_document.path().isEmpty() || m_document.readOnly() ? saveAs() : saveTo(m_document.path());
 }
 
 bool FileCommands::saveAs() {
@@ -272,6 +272,10 @@ bool FileCommands::saveAs() {
 
 bool FileCommands::saveTo(const QString& path) {
     return m_session.writeNow(path, [&] {
+        if (QFileInfo::exists(path) && !QFileInfo(path).permission(QFile::WriteOwner)) {
+            throw WorldError({"gui.read_only", "{0} is to be read only", {path.toStdString()}},
+                             {"gui.read_only.remedy", "Save the case under another name.", {}});
+        }
         Case moved = movedCase(m_document.theCase(), m_document.base(), path);
         for (CaseInput& input : moved.inputs) {
             if (m_computation.inputs().fe != nullptr && input.role == InputRole::Fe && input.sha256.empty()) {

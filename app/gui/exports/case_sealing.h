@@ -2,8 +2,11 @@
 
 #include <QObject>
 #include <QString>
+#include <memory>
+#include <vector>
 
-#include "widgets/evidence/seal_dialog.h"
+#include "io/seal/seal_offer.h"
+#include "widgets/evidence/sealing/seal_dialog.h"
 
 class QWidget;
 
@@ -13,31 +16,28 @@ class Actions;
 class FileCommands;
 class Session;
 
-/// Seals the case that is open into a bundle, and opens bundles that others sealed: both on the worker.
+/// Seals the case that is open into a bundle, with what the user chooses of it, on the worker.
 class CaseSealing : public QObject {
     Q_OBJECT
 
 public:
     CaseSealing(Session& session, FileCommands& files, Actions& actions, QWidget& window);
 
-    /// Seals the case as it was saved, with its run if one with its settings is complete.
-    void sealAt(const QString& path, const widgets::SealChoice& choice);
-    /// Asks for a folder to unpack a bundle into, and opens it.
-    void openBundle(const QString& bundle);
-    /// Checks a bundle, unpacks it into an empty folder, simulates its runs again, and says what came of it.
-    void openAt(const QString& bundle, const QString& folder);
-
-signals:
-    /// A bundle is as it was sealed: this is the copy of its case to work on.
-    void opened(const QString& casePath);
+    /// Saves the case, looks for what it has, and asks what of it is sealed and by whom.
+    void seal();
 
 private:
     /// What was chosen last, but for the passphrase.
     struct LastSeal {
-        widgets::SealChoice choice;
+        QString note;
+        bool stampRequest = false;
     };
-    void seal();
-    void open();
+    void ask(const std::vector<io::OfferedPart>& offer);
+    QString askForBundle();
+    /// What the window has of the case and nobody kept: the run that is shown.
+    void addShownRun(std::vector<io::OfferedPart>& offer) const;
+    void sealAt(const QString& path, const widgets::SealChoice& choice);
+    void tell(const QString& path, const io::SealReport& report);
 
     Session& m_session;
     FileCommands& m_files;

@@ -1,5 +1,6 @@
 #include "app/gui/session/document.h"
 
+#include <QFileInfo>
 #include <QUndoCommand>
 #include <algorithm>
 #include <map>
@@ -62,6 +63,11 @@ void Document::put(const Scenario& scenario) {
         m_case.scenarios[static_cast<std::size_t>(found - m_case.scenarios.data())].scenario = scenario;
         emit scenarioChanged();
     }
+}
+
+// Whoever may write everything is told by the rights of the file alone.
+bool Document::readOnly() const {
+    return !m_path.isEmpty() && QFileInfo::exists(m_path) && !QFileInfo(m_path).permission(QFile::WriteOwner);
 }
 
 QString Document::openPath() const {

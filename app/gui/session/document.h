@@ -26,6 +26,8 @@ public:
     const CaseScenario* active() const;
     /// Where the case lies; empty until it is saved.
     const QString& path() const { return m_path; }
+    /// It lies in a file that is not to be written, as the case of a sealed bundle: changes are saved elsewhere.
+    bool readOnly() const;
     /// The file that inputs are relative to: where the case lies or would lie.
     const QString& base() const { return m_base; }
     /// The case, or the FE result that is open without one; empty if nothing is.

@@ -121,7 +121,9 @@ const std::array caseTable = {
               "open_sealed",
               "Case",
               QT_TRANSLATE_NOOP("actions", "Open sealed…"),
-              QT_TRANSLATE_NOOP("actions", "Check a sealed bundle, simulate its runs again, and open a copy of its case"),
+              QT_TRANSLATE_NOOP("actions",
+                                "Check a sealed bundle, simulate its runs again, open its case to be read only, and add custody, "
+                                "addenda or a time stamp"),
               "",
               {}},
     ActionRow{ActionId::Close,

@@ -268,6 +268,7 @@ void MainWindow::showTitle() {
                                                            : locale.toString(when, QLocale::ShortFormat);
     const QString saved = document.modified()         ? tr("changed")
                           : document.path().isEmpty() ? tr("not saved")
+                          : document.readOnly()       ? tr("read only")
                                                       : tr("saved %1").arg(at);
     m_title->setText(QStringLiteral("<span style='color:%1'>%2 · %3 <b>%4</b> · %5</span>&nbsp;&nbsp;")
                          .arg(widgets::tints().muted.name(), name.toHtmlEscaped(), tr("scenario"),

@@ -92,6 +92,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       islands(std::make_unique<IslandDisplay>(session)),
       pictures(std::make_unique<PictureExport>(session, parts.window)),
       sealing(std::make_unique<CaseSealing>(session, *files, parts.actions, parts.window)),
+      bundles(std::make_unique<BundleOpening>(session, parts.actions, parts.window)),
       report(std::make_unique<ReportWork>(session, *deck, *scene, parts.actions, parts.window)),
       scenarioPane(std::make_unique<ScenarioPane>(session, parts.area, *islands)),
       studies(std::make_unique<EvidenceStudies>(session, *deck, parts.actions)),
@@ -126,8 +127,8 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     report->setCauses(studies->causes());
     QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
     QObject::connect(opening.get(), &Opening::runChosen, &project->keptRuns(), &KeptRunsDisplay::openFile);
-    QObject::connect(opening.get(), &Opening::sealedChosen, sealing.get(), &CaseSealing::openBundle);
-    QObject::connect(sealing.get(), &CaseSealing::opened, opening.get(), [this](const QString& path) { opening->open(path); });
+    QObject::connect(opening.get(), &Opening::sealedChosen, bundles.get(), &BundleOpening::open);
+    QObject::connect(bundles.get(), &BundleOpening::opened, opening.get(), [this](const QString& path) { opening->open(path); });
     QObject::connect(project.get(), &ProjectDisplay::openRequested, opening.get(),
                      [this](const QString& path) { opening->open(path); });
     QObject::connect(project.get(), &ProjectDisplay::sampleRequested, opening.get(),

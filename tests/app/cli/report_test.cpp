@@ -123,6 +123,16 @@ TEST_F(ReportCommand, CheckListsWhatItLacksAndWritesNothing) {
         cli({"report", m_out, "--check", "--cache", m_folder / "cache", "--question", "Where?", "--by", "A. Miller"});
     EXPECT_THAT(asked.out, testing::Not(HasSubstr("report.gap.question")));
     EXPECT_THAT(asked.out, testing::Not(HasSubstr("report.gap.intervals")));
+    const std::vector<std::string> chinese{"report", m_out, "--check", "--cache", m_folder / "cache", "--language", "zh_CN"};
+    const std::string told = cli(chinese).out;
+    EXPECT_THAT(told, HasSubstr("报告将缺少\n"));
+    EXPECT_THAT(told, HasSubstr("[report.gap.question]\n"));
+    for (const char* english : {"would lack", "remedy", "the report states no question", "what would change the opinion"}) {
+        EXPECT_THAT(told, testing::Not(HasSubstr(english)));
+    }
+    std::vector<std::string> asJson = chinese;
+    asJson.push_back("--json");
+    EXPECT_THAT(cli(asJson).json()["lacks"][0]["what"].get<std::string>(), testing::Not(HasSubstr("report")));
     EXPECT_FALSE(fs::exists(m_folder / "report"));
 }
 

@@ -55,7 +55,7 @@ const std::set<QString>& sameEverywhere() {
             "HEIC "
             "PDF pdf HTML html MP glTF Blender SI ft lb report run ensemble compare GeoTIFF GeoPackage GeoJSON Shapefile ESRI OBJ "
             "PLY M C E cloud photographs ASME validate survey kPa dyn cm lbf kip psi ksi psf in dpi LS DYNA OpenRadioss "
-            "EN kN LAS EPSG WKT PROJ intensity red green blue class return returns time skip");
+            "EN kN LAS EPSG WKT PROJ intensity red green blue class return returns time skip SHA PEM RFC RSA Ed tsq tsr");
         for (const QString& word : plain.split(u' ')) {
             list.insert(word);
         }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
@@ -17,10 +18,12 @@
 #include "io/seal/bag.h"
 #include "io/seal/seal_addition.h"
 #include "io/seal/seal_check.h"
+#include "io/seal/seal_readme.h"
 #include "io/seal/time_stamp.h"
 #include "io/seal/unpacked_bundle.h"
 #include "tests/io/seal/sealed_small_case.h"
 #include "tests/support/command_run.h"
+#include "tests/support/time_stamp_service.h"
 
 namespace rubble::io {
 namespace {
@@ -62,35 +65,18 @@ protected:
         const cli::Outcome outcome = cli::CommandRun().in(folder).run({"sh", "-c", line});
         return outcome.exitCode == 0 ? "" : line + ": " + outcome.out + outcome.err;
     }
-    std::string answerOf(const std::string& request);
+    std::string answerOf(const std::string& request) { return m_service.answerTo(request); }
 
     const SealedSmallCase& m_sealed = SealedSmallCase::the();
     TemporaryFolder m_folder;
+    TimeStampService m_service{m_folder.path()};
     std::string m_bundle = m_folder / "copy.rubblecase";
 };
-
-/// What a time-stamping service answers: that of openssl, with a certificate made for it.
-std::string Seal::answerOf(const std::string& request) {
-    writeIn(m_folder / "request.tsq", request);
-    if (!fs::exists(m_folder / "tsa.pem")) {
-        EXPECT_EQ(
-            shell("openssl req -x509 -newkey rsa:2048 -nodes -keyout tsa.key -out tsa.pem -days 30 -subj '/CN=Service of the test' "
-                  "-addext extendedKeyUsage=critical,timeStamping",
-                  m_folder.path()),
-            "");
-        writeIn(m_folder / "serial", "01\n");
-        writeIn(m_folder / "tsa.cnf",
-                "[t]\nserial = serial\ncrypto_device = builtin\nsigner_cert = tsa.pem\ncerts = tsa.pem\nsigner_key = tsa.key\n"
-                "signer_digest = sha256\ndefault_policy = 1.2.3.4.1\ndigests = sha256\ness_cert_id_alg = sha256\n");
-    }
-    EXPECT_EQ(shell("openssl ts -reply -queryfile request.tsq -config tsa.cnf -section t -out answer.tsr", m_folder.path()), "");
-    return contentOf(m_folder / "answer.tsr").value_or("");
-}
 
 TEST_F(Seal, HoldsCaseInputsRunsAndStatement) {
     const SealCheck found = check(m_sealed.bundle());
     EXPECT_THAT(found.faults, IsEmpty());
-    EXPECT_EQ(idsOf(found.doubts), std::vector<std::string>{"io.seal.key_alone"});
+    EXPECT_THAT(idsOf(found.doubts), ElementsAre("io.seal.no_stamp", "io.seal.key_alone"));
     const SealStatement& statement = found.statement;
     EXPECT_EQ(statement.title, "Two blocks");
     EXPECT_EQ(statement.sealedBy, "A. Engineer");
@@ -387,6 +373,40 @@ TEST_F(Seal, ARunUnderOtherSettingsThanItsCaseIsSaidWithThem) {
     EXPECT_THAT(idsOf(found.faults), IsEmpty());
     EXPECT_THAT(idsOf(found.doubts), Contains("io.seal.other_setting"));
     EXPECT_THAT(idsOf(check(m_sealed.bundle()).doubts), testing::Not(Contains("io.seal.other_setting")));
+}
+
+TEST_F(Seal, WhatARunOfAnotherBuildDoesNotHoldIsNotMadeUp) {
+    const std::string theirs = m_folder / "small.rubble";
+    for (const char* name : {"small.rubble", "small.exo", "north.jpg", "south.jpg"}) {
+        fs::copy_file(m_sealed.path(name), m_folder / name);
+    }
+    runSmallCase(theirs, m_folder / "earlier.run.h5", "Rubble 0.1.0, sources 12345678, g++");
+    runSmallCase(theirs, m_folder / "now.run.h5");
+    Case later = loadCase(theirs);
+    later.scenarios[0].scenario.simulation.overlapTime = 4.0;
+    saveCase(theirs, later);
+    SealRequest request = m_sealed.request();
+    request.casePath = theirs;
+    request.runs = {m_folder / "earlier.run.h5", m_folder / "now.run.h5"};
+    const SealReport report = sealCase(m_bundle, request, Execution());
+    ASSERT_EQ(report.statement.runs.size(), 2u);
+    EXPECT_THAT(report.statement.runs[0].otherSettings, ElementsAre(OtherSetting{"overlap_time", "not recorded", "4"}));
+    EXPECT_THAT(report.statement.runs[1].otherSettings, ElementsAre(OtherSetting{"overlap_time", "auto", "4"}));
+}
+
+TEST_F(Seal, SaysWhichProgramMadeItAndHowToGetIt) {
+    PackedFiles files = packedFiles(m_sealed.bundle());
+    const std::string text = contentAt(files, "data/build/build.txt");
+    const std::string build(buildText());
+    const std::size_t sources = build.find("sources ") + 8;
+    for (const std::string& part :
+         {"version   " + std::string(versionText()) + "\n", "build     " + build + "\n",
+          "sources   " + build.substr(sources, build.find(',', sources) - sources) + "   (",
+          "commit    " + (commitText().empty() ? "not named by this build" : std::string(commitText())) + "\n",
+          std::string("./run deb"), std::string("cmake --preset release && cmake --build --preset release")}) {
+        EXPECT_THAT(text, testing::HasSubstr(part));
+    }
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("{{")));
 }
 
 TEST_F(Seal, KeysThatCannotBeUsedAreRefusedWithARemedy) {

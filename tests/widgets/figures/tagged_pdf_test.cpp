@@ -102,6 +102,16 @@ public:
     /// [page] MCIDs in order of painting, and those that the tree names.
     const std::map<std::size_t, std::vector<int>>& painted() const { return m_painted; }
     const std::map<std::size_t, std::multiset<int>>& named() const { return m_named; }
+    /// [page] MCIDs in the order in which the tree is read.
+    const std::map<std::size_t, std::vector<int>>& read() const { return m_read; }
+    /// Types of what stands in the document itself, in the order in which it is read.
+    std::vector<std::string> parts() {
+        std::vector<std::string> types;
+        for (QPDFObjectHandle& kid : all("/Document").front().getKey("/K").getArrayAsVector()) {
+            types.push_back(kid.getKey("/S").getName().substr(1));
+        }
+        return types;
+    }
     int unmarked() const { return m_unmarked; }
     int wrongParents() const { return m_wrongParents; }
 
@@ -153,6 +163,7 @@ private:
             ASSERT_NE(page, m_pages.end());
             const int id = kid.getIntValueAsInt();
             m_named[static_cast<std::size_t>(page - m_pages.begin())].insert(id);
+            m_read[static_cast<std::size_t>(page - m_pages.begin())].push_back(id);
             // The way back from the page leads here.
             const int parents = page->getKey("/StructParents").getIntValueAsInt();
             QPDFObjectHandle numbers = catalog().getKey("/StructTreeRoot").getKey("/ParentTree").getKey("/Nums");
@@ -167,6 +178,7 @@ private:
     std::set<std::string> m_ways;
     std::map<std::size_t, std::vector<int>> m_painted;
     std::map<std::size_t, std::multiset<int>> m_named;
+    std::map<std::size_t, std::vector<int>> m_read;
     int m_unmarked = 0;
     int m_wrongParents = 0;
 };
@@ -244,6 +256,22 @@ TEST_F(TaggedPdf, HeadingsTablesListsAndFiguresAreNamedInBothLanguages) {
         }
         EXPECT_EQ(english.empty() ? tags.ways() : english, tags.ways());
         english = tags.ways();
+    }
+}
+
+// Readers of tags go by the tree, all others by the order of painting: both are that of the document, in each language.
+TEST_F(TaggedPdf, IsReadInTheOrderOfTheDocument) {
+    for (const QString language : {"en", "zh-CN"}) {
+        SCOPED_TRACE(language.toStdString());
+        TagsOf tags(written(language));
+        const std::vector<std::string> parts = tags.parts();
+        const auto first = std::ranges::find(parts, std::string("TOC"));
+        ASSERT_NE(first, parts.end()) << "after the cover";
+        EXPECT_THAT(std::vector<std::string>(first + 1, parts.end()),
+                    ElementsAre("H2", "P", "P", "H3", "P", "Table", "P", "Div", "P", "L", "Div", "H2", "Table", "P"));
+        for (const auto& [page, ids] : tags.read()) {
+            EXPECT_TRUE(std::ranges::is_sorted(ids)) << "page " << page;
+        }
     }
 }
 

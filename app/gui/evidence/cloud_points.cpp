@@ -52,6 +52,10 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     m_pause.setInterval(120);
     connect(&m_pause, &QTimer::timeout, this, &CloudPoints::ask);
     widgets::PointBox& box = deck.evidence().survey().points();
+    if (m_work.asked) {
+        box.setSettings(*m_work.asked);
+        box.setCell(m_work.cell);
+    }
     connect(&box, &widgets::PointBox::shownChosen, this, &CloudPoints::setShown);
     connect(&box, &widgets::PointBox::colourChosen, this, &CloudPoints::setColour);
     connect(&box, &widgets::PointBox::photographsRequested, this, &CloudPoints::addPhotographs);
@@ -89,7 +93,11 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     refresh();
 }
 
-CloudPoints::~CloudPoints() = default;
+CloudPoints::~CloudPoints() {
+    const widgets::PointBox& box = m_deck.evidence().survey().points();
+    m_work.asked = box.settings();
+    m_work.cell = box.cell();
+}
 
 void CloudPoints::stopMeasuring() {
     m_work.making = nullptr;

@@ -103,7 +103,9 @@ public:
     bool whole = true;  ///< nothing was left out for the budget
     double fraction = 0.0;
     Answer<Measured, Distances> distances;
-    std::shared_ptr<const Distances> making;  ///< what is measured is for this; null: for nobody any more
+    std::shared_ptr<const Distances> making;     ///< what is measured is for this; null: for nobody any more
+    std::optional<CloudDistanceSettings> asked;  ///< what the fields asked for when a window went
+    std::optional<double> cell;
     Worker worker;
     Worker measuring;
     Worker pictures;

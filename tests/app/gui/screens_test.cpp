@@ -1,12 +1,19 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 #include <array>
+#include <fstream>
 #include <functional>
+#include <memory>
 
+#include "app/gui/case/file_commands.h"
 #include "app/gui/case/new_case.h"
+#include "app/gui/evidence/cloud_points.h"
+#include "app/gui/evidence/survey_display.h"
+#include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/view_area.h"
 #include "app/gui/views/inspection.h"
@@ -14,8 +21,14 @@
 #include "tests/app/gui/legibility.h"
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/level_table.h"
+#include "tests/support/temporary_folder.h"
 #include "widgets/basics/language.h"
 #include "widgets/case/new_case_wizard.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/survey_place.h"
+#include "widgets/evidence/surveys/point_box.h"
 #include "widgets/views/tour.h"
 
 namespace rubble {
@@ -174,6 +187,45 @@ TEST_F(Screens, WholeDialogsCanBeReadWhole) {
                                   ActionId::ExportFigure, ActionId::ExportMovie, ActionId::Site, ActionId::About}) {
             lookAtDialogOf(id);
         }
+    });
+}
+
+TEST_F(Screens, ACloudAndItsDialogsCanBeReadWhole) {
+    simulated();
+    const io::TemporaryFolder folder;
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(folder / "case.rubble")));
+    std::ofstream(folder / "bare.txt") << "7 1 2 0.5\n7 10 3 0.5\n7 4 9 1.5\n";
+    window->rooms().survey->add(QString::fromStdString(layLevelTable(folder / "level.csv", 0.1)));
+    window->rooms().deck->evidence().survey().points().setCell(1.0);
+    window->rooms().cloudPoints->measure();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().cloudPoints->busy(); }, patience));
+    inEachLanguage([&] {
+        window->rooms().deck->choose(PanelDeck::Evidence);
+        auto& place = window->rooms().deck->evidence().survey().place();
+        window->rooms().deck->evidence().ensureWidgetVisible(&place);
+        look(QStringLiteral("cloud"), [this] { return window; });
+        auto* save = window->rooms().deck->evidence().findChild<QPushButton*>(QStringLiteral("saveDistances"));
+        EXPECT_TRUE(save->isVisibleTo(window)) << "a language changes nothing of what was measured";
+        QTest::qWait(100);
+        window->rooms().deck->evidence().ensureWidgetVisible(save, 0, 200);
+        look(QStringLiteral("cloud-distances"), [this] { return window; });
+        const auto seen = [&](const QString& name) {
+            auto done = std::make_shared<bool>(false);
+            whenAsked([this, name, done](QDialog& dialog) {
+                look(name, [&] { return &dialog; });
+                *done = true;
+                dialog.reject();
+            });
+            return done;
+        };
+        const auto fitted = seen(QStringLiteral("dialog-fit"));
+        emit place.fitRequested();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return *fitted; }, patience));
+        const auto read = seen(QStringLiteral("dialog-reading"));
+        window->rooms().survey->add(QString::fromStdString(folder / "bare.txt"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return *read; }, patience));
+        lookAtDialogOf(ActionId::CompareClouds);
+        lookAtDialogOf(ActionId::ScanRun);
     });
 }
 

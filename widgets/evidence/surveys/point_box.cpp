@@ -111,7 +111,9 @@ void PointBox::buildMeasuring() {
         tr("Side of the square cells over which cut, fill and net are summed straight up, m; left empty none are. Where nobody "
            "stated the registration error, their systematic error is not known"));
     form->addRow(tr("Volume cells, m"), m_cell);
-    form->addRow(tr("Scanners"), m_scanners);
+    // A narrow panel has no room for places beside a label.
+    form->addRow(new QLabel(tr("Scanners")));
+    form->addRow(m_scanners);
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addLayout(form);
     m_measure->setToolTip(

@@ -17,6 +17,7 @@
 #include "io/site/clouds/run_scan.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/io/site/clouds/made_clouds.h"
+#include "tests/support/level_table.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/evidence/evidence_panel.h"
@@ -144,16 +145,7 @@ TEST_F(CloudWork, IsFittedToWhatDidNotMoveInADrawnArea) {
 TEST_F(CloudWork, AFitThatLeavesADirectionOpenIsRefusedAndCanBeLeft) {
     openArch();
     ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
-    std::ofstream(m_folder / "level.csv") << "x,y,z\n"
-                                          <<
-        [] {
-            std::string rows;
-            for (int k = 0; k < 10'000; ++k) {
-                rows += std::to_string(0.4 * (k % 100) - 20.0) + ',' + std::to_string(0.4 * (k / 100) - 20.0) + ",0.1\n";
-            }
-            return rows;
-        }();
-    window->rooms().survey->add(QString::fromStdString(m_folder / "level.csv"));
+    window->rooms().survey->add(QString::fromStdString(layLevelTable(m_folder / "level.csv", 0.1)));
     bool asked = false;
     whenAsked([&](QDialog& opened) {
         auto& dialog = dynamic_cast<widgets::FitDialog&>(opened);
@@ -232,13 +224,7 @@ TEST_F(CloudWork, ARemedyIsDoneByTheButtonBelowIt) {
     makeCheap();
     simulateToEnd();
     ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
-    std::ofstream table(m_folder / "level.csv");
-    table << "x,y,z\n";
-    for (int k = 0; k < 10'000; ++k) {
-        table << 0.4 * (k % 100) - 20.0 << ',' << 0.4 * (k / 100) - 20.0 << ",0.1\n";
-    }
-    table.close();
-    window->rooms().survey->add(QString::fromStdString(m_folder / "level.csv"));
+    window->rooms().survey->add(QString::fromStdString(layLevelTable(m_folder / "level.csv", 0.1)));
     points().measure();
     settle();
     window->rooms().deck->choose(PanelDeck::Evidence);

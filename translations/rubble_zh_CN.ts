@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>BundleWords</name>
+    <message>
+        <source>container</source>
+        <translation>容器</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>simulated again, it is the same bit by bit at every recorded instant</source>
+        <translation>重新计算后，在每个记录时刻逐位相同</translation>
+    </message>
+    <message>
+        <source>not simulated</source>
+        <translation>未计算</translation>
+    </message>
+    <message>
+        <source>not equal</source>
+        <translation>不相同</translation>
+    </message>
+    <message>
+        <source>%1, sealed %2</source>
+        <translation>%1，封存于 %2</translation>
+    </message>
+    <message>
+        <source>%1, sealed %2 by %3</source>
+        <translation>%1，由 %3 封存于 %2</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the key: %1</source>
+        <translation>密钥的 SHA-256：%1</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the statement: %1</source>
+        <translation>声明的 SHA-256：%1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1: %2 became %3</source>
+        <translation>%1：%2 改为 %3</translation>
+    </message>
+    <message>
+        <source>The bundle is %1.</source>
+        <translation>封存包：%1。</translation>
+    </message>
+</context>
+<context>
     <name>ClusterWork</name>
     <message>
         <source>Cancel on the cluster?</source>
@@ -1124,10 +1175,6 @@
         <translation>打开封存包…</translation>
     </message>
     <message>
-        <source>Check a sealed bundle, simulate its runs again, and open a copy of its case</source>
-        <translation>核验封存包，重新模拟其计算，并打开其案例的副本</translation>
-    </message>
-    <message>
         <source>What this window is for, a sentence at a time: over the open case, else over the sample</source>
         <translation>此窗口的用途，每次一句：在打开的案例上，否则在示例上</translation>
     </message>
@@ -1178,6 +1225,10 @@
     <message>
         <source>Make a point cloud as laser scanners would take it of what the run leaves</source>
         <translation>像激光扫描仪那样从计算留下之物生成点云</translation>
+    </message>
+    <message>
+        <source>Check a sealed bundle, simulate its runs again, open its case to be read only, and add custody, addenda or a time stamp</source>
+        <translation>核验封存包，重新计算其中的计算，以只读方式打开其案例，并加入保管条目、附录或时间戳</translation>
     </message>
 </context>
 <context>
@@ -10514,10 +10565,6 @@
         <translation>封存包最多容纳 {0} 个文件</translation>
     </message>
     <message>
-        <source>Sealed bundles (*.rubblecase)</source>
-        <translation>封存包 (*.rubblecase)</translation>
-    </message>
-    <message>
         <source>Send the request that was written for this bundle, and give the answer to that.</source>
         <translation>请发送为本封存包写出的请求，并给出对它的应答。</translation>
     </message>
@@ -10540,10 +10587,6 @@
     <message>
         <source>Taking the digests of the inputs</source>
         <translation>正在计算输入的摘要</translation>
-    </message>
-    <message>
-        <source>Taking the digests of what is sealed</source>
-        <translation>正在计算封存内容的摘要</translation>
     </message>
     <message>
         <source>The bundle has no input &quot;{0}&quot;</source>
@@ -10628,10 +10671,6 @@
     <message>
         <source>a summary of one page in plain language</source>
         <translation>用通俗语言写的一页摘要</translation>
-    </message>
-    <message>
-        <source>a time stamp was asked for when it was sealed, and none is here</source>
-        <translation>封存时曾请求时间戳，而此处没有</translation>
     </message>
     <message>
         <source>add what was found on the site to the case</source>
@@ -11966,10 +12005,6 @@
         <translation>请找到文件并重新保存案例，或不带它封存：rubble-cli seal --leave-out {0}；其摘要保留。</translation>
     </message>
     <message>
-        <source>Get the file, and say where it is: rubble-cli open-sealed --input ID=FILE.</source>
-        <translation>请取得该文件，并说明在何处：rubble-cli open-sealed --input ID=FILE。</translation>
-    </message>
-    <message>
         <source>Give another name, or replace it: rubble-cli convert --force.</source>
         <translation>请改用其他名称，或覆盖它：rubble-cli convert --force。</translation>
     </message>
@@ -12156,6 +12191,218 @@
     <message>
         <source>scanners stand below the ground</source>
         <translation>扫描仪位于地面以下</translation>
+    </message>
+    <message>
+        <source>Container</source>
+        <translation>容器</translation>
+    </message>
+    <message>
+        <source>Custody and addenda</source>
+        <translation>保管与附录</translation>
+    </message>
+    <message>
+        <source>Entry {0} of the bundle is no addendum</source>
+        <translation>封存包的条目 {0} 不是附录</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>For you to say</source>
+        <translation>需由您说明</translation>
+    </message>
+    <message>
+        <source>Get the file, and say where it is: in the window under Runs, or by rubble-cli open-sealed --input ID=FILE.</source>
+        <translation>请取得该文件，并说明在何处：在窗口的“计算”页中，或用 rubble-cli open-sealed --input ID=FILE。</translation>
+    </message>
+    <message>
+        <source>Journal of the case</source>
+        <translation>案例日志</translation>
+    </message>
+    <message>
+        <source>Leave it out here, and hold single runs against it as a survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for what the case has</source>
+        <translation>正在查找案例所有的内容</translation>
+    </message>
+    <message>
+        <source>Make it first, or seal without it.</source>
+        <translation>请先生成它，或不带它封存。</translation>
+    </message>
+    <message>
+        <source>Name an addendum by its number.</source>
+        <translation>请用编号指明附录。</translation>
+    </message>
+    <message>
+        <source>Packing: {0}</source>
+        <translation>正在打包：{0}</translation>
+    </message>
+    <message>
+        <source>Runs as sealed</source>
+        <translation>封存的计算</translation>
+    </message>
+    <message>
+        <source>Save the case under another name.</source>
+        <translation>请以其他名称保存案例。</translation>
+    </message>
+    <message>
+        <source>Statement and signature</source>
+        <translation>声明与签名</translation>
+    </message>
+    <message>
+        <source>Taking digests: {0}</source>
+        <translation>正在计算摘要：{0}</translation>
+    </message>
+    <message>
+        <source>Texts (*.txt)</source>
+        <translation>文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>The command for the time stamp gave no answer: {0}</source>
+        <translation>时间戳的命令没有给出应答：{0}</translation>
+    </message>
+    <message>
+        <source>The first difference is the {0}: recorded {1}, now {2}.</source>
+        <translation>首个差异是 {0}：记录为 {1}，现在为 {2}。</translation>
+    </message>
+    <message>
+        <source>The report lacks nothing that the program can tell</source>
+        <translation>程序所能判断的内容，报告都不缺</translation>
+    </message>
+    <message>
+        <source>The report would lack</source>
+        <translation>报告将缺少</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Try it by hand, or write the request and add its answer later: rubble-cli time-stamp.</source>
+        <translation>请手动尝试，或先写出请求，以后再放入应答：rubble-cli time-stamp。</translation>
+    </message>
+    <message>
+        <source>a time stamp was asked for when it was sealed, and none is here; until its answer is put in, the time of sealing is the signer&apos;s word</source>
+        <translation>封存时请求了时间戳，但这里没有；在放入应答之前，封存时间只是签名者自己所述</translation>
+    </message>
+    <message>
+        <source>as it was sealed, but a run could not be simulated</source>
+        <translation>与封存时一致，但有计算无法重新进行</translation>
+    </message>
+    <message>
+        <source>as it was sealed, but a run does not repeat</source>
+        <translation>与封存时一致，但有计算不能重复</translation>
+    </message>
+    <message>
+        <source>as it was sealed; every run is equal</source>
+        <translation>与封存时一致；所有计算都相同</translation>
+    </message>
+    <message>
+        <source>as it was sealed; it holds no run</source>
+        <translation>与封存时一致；其中没有计算</translation>
+    </message>
+    <message>
+        <source>as it was sealed; nothing was simulated</source>
+        <translation>与封存时一致；未重新计算</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>不成立</translation>
+    </message>
+    <message>
+        <source>entries since it was sealed: {0}, each with the digest of the one before</source>
+        <translation>封存之后的条目：{0}，每条写有前一条的摘要</translation>
+    </message>
+    <message>
+        <source>every byte of the file is as it was written</source>
+        <translation>文件的每个字节都与写入时一致</translation>
+    </message>
+    <message>
+        <source>for example</source>
+        <translation>例如</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>成立</translation>
+    </message>
+    <message>
+        <source>it was made of another FE result</source>
+        <translation>它由其他有限元结果得出</translation>
+    </message>
+    <message>
+        <source>its file is not there</source>
+        <translation>其文件不在</translation>
+    </message>
+    <message>
+        <source>not as it was sealed</source>
+        <translation>与封存时不一致</translation>
+    </message>
+    <message>
+        <source>not named by this build</source>
+        <translation>此构建未写明</translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation>未证明</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>未记录</translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>没有</translation>
+    </message>
+    <message>
+        <source>remedy</source>
+        <translation>对策</translation>
+    </message>
+    <message>
+        <source>runs in it: {0}; whether they repeat is seen by simulating them again</source>
+        <translation>其中的计算：{0}；能否重复，重新计算后可知</translation>
+    </message>
+    <message>
+        <source>sealed on {0}, as the signer says</source>
+        <translation>据签名者所述，封存于 {0}</translation>
+    </message>
+    <message>
+        <source>seen by {0} on {1}</source>
+        <translation>{0} 于 {1} 看到</translation>
+    </message>
+    <message>
+        <source>signed by the owner of the key {0}</source>
+        <translation>由密钥 {0} 的持有者签名</translation>
+    </message>
+    <message>
+        <source>signed by {0}, key {1}</source>
+        <translation>由 {0} 签名，密钥 {1}</translation>
+    </message>
+    <message>
+        <source>there is no time stamp: the time of sealing is the signer&apos;s word</source>
+        <translation>没有时间戳：封存时间只是签名者自己所述</translation>
+    </message>
+    <message>
+        <source>{0} entries tell who changed what; the signature holds the last digest</source>
+        <translation>{0} 个条目说明谁改了什么；签名含最后一个摘要</translation>
+    </message>
+    <message>
+        <source>{0} files were sealed: none may be altered, left out or put in</source>
+        <translation>封存了 {0} 个文件：不得改动、去掉或放入任何一个</translation>
+    </message>
+    <message>
+        <source>{0} is to be read only</source>
+        <translation>{0} 只可读取</translation>
+    </message>
+    <message>
+        <source>{0} is to be sealed as well, but is not there</source>
+        <translation>{0} 应一同封存，但不在</translation>
+    </message>
+    <message>
+        <source>{0} shows the collapse at {1} s: members keep their debris at rest</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13174,6 +13421,57 @@
     </message>
 </context>
 <context>
+    <name>rubble::BundleOpening</name>
+    <message>
+        <source>Open a sealed bundle</source>
+        <translation>打开封存包</translation>
+    </message>
+    <message>
+        <source>Sealed bundles (*.rubblecase);;All files (*)</source>
+        <translation>封存包 (*.rubblecase);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Waiting for other work</source>
+        <translation>等待其他工作</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing half-made is left</source>
+        <translation>已取消；没有留下未完成的内容</translation>
+    </message>
+    <message>
+        <source>Empty folder to unpack into</source>
+        <translation>解包到的空文件夹</translation>
+    </message>
+    <message>
+        <source>The entry is added. Note its SHA-256: %1</source>
+        <translation>条目已加入。请记下其 SHA-256：%1</translation>
+    </message>
+    <message>
+        <source>The addendum is signed and added. Note its SHA-256: %1</source>
+        <translation>附录已签名并加入。请记下其 SHA-256：%1</translation>
+    </message>
+    <message>
+        <source>The request lies in %1.</source>
+        <translation>请求位于 %1。</translation>
+    </message>
+    <message>
+        <source>The answer is of this bundle, and lies in it now.</source>
+        <translation>应答属于此封存包，现已放入其中。</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>保存列表</translation>
+    </message>
+    <message>
+        <source>Texts (*.txt)</source>
+        <translation>文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>The list lies in %1.</source>
+        <translation>列表位于 %1。</translation>
+    </message>
+</context>
+<context>
     <name>rubble::CalibrationDisplay</name>
     <message>
         <source>This machine</source>
@@ -13209,52 +13507,8 @@
 <context>
     <name>rubble::CaseSealing</name>
     <message>
-        <source>container</source>
-        <translation>容器</translation>
-    </message>
-    <message>
-        <source>not equal</source>
-        <translation>不相同</translation>
-    </message>
-    <message>
-        <source>equal</source>
-        <translation>相同</translation>
-    </message>
-    <message>
-        <source>%1 assumes otherwise: %2</source>
-        <translation>%1 有不同的假设：%2</translation>
-    </message>
-    <message>
-        <source>and %1 more; rubble-cli open-sealed tells all</source>
-        <translation>以及另外 %1 项；rubble-cli open-sealed 会全部列出</translation>
-    </message>
-    <message>
-        <source>The bundle is as it was sealed, and every run is equal.</source>
-        <translation>封存包与封存时相同，各计算均相同。</translation>
-    </message>
-    <message>
-        <source>The bundle is not as it was sealed. It was not opened.</source>
-        <translation>封存包与封存时不同，没有打开。</translation>
-    </message>
-    <message>
-        <source>The bundle is as it was sealed, but a run does not repeat.</source>
-        <translation>封存包与封存时相同，但有计算不能重复。</translation>
-    </message>
-    <message>
-        <source>The bundle is as it was sealed, but a run could not be simulated.</source>
-        <translation>封存包与封存时相同，但有计算无法模拟。</translation>
-    </message>
-    <message>
-        <source>The bundle is as it was sealed. It holds no run.</source>
-        <translation>封存包与封存时相同，其中没有计算。</translation>
-    </message>
-    <message>
         <source>Sealed bundle</source>
         <translation>封存包</translation>
-    </message>
-    <message>
-        <source>Sealed %1 by %2, key %3.</source>
-        <translation>由 %2 封存于 %1，密钥 %3。</translation>
     </message>
     <message>
         <source>Seal the case</source>
@@ -13273,16 +13527,28 @@
         <translation>已封存 %1；其中的计算：%2</translation>
     </message>
     <message>
-        <source>Open a sealed bundle</source>
-        <translation>打开封存包</translation>
+        <source>%1 in %2 files, signed with the key %3.</source>
+        <translation>%1，共 %2 个文件，用密钥 %3 签名。</translation>
     </message>
     <message>
-        <source>Sealed bundles (*.rubblecase);;All files (*)</source>
-        <translation>封存包 (*.rubblecase);;所有文件 (*)</translation>
+        <source>Note the SHA-256 of the statement, and give it to whoever receives the bundle another way: %1</source>
+        <translation>请记下声明的 SHA-256，并经其他途径告知封存包的接收者：%1</translation>
     </message>
     <message>
-        <source>Empty folder to unpack into</source>
-        <translation>用于解包的空文件夹</translation>
+        <source>There is no time stamp: the time of sealing is your word.</source>
+        <translation>没有时间戳：封存时间只是您自己所述。</translation>
+    </message>
+    <message>
+        <source>The request for a time stamp lies in %1. Send it to a time-stamping service, and put its answer in with Open sealed…, Time stamp.</source>
+        <translation>时间戳的请求位于 %1。请将其发给时间戳服务机构，并在“打开封存包…”的“时间戳”中放入应答。</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>The case is sealed: %1</source>
+        <translation>案例已封存：%1</translation>
     </message>
 </context>
 <context>
@@ -14349,6 +14615,10 @@
     <message>
         <source>island</source>
         <translation>孤立部分</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>只读</translation>
     </message>
 </context>
 <context>
@@ -18031,6 +18301,375 @@
     </message>
 </context>
 <context>
+    <name>rubble::widgets::BundleAddendaPage</name>
+    <message>
+        <source>Addenda</source>
+        <translation>附录</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the entry</source>
+        <translation>条目的 SHA-256</translation>
+    </message>
+    <message>
+        <source>Open its case…</source>
+        <translation>打开其案例…</translation>
+    </message>
+    <message>
+        <source>Differences of the open case</source>
+        <translation>当前案例的差异</translation>
+    </message>
+    <message>
+        <source>What the open case assumes otherwise</source>
+        <translation>当前案例的不同假设</translation>
+    </message>
+    <message>
+        <source>List the differences</source>
+        <translation>列出差异</translation>
+    </message>
+    <message>
+        <source>Sign and add</source>
+        <translation>签名并加入</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>制作者</translation>
+    </message>
+    <message>
+        <source>Who assumes otherwise</source>
+        <translation>提出不同假设的人</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Why it is assumed otherwise</source>
+        <translation>为何作不同假设</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <translation>%1. %2：%3</translation>
+    </message>
+    <message>
+        <source>To make an addendum, open the case of the bundle, change what you assume otherwise, and save it under another name.</source>
+        <translation>要制作附录，请打开封存包的案例，更改您的不同假设，并以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>An addendum can be made of the case that is open: %1</source>
+        <translation>可由当前打开的案例制作附录：%1</translation>
+    </message>
+    <message>
+        <source>goes along: the run %1</source>
+        <translation>一同加入：计算 %1</translation>
+    </message>
+    <message>
+        <source>nothing: the open case says the same as the sealed one</source>
+        <translation>无：当前案例与封存的案例相同</translation>
+    </message>
+    <message>
+        <source>List the differences first, and say who signs with which key.</source>
+        <translation>请先列出差异，并写明由谁用哪个密钥签名。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::BundleCustodyPage</name>
+    <message>
+        <source>Chain of custody</source>
+        <translation>保管链</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Received by</source>
+        <translation>接收者</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>来自</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>地点</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>缘由</translation>
+    </message>
+    <message>
+        <source>Signed</source>
+        <translation>已签名</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the bundle then</source>
+        <translation>当时封存包的 SHA-256</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the entry</source>
+        <translation>条目的 SHA-256</translation>
+    </message>
+    <message>
+        <source>Add the entry</source>
+        <translation>加入条目</translation>
+    </message>
+    <message>
+        <source>An entry holds the SHA-256 of the bundle as it was received and that of the entry before. Note the SHA-256 of yours: it shows later that it was not left out.</source>
+        <translation>条目含接收时封存包的 SHA-256 和前一条目的 SHA-256。请记下您的条目的 SHA-256：日后可证明它没有被去掉。</translation>
+    </message>
+    <message>
+        <source>Who received the bundle, now</source>
+        <translation>现在接收封存包的人</translation>
+    </message>
+    <message>
+        <source>Who handed it over</source>
+        <translation>移交者</translation>
+    </message>
+    <message>
+        <source>Where, and on what medium</source>
+        <translation>地点及所用介质</translation>
+    </message>
+    <message>
+        <source>For what purpose, on whose authority</source>
+        <translation>目的及授权者</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Say who received a sound bundle, and from whom.</source>
+        <translation>请写明完好的封存包由谁接收、从何人处接收。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::BundleDialog</name>
+    <message>
+        <source>Checked</source>
+        <translation>核验项</translation>
+    </message>
+    <message>
+        <source>Sealed bundle</source>
+        <translation>封存包</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>核验</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>Trust</source>
+        <translation>信任</translation>
+    </message>
+    <message>
+        <source>Custody</source>
+        <translation>保管</translation>
+    </message>
+    <message>
+        <source>Addenda</source>
+        <translation>附录</translation>
+    </message>
+    <message>
+        <source>Time stamp</source>
+        <translation>时间戳</translation>
+    </message>
+    <message>
+        <source>How far the work on the bundle is</source>
+        <translation>封存包工作的进度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save the list…</source>
+        <translation>保存列表…</translation>
+    </message>
+    <message>
+        <source>Open the case…</source>
+        <translation>打开案例…</translation>
+    </message>
+    <message>
+        <source>Unpacks the bundle into an empty folder and opens the case to be read only; changes are saved under another name</source>
+        <translation>将封存包解到空文件夹，并以只读方式打开案例；更改以其他名称保存</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1. %2: addendum of %3</source>
+        <translation>%1. %2：%3 的附录</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3 received it from %4</source>
+        <translation>%1. %2：%3 从 %4 处接收</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::BundleRunsPage</name>
+    <message>
+        <source>Run</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>These inputs did not travel. Say where they lie; each must have the digest that was sealed.</source>
+        <translation>这些输入没有随包。请指明其位置；每个都必须与封存的摘要一致。</translation>
+    </message>
+    <message>
+        <source>Inputs that did not travel</source>
+        <translation>没有随包的输入</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Was called</source>
+        <translation>原名</translation>
+    </message>
+    <message>
+        <source>Lies here</source>
+        <translation>现在位置</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>重新计算</translation>
+    </message>
+    <message>
+        <source>Point at the file…</source>
+        <translation>指明文件…</translation>
+    </message>
+    <message>
+        <source>The bundle is not as it was sealed: nothing of it is simulated.</source>
+        <translation>封存包与封存时不一致：不进行任何计算。</translation>
+    </message>
+    <message>
+        <source>Each run is simulated again with the sealed settings and compared bit by bit. Only the same build repeats a run so.</source>
+        <translation>每个计算按封存的设置重新进行，并逐位比较。只有同一构建才能如此重复。</translation>
+    </message>
+    <message>
+        <source>Where is the input %1?</source>
+        <translation>输入 %1 在哪里？</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::BundleStampPage</name>
+    <message>
+        <source>Write the request…</source>
+        <translation>写出请求…</translation>
+    </message>
+    <message>
+        <source>Put the answer in…</source>
+        <translation>放入应答…</translation>
+    </message>
+    <message>
+        <source>1. Write the request (*.tsq).
+2. Send it to a time-stamping service (RFC 3161) by the program that the service names; Rubble uses no network.
+3. Put its answer (*.tsr) in. It must be of this bundle. With the roots of the service under Trust it is verified offline.</source>
+        <translation>1. 写出请求 (*.tsq)。
+2. 用服务机构指定的程序把它发给时间戳服务（RFC 3161）；Rubble 不使用网络。
+3. 放入其应答 (*.tsr)。应答必须属于此封存包。在“信任”中给出服务机构的根证书后，可离线核验。</translation>
+    </message>
+    <message>
+        <source>Request for a time stamp</source>
+        <translation>时间戳的请求</translation>
+    </message>
+    <message>
+        <source>Requests (*.tsq)</source>
+        <translation>请求 (*.tsq)</translation>
+    </message>
+    <message>
+        <source>Answer of the service</source>
+        <translation>服务机构的应答</translation>
+    </message>
+    <message>
+        <source>Answers (*.tsr);;All files (*)</source>
+        <translation>应答 (*.tsr);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::BundleTable</name>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>含义</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::BundleTrustPage</name>
+    <message>
+        <source>Signer</source>
+        <translation>签名者</translation>
+    </message>
+    <message>
+        <source>Roots for signers</source>
+        <translation>签名者的根证书</translation>
+    </message>
+    <message>
+        <source>Roots for the time stamp</source>
+        <translation>时间戳的根证书</translation>
+    </message>
+    <message>
+        <source>What is in a bundle can prove only what you compare with something that you got another way. All files are PEM; nothing is looked up in a network.</source>
+        <translation>封存包中的内容，只有与您经其他途径得到的内容比较，才能证明什么。文件均为 PEM 格式；不在网络中查找任何内容。</translation>
+    </message>
+    <message>
+        <source>Public key or certificate that must have signed, or the SHA-256 of that key</source>
+        <translation>必须由其签名的公钥或证书，或该密钥的 SHA-256</translation>
+    </message>
+    <message>
+        <source>Certificates that vouch for that of the signer</source>
+        <translation>为签名者的证书作保的证书</translation>
+    </message>
+    <message>
+        <source>Certificates that vouch for the time-stamping service</source>
+        <translation>为时间戳服务机构作保的证书</translation>
+    </message>
+    <message>
+        <source>Known digest</source>
+        <translation>已知摘要</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the statement or of an entry that the bundle must hold</source>
+        <translation>封存包必须含有的声明或条目的 SHA-256</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>重新核验</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::CalibrationChart</name>
     <message>
         <source>Frames per second against the number of bodies</source>
@@ -20278,6 +20917,21 @@ What the file fits: %2.</source>
     <message>
         <source>In print %1 mm wide</source>
         <translation>印刷宽 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::FileField</name>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>选择文件：%1</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -24233,48 +24887,96 @@ Program: %3</source>
         <translation>为何，或须知之事</translation>
     </message>
     <message>
-        <source>Key</source>
-        <translation>密钥</translation>
-    </message>
-    <message>
-        <source>Private key of whoever signs, PEM: Ed25519, RSA or elliptic curve</source>
-        <translation>签名者的私钥，PEM：Ed25519、RSA 或椭圆曲线</translation>
-    </message>
-    <message>
-        <source>Certificate</source>
-        <translation>证书</translation>
-    </message>
-    <message>
-        <source>X.509 certificate of that key, if there is one</source>
-        <translation>该密钥的 X.509 证书（若有）</translation>
-    </message>
-    <message>
-        <source>Passphrase</source>
-        <translation>口令</translation>
-    </message>
-    <message>
-        <source>Passphrase of the key, if it has one; it is kept nowhere</source>
-        <translation>密钥的口令（若有）；不会保存</translation>
-    </message>
-    <message>
-        <source>The case is packed with its journal, its inputs and the run that is shown. Whoever opens the bundle sees whether anything was altered since.</source>
-        <translation>案例连同其日志、输入和所显示的计算一起打包。打开封存包的人能看出此后是否有任何改动。</translation>
-    </message>
-    <message>
         <source>Seal…</source>
         <translation>封存…</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>选择…</translation>
+        <source>Inputs</source>
+        <translation>输入</translation>
     </message>
     <message>
-        <source>Choose the file: %1</source>
-        <translation>选择文件：%1</translation>
+        <source>Runs</source>
+        <translation>计算</translation>
     </message>
     <message>
-        <source>PEM files (*)</source>
-        <translation>PEM 文件 (*)</translation>
+        <source>Exports</source>
+        <translation>导出内容</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>网页</translation>
+    </message>
+    <message>
+        <source>Write a request for a time stamp</source>
+        <translation>写出时间戳的请求</translation>
+    </message>
+    <message>
+        <source>The case is sealed with its journal. What is ticked goes along; an input that is not ticked stays here, and only its digest is sealed.</source>
+        <translation>案例连同其日志封存。勾选的内容一同封存；未勾选的输入留在这里，只封存其摘要。</translation>
+    </message>
+    <message>
+        <source>What is sealed</source>
+        <translation>封存内容</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>加入文件…</translation>
+    </message>
+    <message>
+        <source>Runs, exports and pages that lie elsewhere, with their provenance</source>
+        <translation>位于别处的计算、导出内容和网页，连同其来源</translation>
+    </message>
+    <message>
+        <source>Add a report…</source>
+        <translation>加入报告…</translation>
+    </message>
+    <message>
+        <source>The folder of a report, with all in it</source>
+        <translation>报告的文件夹及其全部内容</translation>
+    </message>
+    <message>
+        <source>Without a time stamp the time of sealing is the signer&apos;s word.</source>
+        <translation>没有时间戳，封存时间只是签名者自己所述。</translation>
+    </message>
+    <message>
+        <source>A file *.tsq is written beside the bundle. Send it to a time-stamping service (RFC 3161) and put its answer in with Open sealed…, Time stamp. Nothing is sent by Rubble.</source>
+        <translation>在封存包旁写出 *.tsq 文件。请将其发给时间戳服务机构（RFC 3161），并在“打开封存包…”的“时间戳”中放入应答。Rubble 不发送任何内容。</translation>
+    </message>
+    <message>
+        <source>Seal these as well</source>
+        <translation>一同封存</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Folder of a report</source>
+        <translation>报告的文件夹</translation>
+    </message>
+    <message>
+        <source>only its digest is sealed</source>
+        <translation>只封存其摘要</translation>
+    </message>
+    <message>
+        <source>The case alone is sealed.</source>
+        <translation>只封存案例。</translation>
+    </message>
+    <message>
+        <source>About %1 are sealed; the largest is %2.</source>
+        <translation>约封存 %1；最大的是 %2。</translation>
     </message>
 </context>
 <context>
@@ -24453,6 +25155,33 @@ Program: %3</source>
     <message>
         <source>Fragments born at or before this time; %1</source>
         <translation>在此时刻或之前产生的碎块；%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SignerForm</name>
+    <message>
+        <source>Key</source>
+        <translation>密钥</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>证书</translation>
+    </message>
+    <message>
+        <source>Private key of whoever signs, PEM: Ed25519, RSA or elliptic curve</source>
+        <translation>签名者的私钥，PEM 格式：Ed25519、RSA 或椭圆曲线</translation>
+    </message>
+    <message>
+        <source>X.509 certificate of that key, which says a name. Without it the other side compares the SHA-256 of the key.</source>
+        <translation>该密钥的 X.509 证书，其中写有姓名。没有证书时，对方比较密钥的 SHA-256。</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>口令</translation>
+    </message>
+    <message>
+        <source>Passphrase of the key, if it has one; it is kept nowhere</source>
+        <translation>密钥的口令（若有）；不会保存在任何地方</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,7 @@ BundleDialog::BundleDialog(QWidget* parent)
     connectPages();
     resize(860, 640);
     setContent({});
+    m_checks->setFocus();
 }
 
 QWidget* BundleDialog::buildTabs() {
@@ -166,6 +167,10 @@ void BundleDialog::setDifferences(const QStringList& differences, const QStringL
 }
 
 void BundleDialog::setProgress(const QString& what, double fraction) {
+    if (!m_working) {
+        m_focused = focusWidget();
+    }
+    const bool ends = m_working && what.isEmpty();
     m_working = !what.isEmpty();
     m_progress->setVisible(m_working);
     m_progressText->setText(what);
@@ -174,6 +179,10 @@ void BundleDialog::setProgress(const QString& what, double fraction) {
         setFailure({});
     }
     showReady();
+    // What is disabled loses the focus: the keys go on where they were.
+    if (ends && m_focused != nullptr) {
+        m_focused->setFocus();
+    }
 }
 
 void BundleDialog::setFailure(const QString& what, const QString& remedy) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QPointer>
 
 #include "widgets/evidence/sealing/bundle_content.h"
 
@@ -68,6 +69,7 @@ private:
 
     BundleContent m_content;
     bool m_working = false;
+    QPointer<QWidget> m_focused;  ///< before work began
     QLabel* m_verdict;
     QLabel* m_facts;
     QTabWidget* m_tabs;

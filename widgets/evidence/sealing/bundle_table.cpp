@@ -84,6 +84,7 @@ BundleTable::BundleTable(const char* name, const QString& label, QWidget* parent
     m_whole->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     column->addWidget(m_list, 1);
     column->addWidget(m_whole);
+    setFocusProxy(m_list);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &BundleTable::tell);
     tell(nullptr);
 }

@@ -96,6 +96,7 @@ TEST_F(Bundles, EachCheckHasAVerdictAndTheListIsSaved) {
     open();
     EXPECT_EQ(label("bundleVerdict"), "The bundle is as it was sealed; nothing was simulated.");
     EXPECT_THAT(label("bundleFacts"), HasSubstr("by A. Engineer"));
+    EXPECT_EQ(m_dialog->focusWidget()->objectName(), QStringLiteral("bundleChecks")) << "the keys go to what is to be read";
     EXPECT_EQ(rows("bundleChecks"), 7);
     EXPECT_EQ(row("bundleChecks", 0), "Container | ✓ holds | every byte of the file is as it was written | ");
     EXPECT_THAT(row("bundleChecks", 2), HasSubstr("Statement and signature | ? not proven | signed by the owner of the key"));

@@ -12222,7 +12222,7 @@
     </message>
     <message>
         <source>Leave it out here, and hold single runs against it as a survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此处不采用它，改为将各次模拟与它作为测绘进行比较。</translation>
     </message>
     <message>
         <source>Looking for what the case has</source>
@@ -12402,7 +12402,7 @@
     </message>
     <message>
         <source>{0} shows the collapse at {1} s: members keep their debris at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 显示的是坍塌在 {1} s 时的情形：成员只保留静止时的堆积物</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/evidence/evidence_list.h"
+#include "io/base/delimited_table.h"
 #include "io/fe/meshes/ply_header.h"
 #include "io/fe/meshes/raw_mesh_file.h"
 #include "io/site/cause_evidence.h"
@@ -15,6 +16,23 @@
 #include "io/site/surveys/measured_points.h"
 
 namespace rubble::io {
+
+namespace {
+
+/// Whether rows of three numbers or more stand in a table; a page of text has none.
+bool holdsNumbers(const std::string& path) {
+    try {
+        const DelimitedTable table = readDelimitedStart(path, 4);
+        return std::any_of(table.rows.begin(), table.rows.end(), [&](const DelimitedRow& row) {
+            return std::count_if(row.fields.begin(), row.fields.end(),
+                                 [&](const std::string& field) { return table.numberIn(field).has_value(); }) > 2;
+        });
+    } catch (const Error&) {
+        return false;  // what is wrong with it is said where it is read
+    }
+}
+
+}  // namespace
 
 SurveyKind surveyKindOf(const std::string& path, const CloudRequest& read) {
     if (holdsMeasuredPoints(path)) {
@@ -66,7 +84,7 @@ OpenReading readingLeftOpen(const CaseInput& survey, const std::string& path, co
         // A table of which nobody knows the columns is read by nothing, so it is called heights.
         CaseInput byEnding = survey;
         byEnding.kind.reset();
-        return {false, survey.kind == SurveyKind::Heights && evidenceFormOf(byEnding) == EvidenceForm::Cloud};
+        return {false, survey.kind == SurveyKind::Heights && evidenceFormOf(byEnding) == EvidenceForm::Cloud && holdsNumbers(path)};
     }
     if (isMeshPath(path) && !isPlyOfPoints(path)) {
         return {};

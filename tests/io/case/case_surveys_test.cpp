@@ -76,6 +76,7 @@ TEST_F(CaseSurveys, LeaveOpenWhatTheirFilesDoNotSay) {
     EXPECT_TRUE(open("named.csv", "x,y,z\n1,2,3\n4,5,7\n", "EPSG:25832").system);
     EXPECT_TRUE(open("bare.txt", "7 1 2 0.5\n7 10 3 0.5\n7 4 9 1.5\n", "").columns);
     EXPECT_TRUE(open("odd.csv", "a,b,c\n1,2,3\n4,5,7\n", "").columns) << "its heading says nothing that is known";
+    EXPECT_FALSE(open("notes.txt", "no heights here", "").any()) << "it is no table";
     // Stated once it can be read so, and left alone otherwise.
     CaseInput survey{"survey-1", InputRole::Survey, "odd.csv", ""};
     survey.kind = SurveyKind::Heights;

@@ -53,7 +53,7 @@ protected:
         for (const std::string& cause : causes) {
             words.push_back(result(cause));
         }
-        words.insert(words.end(), {"--members", "8", "--vary", "friction=uniform:0.4:0.8", "--vary", "birth_shift=uniform:0:0.1",
+        words.insert(words.end(), {"--members", "10", "--vary", "friction=uniform:0.4:0.8", "--vary", "birth_shift=uniform:0:0.1",
                                    "--set", "bodies_max=300", "--set", "settle_time=1", "--set", looseStructure(), "--cell", "1",
                                    "--cache", m_folder / "cache", "--json"});
         for (const std::string& each : evidence) {
@@ -79,7 +79,7 @@ TEST_F(HiddenCause, OfAStoneBridgeIsFoundAndWhatIsNotAmongThemIsNot) {
         const nlohmann::json found = compare(supposed(), evidence);
         EXPECT_EQ(found["closest"], truth);
         EXPECT_FALSE(found["unexplained"]) << found["fit"];
-        // Whole spans that fall by the engine scatter more than eight members tell apart: it is closest then, but not surely.
+        // Whole spans that fall by the engine scatter more than ten members tell apart: it is closest then, but not surely.
         EXPECT_TRUE(found["told_apart"] || wholeTests()) << found["words"];
         EXPECT_THAT(found["words"].get<std::string>(), AnyOf(HasSubstr('"' + truth + "\" explains the evidence best"),
                                                              HasSubstr('"' + truth + "\" is closest, but not surely")));

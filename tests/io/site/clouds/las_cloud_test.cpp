@@ -239,7 +239,7 @@ TEST_F(LasCloud, PackedPointsAreThoseOfTheirTwinOneByOne) {
     }
 }
 
-// Packed by LASzip 3.4 with all that a point can hold: several echoes, scanner channels in turn, colours, wave forms, an extra
+// Packed by LASzip 3.5.1 with all that a point can hold: several echoes, scanner channels in turn, colours, wave forms, an extra
 // byte.
 TEST_F(LasCloud, PackedPointsOfTheRarerFormatsAreThoseOfTheirTwin) {
     for (const int format : {4, 5, 6, 8, 9, 10}) {

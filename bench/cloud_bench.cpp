@@ -31,8 +31,10 @@ public:
         cloud.box = Aabb(Vec3(0.0, 0.0, 0.0), Vec3(200.0, 200.0, 20.0));
         const auto side = static_cast<std::uint64_t>(std::ceil(std::sqrt(static_cast<double>(points))));
         io::writePoints(path(), cloud, [&](std::size_t k, io::WrittenPoint& point) {
-            const double x = 200.0 * static_cast<double>(k % side) / static_cast<double>(side);
-            const double y = 200.0 * static_cast<double>(k / side) / static_cast<double>(side);
+            const std::uint64_t column = k % side;
+            const std::uint64_t row = k / side;
+            const double x = 200.0 * static_cast<double>(column) / static_cast<double>(side);
+            const double y = 200.0 * static_cast<double>(row) / static_cast<double>(side);
             point.place = {x, y, 10.0 + 5.0 * std::sin(x / 9.0) * std::cos(y / 7.0) + 1e-3 * static_cast<double>(k * 7919 % 97)};
         });
     }

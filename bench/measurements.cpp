@@ -217,7 +217,7 @@ std::vector<Measurement> longOnes() {
          "Styles",
          "Figures and page of the stone arch, 49,561 fragments, in both styles by turns: each figure drawn, the views of the page "
          "at rest and played for 6 s from the third on, in Chromium of 1280 x 800 that draws in software.",
-         12.0,
+         3.0,
          true,
          {{{"rubble-cli run resources/samples/stone-arch.rubble --out \"$TMPDIR/arch.run.h5\" --json",
             "xvfb-run -a style_bench resources/samples/stone-arch.exo \"$TMPDIR/arch.run.h5\" --benchmark_format=json"},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -22,6 +23,8 @@ namespace rubble::io {
 namespace {
 
 constexpr std::uintmax_t tableBytesMax = std::uintmax_t{64} << 20;
+/// A station measures hundreds of points; a table of more bytes whose rows have numbers is a cloud.
+constexpr std::uintmax_t stationBytesMost = std::uintmax_t{1} << 20;
 constexpr std::array<const char*, 2> stationFormats{"DXF", nullptr};
 /// m in plan. A text that lies farther from a point names another one.
 constexpr double labelReach = 1.0;
@@ -206,7 +209,9 @@ std::vector<NamedPoint> readNamedPoints(const std::string& path, Findings& findi
 }
 
 bool namesStationPoints(const std::string& path) {
-    if (!hasEnding(path, ".csv") && !hasEnding(path, ".txt")) {
+    std::error_code failed;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, failed);
+    if ((!hasEnding(path, ".csv") && !hasEnding(path, ".txt")) || (!failed && bytes > stationBytesMost)) {
         return false;
     }
     try {

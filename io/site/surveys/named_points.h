@@ -21,7 +21,7 @@ struct NamedPoint {
 /// Throws WorldError, ParseError (no such columns, a field that is no number, a name twice, no named point), Cancelled.
 std::vector<NamedPoint> readNamedPoints(const std::string& path, Findings& findings, const Execution& execution);
 
-/// Whether the heading of a table names points and their coordinates. Throws WorldError.
+/// Whether the heading of a table of at most 1 MiB names points and their coordinates. Throws WorldError.
 bool namesStationPoints(const std::string& path);
 
 }  // namespace rubble::io

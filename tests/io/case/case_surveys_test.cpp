@@ -62,6 +62,11 @@ TEST_F(CaseSurveys, AreMeasuredPointsWhereATableNamesThemOrADrawingHasNoArea) {
         "VERTEX\n8\n0\n10\n5\n20\n0\n30\n2\n0\nSEQEND\n0\nENDSEC\n0\nEOF\n";
     EXPECT_EQ(kindOf("line.dxf", line), SurveyKind::Points);
     EXPECT_NE(kindOf("none.dxf", "no drawing\n"), SurveyKind::Points);
+    std::string many = "id,x,y,z\n";
+    while (many.size() <= (std::size_t{1} << 20)) {
+        many += "7,1.25,2.5,3.75\n8,2.25,3.5,4.75\n";
+    }
+    EXPECT_EQ(kindOf("numbered.csv", many), SurveyKind::Cloud) << "no station measures so many";
 }
 
 TEST_F(CaseSurveys, LeaveOpenWhatTheirFilesDoNotSay) {

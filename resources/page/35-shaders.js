@@ -19,23 +19,7 @@ vec3 lit(vec3 colour, vec3 at) {
     float sun = 0.5 + 0.5 * dot(normalOf(at), normalize(vec3(0.35, 0.45, 0.8)));
     return colour * (0.42 + 0.62 * sun);
 }
-float grainHash(vec3 p) {
-    p = fract(p * 0.3183099 + vec3(0.11, 0.23, 0.37));
-    p *= 17.0;
-    return fract(p.x * p.y * p.z * (p.x + p.y + p.z));
-}
-float grainNoise(vec3 x) {
-    vec3 i = floor(x);
-    vec3 f = fract(x);
-    f = f * f * (3.0 - 2.0 * f);
-    vec4 low = vec4(grainHash(i), grainHash(i + vec3(1, 0, 0)), grainHash(i + vec3(0, 1, 0)), grainHash(i + vec3(1, 1, 0)));
-    vec4 high = vec4(grainHash(i + vec3(0, 0, 1)), grainHash(i + vec3(1, 0, 1)), grainHash(i + vec3(0, 1, 1)),
-        grainHash(i + vec3(1, 1, 1)));
-    vec4 z = mix(low, high, f.z);
-    vec2 y = mix(z.xy, z.zw, f.y);
-    return mix(y.x, y.y, f.x);
-}
-float sunlight(vec3 at, vec3 normal) {
+{{grain.glsl}}float sunlight(vec3 at, vec3 normal) {
     float facing = dot(normal, ${sunWay});
     if (facing <= 0.0 || !shadowed) {
         return max(facing, 0.0);
@@ -133,7 +117,7 @@ void main() {
         pixel = vec4(unlit ? colour.rgb : lit(colour.rgb, at), 1.0);
     } else {
         // How rough the material is stands where others have opacity.
-        float tone = 1.0 + colour.a * (0.42 * (grainNoise(origin * 0.9) - 0.5) + 0.34 * (grainNoise(origin * 5.3) - 0.5));
+        float tone = grainTone(origin, colour.a);
         pixel = vec4(finelyLit(colour.rgb * tone, at, normalOf(at)), 1.0);
     }
 }`;

@@ -182,6 +182,11 @@ json Browser::command(const std::string& method, json parameters) {
 }
 
 std::string Browser::open(const std::string& path) {
+    // What was open tells until it is gone.
+    command("Page.navigate", {{"url", "about:blank"}});
+    evaluate("1");
+    m_requests.clear();
+    m_complaints.clear();
     command("Page.navigate", {{"url", "file://" + fs::absolute(path).string()}});
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience);
     while (std::chrono::steady_clock::now() < end) {

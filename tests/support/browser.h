@@ -22,7 +22,8 @@ public:
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
 
-    /// Opens a page from a file and waits until it says that it is ready; what it then says.
+    /// Opens a page from a file, anew if it is there, and waits until it says that it is ready; what it then says. What was asked
+    /// for and complained about before is forgotten.
     std::string open(const std::string& path);
     /// Value of an expression in the page; a promise is waited for. Throws std::runtime_error with what the page threw.
     nlohmann::json evaluate(const std::string& expression);

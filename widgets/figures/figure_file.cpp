@@ -24,6 +24,7 @@
 #include "widgets/figures/marks.h"
 #include "widgets/figures/overlay/overlay.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/sheets/sheet_text.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/render/panes.h"
 
@@ -255,11 +256,6 @@ void checkSize(const FigureStyle& style, bool settled) {
                           {style.pixels.width(), style.pixels.height(), style.dpi}},
                          {"figure.size.remedy", "Ask for 16 to {0} pixels a side and 20 to 2400 dpi.", {largest}});
     }
-}
-
-void setResolution(QImage& image, double dpi) {
-    image.setDotsPerMeterX(static_cast<int>(std::lround(dpi / 0.0254)));
-    image.setDotsPerMeterY(static_cast<int>(std::lround(dpi / 0.0254)));
 }
 
 }  // namespace

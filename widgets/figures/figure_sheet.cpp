@@ -12,6 +12,7 @@
 #include "widgets/figures/marks.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/sheets/sheet_text.h"
 #include "widgets/figures/translated.h"
 #include "widgets/render/basics/camera.h"
 #include "widgets/render/panes.h"
@@ -28,13 +29,6 @@ constexpr double smallestCaption = 0.5;  // of the text
 constexpr double tallestPage = 1.25;     // height over width of a figure that settles its own height
 /// The instants of the published figures over the 9.6 s of its FE result.
 constexpr std::array<double, 3> publishedShares{1.68 / 9.6, 3.36 / 9.6, 5.52 / 9.6};
-
-QFont fontOf(double pixels, bool italic) {
-    QFont font;
-    font.setPixelSize(std::max(5, static_cast<int>(std::lround(pixels))));
-    font.setItalic(italic);
-    return font;
-}
 
 /// One panel of a view; what it shows is drawn alone.
 SheetPanel panelOf(const render::View& view, render::PaneContent content, double time, const QString& stage = {}) {
@@ -103,7 +97,7 @@ void besideEachOther(std::vector<SheetPanel>& panels) {
 void paintWhole(QPainter& painter, const QRectF& box, const QString& text, double largest, double smallest, bool italic) {
     constexpr int centred = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
     for (double size = largest; size > smallest; size *= 0.92) {
-        const QFont font = fontOf(size, italic);
+        const QFont font = sheetFont(size, italic);
         painter.setFont(font);
         const QRectF needed = QFontMetricsF(font).boundingRect(box, centred, text);
         if (needed.height() <= box.height() && needed.width() <= box.width()) {
@@ -395,11 +389,11 @@ void SheetPicture::paintProvenance(QPainter& painter) const {
     if (m_layout.provenance == 0) {
         return;
     }
-    painter.setFont(fontOf(m_layout.small, false));
+    painter.setFont(sheetFont(m_layout.small, false));
     painter.setPen(palette(render::Theme::Print).muted);
     const QRect foot(0, m_pixels.height() - m_layout.provenance, m_pixels.width(), m_layout.provenance);
     painter.drawText(foot, static_cast<int>(Qt::AlignHCenter | Qt::AlignVCenter),
-                     QFontMetricsF(fontOf(m_layout.small, false)).elidedText(m_provenance, Qt::ElideMiddle, foot.width()));
+                     QFontMetricsF(sheetFont(m_layout.small, false)).elidedText(m_provenance, Qt::ElideMiddle, foot.width()));
 }
 
 QImage SheetPicture::image() const {

@@ -19,10 +19,11 @@
 #include "core/fe/north.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_sheet.h"
-#include "widgets/figures/map_edges.h"
-#include "widgets/figures/map_window.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/sheets/map_edges.h"
+#include "widgets/figures/sheets/map_window.h"
+#include "widgets/figures/sheets/sheet_text.h"
 #include "widgets/render/basics/colour_choice.h"
 
 namespace rubble::figures {
@@ -96,7 +97,7 @@ public:
           m_text(mapTextPoints / 72.0 * style.dpi),
           m_small(smallPoints / 72.0 * style.dpi) {
         m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
-        m_line = QFontMetricsF(font(m_text)).height();
+        m_line = QFontMetricsF(sheetFont(m_text)).height();
         suitLowPicture();
         layOut();
         if (layer == MapLayer::Component) {
@@ -121,24 +122,14 @@ public:
         drawLegend(painter);
         drawFoot(painter);
         painter.end();
-        m_image.setDotsPerMeterX(static_cast<int>(std::lround(m_style.dpi / 0.0254)));
-        m_image.setDotsPerMeterY(static_cast<int>(std::lround(m_style.dpi / 0.0254)));
+        setResolution(m_image, m_style.dpi);
         m_image.setText(QStringLiteral("Description"), QString::fromStdString(m_style.provenance));
         return m_image;
     }
 
 private:
-    static QFont font(double pixels, bool italic = false) {
-        QFont font;
-        font.setPixelSize(std::max(5, static_cast<int>(std::lround(pixels))));
-        font.setItalic(italic);
-        return font;
-    }
-
     void write(QPainter& painter, const QRectF& box, const QString& text, int alignment, double size, bool italic = false) const {
-        painter.setFont(font(size, italic));
-        painter.setPen(m_palette.text);
-        painter.drawText(box, alignment | static_cast<int>(Qt::TextSingleLine), text);
+        writeLine(painter, box, text, alignment, sheetFont(size, italic), m_palette.text);
     }
 
     /// Room of cautions and provenance, pixels.
@@ -155,7 +146,7 @@ private:
         m_low = lines() < needed + aboveTitle;
         if (lines() < needed) {
             m_text *= std::clamp(lines() / needed, smallest, 1.0);
-            m_line = QFontMetricsF(font(m_text)).height();
+            m_line = QFontMetricsF(sheetFont(m_text)).height();
         }
     }
 
@@ -300,7 +291,7 @@ private:
             const double middle = y + 0.5 * m_line;
             painter.drawLine(QPointF(m_legend.left(), middle), QPointF(m_legend.left() + 1.4 * m_line, middle));
             const double room = m_legend.width() - 1.8 * m_line;
-            const double size = m_text * std::clamp(room / QFontMetricsF(font(m_text)).horizontalAdvance(text), 0.6, 1.0);
+            const double size = m_text * std::clamp(room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text), 0.6, 1.0);
             write(painter, QRectF(m_legend.left() + 1.8 * m_line, y, room, m_line), text,
                   static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), size);
             y += entryPitch * m_line;
@@ -379,7 +370,7 @@ private:
         double y = m_legend.top() + (m_low ? 0.0 : aboveTitle * m_line);
         const double room = m_legend.width() - (m_low ? 2.0 * m_line : 0.0);
         write(painter, QRectF(m_legend.left(), y, room, m_line), legendTitle(), static_cast<int>(Qt::AlignLeft),
-              m_text * std::min(1.0, room / QFontMetricsF(font(m_text)).horizontalAdvance(legendTitle())));
+              m_text * std::min(1.0, room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(legendTitle())));
         y += 1.5 * m_line;
         if (m_layer == MapLayer::Separation && m_map.hypotheses.size() == 2) {
             drawEntry(painter, y, colourAt(m_layer, 1.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[0])));
@@ -415,7 +406,7 @@ private:
         painter.drawRect(QRectF(m_legend.left(), y + 0.2 * m_line, 0.6 * m_line, 0.6 * m_line));
         const double room = m_legend.width() - m_line;
         write(painter, QRectF(m_legend.left() + m_line, y, room, m_line),
-              QFontMetricsF(font(m_text)).elidedText(text, Qt::ElideRight, room),
+              QFontMetricsF(sheetFont(m_text)).elidedText(text, Qt::ElideRight, room),
               static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
         y += entryPitch * m_line;
     }
@@ -494,10 +485,11 @@ private:
         const double bottom = m_style.pixels.height() - belowCaption();
         // A long caption of a small picture is set smaller, then cut.
         const double room = 0.98 * m_style.pixels.width();
-        const double size = m_text * std::clamp(room / QFontMetricsF(font(m_text, true)).horizontalAdvance(caption), 0.75, 1.0);
+        const double size =
+            m_text * std::clamp(room / QFontMetricsF(sheetFont(m_text, true)).horizontalAdvance(caption), 0.75, 1.0);
         write(painter, QRectF(0.0, bottom - 1.8 * m_line, m_style.pixels.width(), 1.5 * m_line),
-              QFontMetricsF(font(size, true)).elidedText(caption, Qt::ElideRight, room), static_cast<int>(Qt::AlignCenter), size,
-              true);
+              QFontMetricsF(sheetFont(size, true)).elidedText(caption, Qt::ElideRight, room), static_cast<int>(Qt::AlignCenter),
+              size, true);
         if (!m_style.cautions.empty()) {
             paintCautions(painter, QRectF(0.0, bottom, m_style.pixels.width(), cautionHeight(m_text)),
                           QString::fromStdString(m_style.cautions), m_text, m_style.theme);

@@ -13,9 +13,10 @@
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_sheet.h"
-#include "widgets/figures/map_edges.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/sheets/map_edges.h"
+#include "widgets/figures/sheets/sheet_text.h"
 
 namespace rubble::figures {
 namespace {
@@ -97,7 +98,7 @@ public:
         const bool print = style.theme == render::Theme::Print;
         m_paper = print ? QColor(Qt::white) : m_palette.window;
         m_image.fill(m_paper);
-        m_line = QFontMetricsF(font(m_text)).height();
+        m_line = QFontMetricsF(sheetFont(m_text)).height();
         m_zero = style.theme == render::Theme::Dark ? QColor(0x3c, 0x40, 0x45) : QColor(0xee, 0xee, 0xec);
         findReach();
         layOut();
@@ -128,17 +129,9 @@ public:
     }
 
 private:
-    QFont font(double pixels, bool italic = false) const {
-        QFont font;
-        font.setPixelSize(std::max(5, static_cast<int>(std::lround(pixels))));
-        font.setItalic(italic);
-        return font;
-    }
     void write(QPainter& painter, const QRectF& box, const QString& text, int alignment, double size, bool italic = false) const {
-        painter.setFont(font(size, italic));
-        painter.setPen(m_palette.text);
-        painter.drawText(box, alignment | static_cast<int>(Qt::TextSingleLine),
-                         QFontMetricsF(font(size, italic)).elidedText(text, Qt::ElideRight, box.width()));
+        const QFont font = sheetFont(size, italic);
+        writeLine(painter, box, QFontMetricsF(font).elidedText(text, Qt::ElideRight, box.width()), alignment, font, m_palette.text);
     }
 
     void findReach() {

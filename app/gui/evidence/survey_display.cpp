@@ -5,10 +5,10 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/gui/evidence/survey_pairs.h"
 #include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/survey_sections.h"
 #include "app/gui/evidence/surveys/cloud_placing.h"
+#include "app/gui/evidence/surveys/survey_pairs.h"
 #include "app/gui/evidence/surveys/survey_reading.h"
 #include "app/gui/session/file_kinds.h"
 #include "app/gui/session/session.h"

@@ -18,6 +18,7 @@
 #include "tests/support/browser.h"
 #include "tests/support/photographed_case.h"
 #include "tests/support/small_collapse.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 
@@ -26,23 +27,44 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The page of the small collapse in a browser; nothing is run where there is none.
-class PageInBrowser : public PhotoOfCase {
+/// The page of the small collapse and a browser, made once for all that look at it.
+class PageForAll : public PhotoOfCase {
+public:
+    PageForAll() {
+        SetUp();
+        m_case.bookmarks = {{0.25, "The second block goes."}, {99.0, "Long after."}};
+        io::keepValidation(scenes::tossRecord(), m_folder / "cache");
+        const Outcome outcome = CommandRun()
+                                    .with("RUBBLE_CACHE", m_folder / "cache")
+                                    .cli({"export", m_out, "--case", save(), "--export", "page=" + page()});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("mm of those recorded"));
+        browser = std::make_unique<Browser>(m_folder / "profile", 1280, 800);
+    }
+    std::string page() const { return m_folder / "small.html"; }
+    const std::string& runFile() const { return m_out; }
+
+    std::unique_ptr<Browser> browser;
+
+private:
+    void TestBody() override {}
+};
+
+/// The page of the small collapse in a browser, opened anew for each test; nothing is run where there is none.
+class PageInBrowser : public testing::Test {
 protected:
+    static void TearDownTestSuite() { made().reset(); }
     void SetUp() override {
         if (Browser::program().empty()) {
             std::cout << "not run: no Chromium here\n";
             return;
         }
-        PhotoOfCase::SetUp();
-        m_case.bookmarks = {{0.25, "The second block goes."}, {99.0, "Long after."}};
-        io::keepValidation(scenes::tossRecord(), m_folder / "cache");
-        const Outcome outcome = CommandRun()
-                                    .with("RUBBLE_CACHE", m_folder / "cache")
-                                    .cli({"export", m_out, "--case", save(), "--export", "page=" + m_page});
-        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("mm of those recorded"));
-        m_browser = std::make_unique<Browser>(m_folder / "profile", 1280, 800);
+        if (!made()) {
+            made() = std::make_unique<PageForAll>();
+        }
+        m_page = made()->page();
+        m_browser = made()->browser.get();
+        m_browser->resize(1280, 800);
         m_ready = m_browser->open(m_page);
     }
     /// Nobody was asked for anything but the page itself, and nothing went wrong.
@@ -66,9 +88,16 @@ protected:
     /// Rows of fragments.csv by the column names.
     std::vector<std::map<std::string, std::string>> table();
 
-    std::string m_page = m_folder / "small.html";
-    std::unique_ptr<Browser> m_browser;
+    io::TemporaryFolder m_folder;
+    std::string m_page;
+    Browser* m_browser = nullptr;
     std::string m_ready;
+
+private:
+    static std::unique_ptr<PageForAll>& made() {
+        static std::unique_ptr<PageForAll> all;
+        return all;
+    }
 };
 
 void PageInBrowser::expectPicturesInBothLanguages(Browser& browser, const std::string& chinese) {
@@ -94,7 +123,7 @@ void PageInBrowser::expectPicturesInBothLanguages(Browser& browser, const std::s
 }
 
 std::vector<std::map<std::string, std::string>> PageInBrowser::table() {
-    cli({"export", m_out, "--export", "fragments=" + (m_folder / "f.csv")});
+    cli({"export", made()->runFile(), "--export", "fragments=" + (m_folder / "f.csv")});
     std::istringstream lines(textOf(m_folder / "f.csv"));
     std::vector<std::vector<std::string>> rows;
     for (std::string line; std::getline(lines, line);) {

@@ -9,6 +9,7 @@
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/round_step.h"
+#include "widgets/figures/sheets/sheet_text.h"
 
 namespace rubble::figures {
 namespace {
@@ -18,7 +19,7 @@ class ChartSheet {
 public:
     ChartSheet(const ReportChart& chart, const QRectF& area, double text)
         : m_chart(chart), m_text(text), m_left(area.left()), m_palette(palette(chart.theme)) {
-        m_font.setPixelSize(std::max(5, static_cast<int>(std::lround(text))));
+        m_font = sheetFont(text);
         findRange();
         const QFontMetricsF metrics(m_font);
         m_plot =

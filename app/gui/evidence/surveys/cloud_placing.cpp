@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/gui/evidence/evidence_work.h"
+#include "app/gui/evidence/surveys/survey_placing.h"
 #include "app/gui/session/file_kinds.h"
 #include "app/gui/session/session.h"
 #include "core/evidence/scanned_site.h"
@@ -34,23 +35,7 @@ void CloudPlacing::open(const CaseInput& survey) {
         m_session.tell(tr("A cloud is fitted to the site: open the FE result first."));
         return;
     }
-    m_session.tell(tr("Reading %1").arg(QFileInfo(QString::fromStdString(survey.path)).fileName()));
-    auto read = std::make_shared<io::SurveyInput>();
-    m_worker.start({Worker::Kind::Open,
-                    [read, survey, path = io::inputPath(m_document.base().toStdString(), survey), frame = inputs.frame,
-                     site = m_document.theCase().site](const Execution& execution) {
-                        *read = io::readSurvey(
-                            path, frame, site, Aabb(), execution,
-                            {.holds = io::SurveyRequest::Holds::Heights, .registration = survey.registration, .read = survey.read});
-                    },
-                    [this, read, survey](const std::exception_ptr& thrown) {
-                        if (const auto failure = failureOf(thrown)) {
-                            m_session.tell(failure->inOneLine());
-                        } else if (thrown == nullptr) {
-                            m_session.tell({});
-                            ask(survey, *read);
-                        }
-                    }});
+    readToPlace(m_worker, m_session, survey, survey.registration, {}, [this, survey](io::SurveyInput& read) { ask(survey, read); });
 }
 
 void CloudPlacing::ask(const CaseInput& survey, io::SurveyInput& read) {

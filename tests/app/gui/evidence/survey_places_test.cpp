@@ -14,9 +14,9 @@
 
 #include "app/gui/case/file_commands.h"
 #include "app/gui/evidence/survey_display.h"
-#include "app/gui/evidence/survey_pairs.h"
 #include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/survey_sections.h"
+#include "app/gui/evidence/surveys/survey_pairs.h"
 #include "io/case/case_file.h"
 #include "io/site/point_pairs.h"
 #include "tests/app/gui/workbench.h"

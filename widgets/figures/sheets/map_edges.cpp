@@ -1,10 +1,12 @@
-#include "widgets/figures/map_edges.h"
+#include "widgets/figures/sheets/map_edges.h"
 
 #include <QCoreApplication>
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+
+#include "widgets/figures/sheets/sheet_text.h"
 
 namespace rubble::figures {
 
@@ -43,9 +45,7 @@ double stepAcross(double step, double metres, double small) {
 
 void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, double small, const QColor& line,
                      const QColor& text) {
-    QFont font;
-    font.setPixelSize(std::max(5, static_cast<int>(std::lround(small))));
-    painter.setFont(font);
+    painter.setFont(sheetFont(small));
     const double tick = 0.4 * small;
     const QPen stroke(line, painter.pen().widthF());
     const auto draw = [&](const QPointF& at, const QPointF& out, const QRectF& box, int alignment, const QString& words) {

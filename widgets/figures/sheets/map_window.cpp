@@ -1,4 +1,4 @@
-#include "widgets/figures/map_window.h"
+#include "widgets/figures/sheets/map_window.h"
 
 #include <cmath>
 #include <iterator>

@@ -1,12 +1,12 @@
-#include "app/gui/evidence/survey_pairs.h"
+#include "app/gui/evidence/surveys/survey_pairs.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <utility>
 
+#include "app/gui/evidence/surveys/survey_placing.h"
 #include "app/gui/session/session.h"
 #include "core/base/error.h"
-#include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
 #include "io/site/point_pairs.h"
 #include "widgets/evidence/evidence_page.h"
@@ -31,26 +31,15 @@ void SurveyPairs::pick(const CaseInput& survey) {
         m_session.tell(tr("Places are picked in the model: open the FE result first."));
         return;
     }
-    m_session.tell(tr("Reading %1").arg(QFileInfo(QString::fromStdString(survey.path)).fileName()));
-    auto read = std::make_shared<io::SurveyInput>();
-    m_worker.start(
-        {Worker::Kind::Open,
-         [read, path = io::inputPath(m_document.base().toStdString(), survey), frame = inputs.frame,
-          site = m_document.theCase().site, as = survey.read](const Execution& execution) {
-             *read = io::readSurvey(path, frame, site, Aabb(), execution, {.holds = io::SurveyRequest::Holds::Heights, .read = as});
-             if (read->survey.heights.aboveGround) {
-                 throw UsageError({"pairs.above_ground", "{0} holds heights above the ground, which belong to no place", {path}},
-                                  {"pairs.above_ground.remedy", "Give the heights as they were surveyed.", {}});
-             }
-         },
-         [this, read, id = survey.id](const std::exception_ptr& thrown) {
-             if (const auto failure = failureOf(thrown)) {
-                 m_session.tell(failure->inOneLine());
-             } else if (thrown == nullptr) {
-                 m_session.tell({});
-                 ask(id, *read);
-             }
-         }});
+    readToPlace(
+        m_worker, m_session, survey, std::nullopt,
+        [](const io::SurveyInput& read, const std::string& path) {
+            if (read.survey.heights.aboveGround) {
+                throw UsageError({"pairs.above_ground", "{0} holds heights above the ground, which belong to no place", {path}},
+                                 {"pairs.above_ground.remedy", "Give the heights as they were surveyed.", {}});
+            }
+        },
+        [this, id = survey.id](io::SurveyInput& read) { ask(id, read); });
 }
 
 void SurveyPairs::ask(const std::string& id, io::SurveyInput& read) {

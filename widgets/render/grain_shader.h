@@ -1,8 +1,6 @@
 #pragma once
 
-#include <string>
-
-#include "grain_noise.h"
+#include "grain_declaration.h"
 
 /// Parts of the shaders that give surfaces the grain of their material: three octaves of value noise over the place at rest (xyz,
 /// m), as strong as the fourth number says; and that darken points by what the model leaves of their light.
@@ -19,11 +17,6 @@ inline constexpr const char* vertex = R"(//VTK::Color::Impl
 grainVS = grainMC;
 shadeVS = shadeMC;
 )";
-
-/// The noise itself stands in resources/shaders/grain.glsl, which pages of runs have as well.
-inline std::string fragmentDeclaration() {
-    return std::string("//VTK::Color::Dec\nin vec4 grainVS;\nin float shadeVS;\n") + noise;
-}
 
 inline constexpr const char* fragment = R"(//VTK::Color::Impl
 {

@@ -494,7 +494,7 @@ private:
             paintCautions(painter, QRectF(0.0, bottom, m_style.pixels.width(), cautionHeight(m_text)),
                           QString::fromStdString(m_style.cautions), m_text, m_style.theme);
         }
-        painter.setFont(font(m_small));
+        painter.setFont(sheetFont(m_small));
         painter.setPen(m_palette.muted);
         const double line = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
         const QRectF foot(0.0, line, m_style.pixels.width(), 2.0 * m_small);

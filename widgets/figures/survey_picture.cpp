@@ -381,7 +381,7 @@ private:
         if (!m_style.provenance.empty()) {
             const QString system =
                 m_style.system.empty() ? tr("local coordinates in metres") : QString::fromStdString(m_style.system);
-            painter.setFont(font(m_small));
+            painter.setFont(sheetFont(m_small));
             painter.setPen(m_palette.muted);
             const QRectF foot(0.0, m_foot.bottom() - 2.3 * m_small, m_foot.width(), 2.0 * m_small);
             painter.drawText(

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "grain_declaration.h"
-
 /// Parts of the shaders that give surfaces the grain of their material: three octaves of value noise over the place at rest (xyz,
 /// m), as strong as the fourth number says; and that darken points by what the model leaves of their light.
 namespace rubble::render::grain_shader {
@@ -17,6 +15,10 @@ inline constexpr const char* vertex = R"(//VTK::Color::Impl
 grainVS = grainMC;
 shadeVS = shadeMC;
 )";
+
+/// What the shader of fragments declares. The noise and the tone are those of resources/shaders/grain.glsl, which pages of runs
+/// have as well.
+const char* fragmentDeclaration();
 
 inline constexpr const char* fragment = R"(//VTK::Color::Impl
 {

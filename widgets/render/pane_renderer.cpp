@@ -309,7 +309,7 @@ void PaneRenderer::setGrain(const std::vector<float>& grain) {
     m_model->GetPointData()->AddArray(m_pointShade);
     shader->AddVertexShaderReplacement("//VTK::Color::Dec", true, grain_shader::vertexDeclaration, false);
     shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, grain_shader::vertex, false);
-    shader->AddFragmentShaderReplacement("//VTK::Color::Dec", true, grain_shader::fragmentDeclaration, false);
+    shader->AddFragmentShaderReplacement("//VTK::Color::Dec", true, grain_shader::fragmentDeclaration(), false);
     shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, grain_shader::fragment, false);
 }
 

@@ -13692,10 +13692,6 @@
         <translation>点云要拟合到现场：请先打开有限元结果。</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>正在读取 %1</translation>
-    </message>
-    <message>
         <source>It is fitted to what stands and lies where the run ends.</source>
         <translation>拟合到计算结束时站立和堆积之物。</translation>
     </message>
@@ -15372,10 +15368,6 @@
         <translation>位置在模型中选取：请先打开有限元结果。</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>正在读取 %1</translation>
-    </message>
-    <message>
         <source>Keep pairs as a table</source>
         <translation>把点对存为表</translation>
     </message>
@@ -15386,6 +15378,13 @@
     <message>
         <source>%1 pairs kept in %2</source>
         <translation>%1 个点对已存入 %2</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::SurveyPlacing</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
     </message>
 </context>
 <context>

@@ -23608,8 +23608,8 @@ What the file fits: %2.</source>
         <translation>简化运动中的视图</translation>
     </message>
     <message>
-        <source>Draw large models with less detail while they move, where this machine draws fewer than 24 pictures a second; the legend says so. Counts, picking and figures keep every detail</source>
-        <translation>若本机每秒绘制不足 24 幅，大模型在运动时以较少细节绘制，图例会注明。计数、拾取和图保留全部细节</translation>
+        <source>Draw large models with less detail while they move, where this machine draws fewer than 50 pictures a second; the legend says so. Counts, picking and figures keep every detail</source>
+        <translation>若本机每秒绘制不足 50 幅，大模型在运动时以较少细节绘制，图例会注明。计数、拾取和图保留全部细节</translation>
     </message>
     <message>
         <source>none</source>

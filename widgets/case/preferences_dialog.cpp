@@ -102,7 +102,7 @@ void PreferencesDialog::buildLook(QFormLayout& form) {
               "do the comparisons of the Accuracy panel"));
     m_simplify->setObjectName(QStringLiteral("simplify"));
     addRow(form, tr("Simplify moving views"), m_simplify,
-           tr("Draw large models with less detail while they move, where this machine draws fewer than 24 pictures a second; the "
+           tr("Draw large models with less detail while they move, where this machine draws fewer than 50 pictures a second; the "
               "legend says so. Counts, picking and figures keep every detail"));
     for (QComboBox* box : {m_language, m_theme, m_colours, m_style, m_units}) {
         connect(box, &QComboBox::activated, this, &PreferencesDialog::take);

@@ -21,7 +21,9 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr int restAfter = 250;  // ms
+constexpr int restAfter = 150;  // ms
+/// Pixels are taken only where less detail does not do.
+constexpr double slowPixels = 5.0 / 3.0;  // of the limit for detail
 
 double& slowestDraw() {
     static double seconds = ViewWidget::slowDraw;
@@ -144,20 +146,20 @@ void ViewWidget::paintGL() {
     QElapsedTimer clock;
     clock.start();
     Target target(*this);
-    m_simplified = m_rest.isActive() && std::min(m_drawSeconds[0], m_drawSeconds[1]) > slowestDraw();
+    const bool moving = m_rest.isActive();
+    m_simplified = moving && m_detail.tooSlow(slowestDraw());
     m_scene.setSimplified(m_simplified, m_resolution.share());
     figures::draw(m_view, m_scene, target);
     watchShading(clock);
-    if (!m_rest.isActive()) {
-        return;  // at rest a picture may have been kept up by what had to be built anew
-    }
     context()->functions()->glFinish();
     const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
     if (m_simplified) {
-        m_resolution.drew(seconds, slowestDraw());
+        m_resolution.drew(seconds, slowPixels * slowestDraw());
         m_rest.start();  // a picture that took long is not yet rest
+    } else if (moving) {
+        m_detail.drewMoving(seconds);
     } else {
-        m_drawSeconds = {m_drawSeconds[1], seconds};
+        m_detail.drewResting(seconds, slowestDraw());
     }
 }
 
@@ -176,7 +178,7 @@ QImage ViewWidget::picture() {
 
 void ViewWidget::setData(const render::SceneData& scene) {
     if (scene.fe != m_scene.data().fe) {
-        m_drawSeconds = {};
+        m_detail = {};
         m_resolution = {};
     }
     m_scene.setData(scene);

@@ -13,6 +13,7 @@
 #include "widgets/render/basics/view.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
+#include "widgets/views/moving_detail.h"
 #include "widgets/views/picture_turn.h"
 
 class QRubberBand;
@@ -74,7 +75,7 @@ public:
     /// than this, s, and with fewer pixels if that is not enough; full detail comes back as soon as they rest. Infinite: always
     /// full detail.
     static void simplifyAbove(double seconds);
-    static constexpr double slowDraw = 1.0 / 24.0;
+    static constexpr double slowDraw = 1.0 / 50.0;
     /// Shaded edges switch themselves off in all such widgets after two pictures in a row that took longer than this with them, s.
     static void shadeUpTo(double seconds);
     static constexpr double slowShading = 0.5;
@@ -151,9 +152,9 @@ private:
     bool m_ready = false;
     bool m_animated = true;
     bool m_simplified = false;
-    int m_slowShaded = 0;                   ///< pictures in a row that took too long with shaded edges
-    std::array<double, 2> m_drawSeconds{};  ///< of the last two draws on the move at full detail
-    render::DrawnResolution m_resolution;   ///< while simplified
+    int m_slowShaded = 0;  ///< pictures in a row that took too long with shaded edges
+    MovingDetail m_detail;
+    render::DrawnResolution m_resolution;  ///< while simplified
     PictureTurn m_turn;
     QTimer m_rest;  ///< runs from the last move until the views count as resting
     QPointF m_pressed;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/message.h"
 
@@ -22,6 +23,7 @@ struct PagePicture {
     std::string type;   ///< "image/png"
     std::string bytes;  ///< of the file
     Message note;       ///< beside a photograph: how far it agrees, or why it was not compared; empty: nothing to say
+    std::vector<Message> cautions{};  ///< what must be known beside the note
 };
 
 }  // namespace rubble

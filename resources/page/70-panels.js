@@ -237,7 +237,8 @@ class Panels {
         }
         for (const photo of photographs) {
             parts.push(make('figure', {}, make('img', { src: photo.source, alt: say('photoAlt', photo.name) }),
-                make('figcaption', {}, `${photo.name}. ${sayText(photo.note)}`)));
+                make('figcaption', {}, `${photo.name}. ${sayText(photo.note)}`,
+                    (photo.cautions || []).map((caution) => make('p', { class: 'caution' }, sayText(caution))))));
         }
         return parts;
     }
@@ -245,13 +246,15 @@ class Panels {
     health() {
         const { health, outcome, findings } = this.facts;
         const parts = [make('h2', {}, say('health'))];
-        if (health.breaches.length === 0) {
+        if (health.limits.length === 0) {
             parts.push(make('p', { class: 'good' }, say('healthy')));
         } else {
-            const told = (breach) => make('div', {}, make('b', {}, sayText(breach.check)), make('p', {}, sayText(breach.what)),
-                make('p', {}, `${say('remedy')}: ${sayText(breach.remedy)}`));
-            parts.push(makeTable([say('from'), say('to'), say('what')],
-                health.breaches.map((breach) => [breach.from.toFixed(2), breach.to.toFixed(2), told(breach)]), say('passed')));
+            const told = (limit) => make('div', {}, make('b', {}, sayText(limit.check)), make('p', {}, sayText(limit.what)),
+                make('p', {}, sayText(limit.why)));
+            const span = ([from, to]) => (to > from ? `${from.toFixed(2)}–${to.toFixed(2)}` : from.toFixed(2));
+            parts.push(makeTable([say('when'), say('grade'), say('what')],
+                health.limits.map((limit) => [limit.times.map(span).join(', '), sayText(limit.gradeWord), told(limit)]),
+                say('passed')));
         }
         const share = (number) => {
             if (number === null || number === undefined) {

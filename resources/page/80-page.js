@@ -195,16 +195,20 @@ class Page {
     }
 
     warn() {
-        const { health, outcome } = this.facts;
+        const { health, outcome, cautions } = this.facts;
         const lines = [];
         if (!outcome.complete) {
             lines.push(say('notComplete', sayCount(outcome.frames), outcome.end.toFixed(2)));
         }
         if (health.tainted) {
-            lines.push(say('tainted', health.breaches.length));
+            lines.push(say('tainted', health.limits.length));
         } else if (health.acknowledged) {
-            lines.push(say('vouched', health.breaches.length, health.acknowledged.by, health.acknowledged.note));
+            lines.push(say('vouched', health.limits.length, health.acknowledged.by, health.acknowledged.note));
         }
+        // What the page says at more length stands above.
+        const said = (key) => ['tainted', 'not_complete'].includes(key) || (key === 'limits_passed' && health.acknowledged);
+        lines.push(...cautions.filter((caution) => caution.grade !== 'notice' && !said(caution.key))
+            .map((caution) => sayText(caution.what)));
         document.getElementById('warnings').replaceChildren(...lines.map((line) => make('p', { role: 'note' }, line)));
     }
 

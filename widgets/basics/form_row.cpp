@@ -30,4 +30,12 @@ QFormLayout* dialogForm() {
     return form;
 }
 
+void keepAsTyped(QLineEdit& line) {
+    line.setProperty(keptAsTyped, true);
+}
+
+bool isKeptAsTyped(const QLineEdit& line) {
+    return line.property(keptAsTyped).toBool();
+}
+
 }  // namespace rubble::widgets

@@ -4,6 +4,7 @@
 
 class QDialog;
 class QFormLayout;
+class QLineEdit;
 class QVBoxLayout;
 class QWidget;
 
@@ -16,5 +17,9 @@ void addRow(QFormLayout& form, const QString& name, QWidget* editor, const QStri
 QVBoxLayout* dialogColumn(QDialog& dialog);
 /// A form as it stands in dialogs, still without a place.
 QFormLayout* dialogForm();
+
+/// What is typed into a line counts at once, without Enter: who leaves it by Esc leaves it as it is.
+void keepAsTyped(QLineEdit& line);
+bool isKeptAsTyped(const QLineEdit& line);
 
 }  // namespace rubble::widgets

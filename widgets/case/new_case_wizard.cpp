@@ -1,10 +1,14 @@
 #include "widgets/case/new_case_wizard.h"
 
+#include <QAbstractSpinBox>
 #include <QButtonGroup>
+#include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
@@ -131,7 +135,7 @@ QWidget* NewCaseWizard::buildButtons() {
     connect(m_undo, &QPushButton::clicked, this, &NewCaseWizard::undoRequested);
     connect(m_redo, &QPushButton::clicked, this, &NewCaseWizard::redoRequested);
     connect(m_stop, &QPushButton::clicked, this, &NewCaseWizard::stopRequested);
-    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_cancel, &QPushButton::clicked, this, &NewCaseWizard::leaveByHand);
     connect(m_back, &QPushButton::clicked, this, [this] { go(static_cast<Step>(step() - 1)); });
     connect(m_next, &QPushButton::clicked, this, [this] { goByHand(step() + 1); });
     connect(m_create, &QPushButton::clicked, this, [this] {
@@ -224,7 +228,46 @@ void NewCaseWizard::changeEvent(QEvent* event) {
     }
 }
 
+void NewCaseWizard::closeEvent(QCloseEvent* event) {
+    if (mayLeave()) {
+        QDialog::closeEvent(event);
+    } else {
+        event->ignore();
+    }
+}
+
+bool NewCaseWizard::mayLeave() {
+    if (step() == Units && !m_undo->isEnabled()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Leave the new case?"), tr("Nothing of what was chosen in these steps is kept."),
+                    QMessageBox::NoButton, this);
+    QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);
+    QPushButton* stay = box.addButton(tr("Go on with the case"), QMessageBox::RejectRole);
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+    box.exec();
+    return box.clickedButton() == leave;
+}
+
+void NewCaseWizard::leaveByHand() {
+    if (mayLeave()) {
+        reject();
+    }
+}
+
 void NewCaseWizard::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        QWidget* focused = focusWidget();
+        const bool typed = qobject_cast<QLineEdit*>(focused) != nullptr || qobject_cast<QPlainTextEdit*>(focused) != nullptr ||
+                           qobject_cast<QAbstractSpinBox*>(focused) != nullptr;
+        if (typed && focused->hasFocus()) {
+            m_next->isEnabled() ? m_next->setFocus() : m_back->setFocus();
+        } else {
+            leaveByHand();
+        }
+        return;
+    }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
             button->click();

@@ -19,6 +19,7 @@ namespace rubble::widgets {
 
 /// Makes a case from an FE result in five steps, beside a preview. Every step can be left in any direction; nothing is kept before
 /// the case is made. Enter never goes on by itself: it settles what is being typed.
+/// Esc leaves a field first; who then leaves the wizard by hand is asked where something was chosen.
 class NewCaseWizard : public QDialog {
     Q_OBJECT
 
@@ -59,6 +60,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -67,6 +69,10 @@ private:
     void showState();
     /// Whether to leave the units as they are; asks where a density is that of no material.
     bool mayGoOn();
+    /// Whether what was chosen may be given up; asks where something was.
+    bool mayLeave();
+    /// Gives the new case up by hand.
+    void leaveByHand();
     /// As go(), by hand.
     void goByHand(int step);
 

@@ -58,6 +58,7 @@ ReportPanel::ReportPanel(QWidget* parent)
     m_author->setPlaceholderText(tr("Who makes the report"));
     m_author->setAccessibleName(tr("Made by"));
     m_author->setToolTip(tr("Who makes the report; stands on its first page"));
+    keepAsTyped(*m_author);
     connect(m_author, &QLineEdit::textEdited, this, &ReportPanel::wishesChanged);
     asked->addWide(m_author);
     addOwnWords();

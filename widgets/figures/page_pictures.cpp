@@ -38,6 +38,11 @@ PagePicture pictureOf(const ReportPhoto& photo) {
     if (photo.comparison) {
         picture.note = photo.comparison->words;
     }
+    for (const Caution& caution : photo.cautions) {
+        if (caution.inPictures()) {
+            picture.cautions.push_back(caution.what);
+        }
+    }
     return picture;
 }
 

@@ -53,7 +53,7 @@ struct KeptRunFile {
     QString path;
     QString casePath;  ///< empty: not known
     qint64 bytes = 0;
-    QDateTime when;                 ///< it was last written
+    QDateTime when;                 ///< its run ended; where nobody knows, it was last written
     std::optional<RunEntry> entry;  ///< unset: nothing can be shown of it, or another program writes it
     bool busy = false;              ///< another program writes it
 };

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/basics/form_row.h"
+
 namespace rubble {
 
 namespace {
@@ -180,7 +182,8 @@ bool KeyRules::escapes() const {
 
 bool KeyRules::escape() {
     if (QWidget* focus = QApplication::focusWidget(); isTypedInto(focus)) {
-        if (m_field != nullptr && m_field == lineOf(focus) && m_field->text() != m_before) {
+        const bool changed = m_field != nullptr && m_field == lineOf(focus) && m_field->text() != m_before;
+        if (changed && !widgets::isKeptAsTyped(*m_field)) {
             m_field->setText(m_before);
             m_field->setModified(false);
         }

@@ -56,7 +56,7 @@ constexpr QSize roomOfFrame(8, 36);
 struct MainWindow::Kept {
     std::optional<LayoutMemory::Layout> layout;  ///< of an earlier window; unset: this is the first one
     bool keepsLayout = false;                    ///< also from one start of the program to the next
-    bool preferencesOpen = false;
+    std::optional<QPoint> preferencesPlace;  ///< where they stood open
     bool toldOfCase = false;  ///< the sentence of the status line is about the case that is open
     QString manualPage;       ///< that was open; empty: none was
 };
@@ -114,22 +114,27 @@ void MainWindow::goOn() {
         m_area->setError(failure->what(), failure->remedy());
     }
     m_session.computation().tellProgress();
-    if (m_kept.preferencesOpen) {
-        showPreferences();
-    }
-    if (!m_kept.manualPage.isEmpty()) {
-        m_help->manual().showPage(m_kept.manualPage);
-    }
     if (const QStringList complaints = m_session.takeComplaints(); !complaints.isEmpty()) {
         m_status->setMessage(
             tr("Preferences that could not be read are as delivered: %1").arg(complaints.join(QStringLiteral(", "))));
     }
 }
 
+void MainWindow::openAgain() {
+    if (m_kept.preferencesPlace) {
+        showPreferences();
+        findChild<widgets::PreferencesDialog*>()->move(*m_kept.preferencesPlace);
+    }
+    if (!m_kept.manualPage.isEmpty()) {
+        m_help->manual().showPage(m_kept.manualPage);
+    }
+}
+
 void MainWindow::keepLook() {
     m_kept.layout = m_layout->now();
     const auto* preferences = findChild<widgets::PreferencesDialog*>();
-    m_kept.preferencesOpen = preferences != nullptr && preferences->isVisible();
+    m_kept.preferencesPlace =
+        preferences != nullptr && preferences->isVisible() ? std::optional(preferences->pos()) : std::nullopt;
     m_kept.manualPage = m_help->openPage();
 }
 

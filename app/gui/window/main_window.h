@@ -39,6 +39,9 @@ public:
     /// "system", "light" or "dark".
     void setTheme(const QString& name);
     void showPreferences();
+    /// Opens once more what stood open beside the window that this one takes the place of. Once the window is shown: else such
+    /// windows are not kept in front of it.
+    void openAgain();
     /// The layout of the last time, from now on kept when the window closes.
     void restoreLayout();
 

@@ -67,6 +67,7 @@ void RenewedWindow::speak(const QString& language) {
     if (visible) {
         m_window->show();
         m_window->activateWindow();
+        m_window->openAgain();
     }
     QGuiApplication::setQuitOnLastWindowClosed(quits);
     emit renewed();

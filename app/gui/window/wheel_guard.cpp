@@ -15,6 +15,8 @@ namespace {
 
 /// ms. Turns of the wheel that follow each other faster are one scroll.
 constexpr qint64 oneScroll = 300;
+/// Property of a window in which nothing was pressed since it was shown.
+constexpr const char* untouched = "rubbleUntouched";
 
 /// Whose value or page the wheel changes.
 bool changesByWheel(const QWidget& widget) {
@@ -34,11 +36,11 @@ WheelGuard::WheelGuard(QObject* parent) : QObject(parent) {
     qApp->installEventFilter(this);
 }
 
-bool WheelGuard::passesBy(const QWidget& widget) {
+bool WheelGuard::passesBy(const QWidget& widget) const {
     if (!changesByWheel(widget)) {
         return false;
     }
-    return !widget.hasFocus() || (m_scrolled.isValid() && m_scrolled.elapsed() < oneScroll);
+    return !widget.hasFocus() || widget.window()->property(untouched).toBool() || (m_scrolled.isValid() && m_scrolled.elapsed() < oneScroll);
 }
 
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
@@ -49,6 +51,11 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
     const bool comes = event->type() == QEvent::Polish || event->type() == QEvent::Show;
     if (comes && widget->focusPolicy() == Qt::WheelFocus) {
         widget->setFocusPolicy(Qt::StrongFocus);
+    }
+    if (event->type() == QEvent::Show && widget->isWindow()) {
+        widget->setProperty(untouched, true);
+    } else if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) {
+        widget->window()->setProperty(untouched, false);
     } else if (event->type() == QEvent::FocusIn) {
         m_scrolled.invalidate();  // what is chosen now is meant
     } else if (event->type() == QEvent::Wheel && passesBy(*widget)) {

@@ -78,9 +78,15 @@ json pictureList(const PageExtras& extras) {
             continue;
         }
         json entry = {{"kind", kindName(picture.kind)}, {"name", picture.name}, {"source", sourceOf(picture)}};
+        const auto text = [&extras](const Message& message) -> json {
+            const std::string english = englishText(message);
+            return {{"en", english}, {"zh", extras.chinese ? extras.chinese(message) : english}};
+        };
         if (!picture.note.empty()) {
-            const std::string english = englishText(picture.note);
-            entry["note"] = {{"en", english}, {"zh", extras.chinese ? extras.chinese(picture.note) : english}};
+            entry["note"] = text(picture.note);
+        }
+        for (const Message& caution : picture.cautions) {
+            entry["cautions"].push_back(text(caution));
         }
         list.push_back(std::move(entry));
     }

@@ -9,8 +9,10 @@
 #include "core/base/build.h"
 #include "core/fe/north.h"
 #include "core/scenario/differences.h"
+#include "core/simulation/health/passed_limits.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -63,20 +65,24 @@ json valueFact(const Parameter& row, const ParameterValue& value, const PageText
 json healthFacts(const RunReader& run, const PageTexts& text) {
     const Taint taint = taintOf(run);
     const auto result = run.result();
-    json facts = {{"tainted", taint.tainted()}, {"acknowledged", nullptr}, {"breaches", json::array()}};
+    json facts = {{"tainted", taint.tainted()}, {"acknowledged", nullptr}, {"limits", json::array()}};
     if (taint.acknowledgement) {
         facts["acknowledged"] = {
             {"by", taint.acknowledgement->by}, {"when", taint.acknowledgement->when}, {"note", taint.acknowledgement->note}};
     }
-    for (const HealthBreach& breach : result ? result->health.breaches : run.breaches()) {
-        facts["breaches"].push_back({{"check", text(healthCheckTitle(breach.check))},
-                                     {"from", breach.from},
-                                     {"to", breach.to},
-                                     {"worst", numberOrNull(breach.worst)},
-                                     {"limit", numberOrNull(breach.limit)},
-                                     {"bodies", breach.bodies},
-                                     {"what", text(breach.what)},
-                                     {"remedy", text(breach.remedy)}});
+    const std::vector<HealthBreach> breaches = result ? result->health.breaches : run.breaches();
+    for (const PassedLimit& limit : passedLimits(breaches)) {
+        const HealthBreach& breach = breaches[limit.worst];
+        json times = json::array();
+        for (const std::size_t i : limit.breaches) {
+            times.push_back({breaches[i].from, breaches[i].to});
+        }
+        facts["limits"].push_back({{"check", text(healthCheckTitle(breach.check))},
+                                   {"grade", healthGradeName(limit.grade)},
+                                   {"gradeWord", text.word(healthGradeName(limit.grade))},
+                                   {"times", times},
+                                   {"what", text(breach.what)},
+                                   {"why", text(gradeReason(breach))}});
     }
     if (result) {
         facts["energyGain"] = numberOrNull(result->energy.drift);
@@ -84,6 +90,17 @@ json healthFacts(const RunReader& run, const PageTexts& text) {
         facts["penetrationShare"] = numberOrNull(result->health.penetrationShare);
         facts["fastest"] = numberOrNull(result->health.fastestOverLimit);
         facts["farthest"] = numberOrNull(result->health.farthest);
+    }
+    return facts;
+}
+
+/// What must be known beside all figures of the page: what pictures of the run say as well.
+json cautionFacts(const RunReader& run, const PageTexts& text) {
+    json facts = json::array();
+    for (const Caution& caution : runCautions(standingOf(run))) {
+        if (caution.inPictures()) {
+            facts.push_back({{"key", caution.key}, {"grade", healthGradeName(caution.grade)}, {"what", text(caution.what)}});
+        }
     }
     return facts;
 }
@@ -338,6 +355,7 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["program"] = "Rubble " + std::string(versionText());
     facts["outcome"] = outcomeFacts(run, fe);
     facts["health"] = healthFacts(run, text);
+    facts["cautions"] = cautionFacts(run, text);
     facts["validation"] = validationFacts(run, extras, text);
     facts["findings"] = findingFacts(run, fe, text);
     facts["chapters"] = chapterFacts(run, fe, extras);

@@ -386,9 +386,22 @@ TEST_F(SmallRun, WhatMovesAtTheEndHasItsSpeedThere) {
     const nlohmann::json made = run({}, "0");
     ASSERT_GT(made["still_moving"].get<int>(), 0) << made;
     const std::string page = m_folder / "small.html";
-    ASSERT_EQ(cli({"export", m_out, "--export", "page=" + page}).exitCode, 0);
+    Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
+    addPhotograph(theCase, m_folder / "site.tif");
+    io::saveCase(m_folder / "small.rubble", theCase);
+    ASSERT_EQ(cli({"export", m_out, "--case", m_folder / "small.rubble", "--export", "page=" + page}).exitCode, 0);
     Browser browser(m_folder / "profile", 1280, 800);
     browser.open(page);
+    const auto textOfPart = [&](const std::string& id) {
+        return browser.evaluate("document.getElementById('" + id + "').textContent").get<std::string>();
+    };
+    // What the window, the report and pictures say of such a run stands here too, beside the score of the photograph as well.
+    EXPECT_THAT(textOfPart("warnings"), HasSubstr("not all at rest"));
+    EXPECT_THAT(textOfPart("panel-evidence"), HasSubstr("the photograph shows all at rest, but"));
+    browser.evaluate("document.getElementById('chinese').click()");
+    EXPECT_THAT(textOfPart("warnings"), testing::AllOf(HasSubstr("静止"), Not(HasSubstr("at rest"))));
+    EXPECT_THAT(textOfPart("panel-evidence"), Not(HasSubstr("shows all at rest")));
+    browser.evaluate("document.getElementById('english').click()");
     const auto fastest = [&](const std::string& time) {
         browser.evaluate("page.jump(" + time + ")");
         return browser

@@ -329,6 +329,7 @@ TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {
     auto* dialog = window->findChild<widgets::PreferencesDialog*>();
     ASSERT_NE(dialog, nullptr);
     ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, patience));
+    dialog->move(70, 50);
     auto* language = dialog->findChild<QComboBox*>(QStringLiteral("language"));
     language->setFocus();
     QTest::keyClick(language, Qt::Key_End);
@@ -336,6 +337,8 @@ TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return widgets::currentLanguage() == QLatin1String("zh_CN"); }, patience));
     dialog = window->findChild<widgets::PreferencesDialog*>();
     ASSERT_NE(dialog, nullptr) << "the dialog comes again with the new window";
+    EXPECT_EQ(dialog->pos(), QPoint(70, 50));
+    EXPECT_EQ(dialog->windowHandle()->transientParent(), window->windowHandle()) << "it stays in front of the window";
     EXPECT_EQ(dialog->windowTitle(), QStringLiteral("首选项"));
     for (const auto& [place, text] : textsOf(*dialog)) {
         EXPECT_TRUE(strangeWords(text, {}).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);

@@ -262,6 +262,36 @@ TEST_F(NewCases, EscapeLeavesAndTheWindowHasTheKeyboardAgain) {
     EXPECT_LT(window->rooms().playback->clock().time(), end);
 }
 
+TEST_F(NewCases, EscapeInAFieldLeavesTheFieldAndWhatWasChosenIsAskedAbout) {
+    begin();
+    wizard().go(widgets::NewCaseWizard::Summary);
+    auto* title = wizard().summary().findChild<QLineEdit*>();
+    ASSERT_NE(title, nullptr);
+    title->setFocus();
+    QTest::keyClicks(title, QStringLiteral("Bridge"));
+    QTest::keyClick(title, Qt::Key_Escape);
+    ASSERT_NE(window->rooms().opening->caseInTheMaking(), nullptr);
+    EXPECT_FALSE(title->hasFocus());
+    EXPECT_TRUE(title->text().endsWith(QStringLiteral("Bridge")));
+    bool asked = false;
+    whenAsked([&](QDialog& dialog) {
+        asked = true;
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    EXPECT_TRUE(asked);
+    ASSERT_NE(window->rooms().opening->caseInTheMaking(), nullptr) << "Esc in the question goes on";
+    whenAsked([&](QDialog& dialog) {
+        for (auto* each : dialog.findChildren<QPushButton*>()) {
+            if (each->text().contains(QStringLiteral("Leave"))) {
+                each->click();
+            }
+        }
+    });
+    QTest::mouseClick(button(QStringLiteral("Cancel")), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
+}
+
 TEST_F(NewCases, AreShownInTheThemeOfTheWindow) {
     begin();
     EXPECT_EQ(making().preview().views().view().theme, render::Theme::Light);

@@ -148,6 +148,7 @@ TEST_F(SteadyWindow, TheWheelScrollsAndChangesNothing) {
 }
 
 TEST_F(SteadyWindow, TheWheelChangesWhatHasTheFocus) {
+    clickPanel(PanelDeck::Case);
     auto* box = window->findChild<QComboBox*>(QStringLiteral("colourBy"));
     const int before = box->currentIndex();
     box->setFocus();
@@ -171,12 +172,21 @@ TEST_F(SteadyWindow, TheWheelChangesNothingInDialogs) {
     const auto boxes = whatTheWheelCouldChange(*dialog);
     EXPECT_GE(boxes.size(), 7U);
     const widgets::Preferences before = session->preferences();
+    bool focused = false;
     for (QWidget* each : boxes) {
-        if (!each->hasFocus()) {
-            turnWheel(*each);
-        }
+        focused = focused || each->hasFocus();
+        turnWheel(*each);
     }
+    EXPECT_TRUE(focused) << "one has the focus because the dialog was opened";
     EXPECT_EQ(session->preferences(), before);
+    // Once a key was pressed there, the focus is meant.
+    auto* theme = dialog->findChild<QComboBox*>(QStringLiteral("theme"));
+    ASSERT_NE(theme, nullptr);
+    const int at = theme->currentIndex();
+    QTest::keyClick(dialog->focusWidget(), Qt::Key_Shift);
+    theme->setFocus();
+    turnWheel(*theme, at == 0 ? -120 : 120);
+    EXPECT_NE(theme->currentIndex(), at);
 }
 
 TEST_F(SteadyWindow, SpacePlaysAfterOpeningAfterEveryPanelAndAfterAClick) {

@@ -12404,6 +12404,26 @@
         <source>{0} shows the collapse at {1} s: members keep their debris at rest</source>
         <translation>{0} 显示的是坍塌在 {1} s 时的情形：成员只保留静止时的堆积物</translation>
     </message>
+    <message>
+        <source>Find the file, and save the case with it.</source>
+        <translation>找到该文件，并将其存入案例。</translation>
+    </message>
+    <message>
+        <source>Making what is sealed with {0}</source>
+        <translation>正在制作与 {0} 一并封存的内容</translation>
+    </message>
+    <message>
+        <source>there is none yet</source>
+        <translation>尚无</translation>
+    </message>
+    <message>
+        <source>what is there was made of another run</source>
+        <translation>已有的由另一次计算制作</translation>
+    </message>
+    <message>
+        <source>{0} stands on a file that the case does not have now: SHA-256 {1}</source>
+        <translation>{0} 所依据的文件，案例现在没有：SHA-256 {1}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -13549,6 +13569,10 @@
     <message>
         <source>The case is sealed: %1</source>
         <translation>案例已封存：%1</translation>
+    </message>
+    <message>
+        <source>Made for it, and in it: %1</source>
+        <translation>为此制作并已封入：%1</translation>
     </message>
 </context>
 <context>
@@ -24914,10 +24938,6 @@ Program: %3</source>
         <translation>写出时间戳的请求</translation>
     </message>
     <message>
-        <source>The case is sealed with its journal. What is ticked goes along; an input that is not ticked stays here, and only its digest is sealed.</source>
-        <translation>案例连同其日志封存。勾选的内容一同封存；未勾选的输入留在这里，只封存其摘要。</translation>
-    </message>
-    <message>
         <source>What is sealed</source>
         <translation>封存内容</translation>
     </message>
@@ -24976,6 +24996,34 @@ Program: %3</source>
     <message>
         <source>About %1 are sealed; the largest is %2.</source>
         <translation>约封存 %1；最大的是 %2。</translation>
+    </message>
+    <message>
+        <source>Make a report of %1</source>
+        <translation>为 %1 制作报告</translation>
+    </message>
+    <message>
+        <source>Make a page of %1</source>
+        <translation>为 %1 制作网页</translation>
+    </message>
+    <message>
+        <source>Made before the bundle is written, as Export &gt; Report… makes it of what its panel asks for. It simulates the repeats that are set there.</source>
+        <translation>在写出封存包之前制作，与“导出 &gt; 报告…”相同，内容按其面板的设置，并模拟其中设定的重复计算。</translation>
+    </message>
+    <message>
+        <source>Made before the bundle is written, as Export &gt; Share as a page… makes it.</source>
+        <translation>在写出封存包之前制作，与“导出 &gt; 共享为网页…”相同。</translation>
+    </message>
+    <message>
+        <source>The case is sealed with its journal. What is ticked goes along; an input that is not ticked stays here, and only its digest is sealed. A run that lacks a report or a page can have it made.</source>
+        <translation>案例连同其日志一并封存。勾选的内容随行；未勾选的输入留在这里，只封存其摘要。缺少报告或网页的计算，可在此制作。</translation>
+    </message>
+    <message>
+        <source>What is made comes on top.</source>
+        <translation>所制作的内容另计。</translation>
+    </message>
+    <message>
+        <source>its run is not sealed</source>
+        <translation>其计算未被封存</translation>
     </message>
 </context>
 <context>

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <optional>
 
 #include "core/base/build.h"
+#include "core/base/error.h"
+#include "io/case/case_file.h"
 #include "io/case/site_reader.h"
 #include "io/case/terrain_reader.h"
 #include "io/fe/fe_reader.h"
+#include "io/site/input_files.h"
 #include "io/site/place_check.h"
 
 namespace rubble::io {
@@ -85,6 +89,31 @@ Inputs openRunInputs(const RunOrigin& origin, Findings& place, Findings& terrain
         }
     }
     return inputs;
+}
+
+RunOrigin originInCase(const RunReader& run, const std::string& casePath, const Case& theCase, const Execution& execution) {
+    RunOrigin origin = run.origin();
+    const auto placeOf = [&](InputRole role, const std::string& sha256) {
+        for (const CaseInput& input : theCase.inputs) {
+            const std::string path = inputPath(casePath, input);
+            std::error_code ignored;
+            if (input.role == role && std::filesystem::exists(path, ignored) && digestOfInput(path, role, execution).is(sha256)) {
+                return path;
+            }
+        }
+        throw UsageError(
+            Message{
+                "io.run.not_of_case", "{0} stands on a file that the case does not have now: SHA-256 {1}", {run.path(), sha256}},
+            Message{"io.run.not_of_case.remedy", "Find the file, and save the case with it.", {}});
+    };
+    origin.fePath = placeOf(InputRole::Fe, origin.feSha256);
+    if (!origin.terrainPath.empty()) {
+        origin.terrainPath = placeOf(InputRole::Terrain, origin.terrainSha256);
+    }
+    for (RecordedInput& mesh : origin.surroundings) {
+        mesh.path = placeOf(InputRole::Surroundings, mesh.sha256);
+    }
+    return origin;
 }
 
 RunRepeat repeatRun(const RunReader& recorded, const Inputs& inputs, const Execution& execution) {

@@ -15,6 +15,7 @@
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
 #include "io/run/run_history.h"
+#include "io/seal/bag.h"
 #include "io/seal/unpacked_bundle.h"
 #include "io/site/input_files.h"
 
@@ -25,7 +26,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* reportPage = "report.html";
+constexpr const char* pageEnding = ".html";
 constexpr const char* runEnding = ".run.h5";
+constexpr const char* bundleEnding = ".rubblecase";
 constexpr const char* provenanceEnding = ".provenance.json";
 
 std::uint64_t bytesOf(const fs::path& path) {
@@ -43,6 +46,43 @@ std::uint64_t bytesOf(const fs::path& path) {
 
 std::string whole(const fs::path& path) {
     return fs::absolute(path).lexically_normal().string();
+}
+
+/// What a file says of itself: tables and files for other programs have it beside them, pictures, reports and pages in them.
+ReadProvenance provenanceOf(const std::string& file) {
+    const std::string beside = file + provenanceEnding;
+    const std::optional<std::string> text = contentOf(beside);
+    if (!text) {
+        return readProvenance(file).value_or(ReadProvenance());
+    }
+    const nlohmann::json about = parseJson(*text, beside);
+    ReadProvenance read;
+    read.fingerprint = about.value("fingerprint", std::string());
+    read.casePath = about.value("case_path", std::string());
+    return read;
+}
+
+OfferedPart partAt(const std::string& path) {
+    std::error_code ignored;
+    const bool report = fs::is_directory(path, ignored);
+    const OfferedPart::Kind kind = report                        ? OfferedPart::Kind::Report
+                                   : hasEnding(path, pageEnding) ? OfferedPart::Kind::Page
+                                   : hasEnding(path, runEnding)  ? OfferedPart::Kind::Run
+                                                                 : OfferedPart::Kind::Export;
+    return {kind, {}, whole(path), bytesOf(path) + (report ? 0 : bytesOf(path + provenanceEnding))};
+}
+
+/// Fingerprint of a run, or of the run that something was made of; empty where that is not told.
+std::string fingerprintOf(const OfferedPart& part) {
+    try {
+        if (part.kind == OfferedPart::Kind::Run) {
+            return openRun(part.path)->origin().fingerprint.hex();
+        }
+        return provenanceOf(part.kind == OfferedPart::Kind::Report ? part.path + "/" + reportPage : part.path).fingerprint;
+    } catch (const std::exception&) {
+        // What cannot be read says nothing.
+        return {};
+    }
 }
 
 /// Complete runs whose file is there, in the order in which they ended.
@@ -67,6 +107,7 @@ public:
         addRuns();
         addRunsBeside();
         addFilesBeside();
+        addMissing();
         std::stable_sort(m_parts.begin(), m_parts.end(),
                          [](const OfferedPart& a, const OfferedPart& b) { return a.kind < b.kind; });
         return std::move(m_parts);
@@ -100,6 +141,7 @@ private:
             }
             OfferedPart part{OfferedPart::Kind::Run, entry.scenarioName, whole(entry.file), bytesOf(entry.file)};
             part.bytes += bytesOf(acknowledgementPath(entry.file));
+            part.fingerprint = entry.fingerprint.hex();
             part.chosen = std::find(newest.begin(), newest.end(), entry.file) != newest.end();
             if (!hasFe(entry.feSha256)) {
                 part.chosen = false;
@@ -145,6 +187,7 @@ private:
             m_fingerprints.insert(origin.fingerprint.hex());
             OfferedPart part{OfferedPart::Kind::Run, origin.scenarioName, whole(path), bytesOf(path)};
             part.bytes += bytesOf(acknowledgementPath(path.string()));
+            part.fingerprint = origin.fingerprint.hex();
             part.chosen = std::none_of(m_parts.begin(), m_parts.end(), [&](const OfferedPart& each) {
                 return each.kind == OfferedPart::Kind::Run && each.chosen && each.id == part.id;
             });
@@ -166,41 +209,44 @@ private:
             m_execution.report({"io.seal.offer", "Looking for what the case has", {}}, 0.0);
             const bool report = fs::is_directory(path, failed);
             const std::string file = whole(report ? path / reportPage : path);
-            if (fs::is_regular_file(file, failed) && isOfTheCase(file)) {
-                OfferedPart part = addedPart(report ? path.string() : file);
+            if (!fs::is_regular_file(file, failed)) {
+                continue;
+            }
+            if (const std::optional<std::string> fingerprint = madeOfTheCase(file)) {
+                OfferedPart part = partAt(report ? path.string() : file);
+                part.fingerprint = *fingerprint;
                 m_parts.push_back(std::move(part));
             }
         }
     }
 
-    /// Whether a file says that it was made of this case.
-    bool isOfTheCase(const std::string& file) {
-        if (m_inputs.contains(file) || hasEnding(file, provenanceEnding) || hasEnding(file, runEnding)) {
-            return false;
+    /// The fingerprint of the run, or empty, if a file says that it was made of this case.
+    std::optional<std::string> madeOfTheCase(const std::string& file) {
+        // An earlier bundle holds files that say so.
+        if (m_inputs.contains(file) || hasEnding(file, provenanceEnding) || hasEnding(file, runEnding) ||
+            hasEnding(file, bundleEnding)) {
+            return {};
         }
         try {
             const ReadProvenance about = provenanceOf(file);
             std::error_code ignored;
-            return (!about.casePath.empty() && fs::equivalent(about.casePath, m_casePath, ignored)) ||
-                   (!about.fingerprint.empty() && m_fingerprints.contains(about.fingerprint));
+            const bool ofCase = (!about.casePath.empty() && fs::equivalent(about.casePath, m_casePath, ignored)) ||
+                                (!about.fingerprint.empty() && m_fingerprints.contains(about.fingerprint));
+            return ofCase ? std::optional(about.fingerprint) : std::nullopt;
         } catch (const std::exception&) {
             // What cannot be read says nothing.
-            return false;
+            return {};
         }
     }
 
-    /// Tables and files for other programs have it beside them, pictures, reports and pages in them.
-    static ReadProvenance provenanceOf(const std::string& file) {
-        const std::string beside = file + provenanceEnding;
-        const std::optional<std::string> text = contentOf(beside);
-        if (!text) {
-            return readProvenance(file).value_or(ReadProvenance());
+    void addMissing() {
+        const std::vector<OfferedPart> there = m_parts;
+        for (const OfferedPart& part : there) {
+            if (part.kind == OfferedPart::Kind::Run && part.remark.empty()) {
+                const std::vector<OfferedPart> missing = missingOf(part, there);
+                m_parts.insert(m_parts.end(), missing.begin(), missing.end());
+            }
         }
-        const nlohmann::json about = parseJson(*text, beside);
-        ReadProvenance read;
-        read.fingerprint = about.value("fingerprint", std::string());
-        read.casePath = about.value("case_path", std::string());
-        return read;
     }
 
     const std::string& m_casePath;
@@ -239,17 +285,52 @@ std::vector<OfferedPart> sealOffer(const std::string& casePath, const Execution&
 }
 
 OfferedPart addedPart(const std::string& path) {
-    std::error_code ignored;
-    const bool report = fs::is_directory(path, ignored);
-    const OfferedPart::Kind kind = report                       ? OfferedPart::Kind::Report
-                                   : hasEnding(path, ".html")   ? OfferedPart::Kind::Page
-                                   : hasEnding(path, runEnding) ? OfferedPart::Kind::Run
-                                                                : OfferedPart::Kind::Export;
-    return {kind, {}, whole(path), bytesOf(path) + (report ? 0 : bytesOf(path + provenanceEnding))};
+    OfferedPart part = partAt(path);
+    part.fingerprint = fingerprintOf(part);
+    return part;
+}
+
+std::vector<OfferedPart> missingOf(const OfferedPart& run, const std::vector<OfferedPart>& parts) {
+    std::vector<OfferedPart> missing;
+    for (const OfferedPart::Kind kind : {OfferedPart::Kind::Report, OfferedPart::Kind::Page}) {
+        bool there = false, others = false;
+        for (const OfferedPart& part : parts) {
+            const bool made = part.kind == kind && part.run.empty();
+            there = there || (made && !part.fingerprint.empty() && part.fingerprint == run.fingerprint);
+            others = others || made;
+        }
+        if (there) {
+            continue;
+        }
+        OfferedPart part{kind, run.id, {}, 0, false};
+        part.run = run.path;
+        part.remark = others ? Message{"io.seal.offer_of_others", "what is there was made of another run", {}}
+                             : Message{"io.seal.offer_none", "there is none yet", {}};
+        missing.push_back(std::move(part));
+    }
+    return missing;
+}
+
+SealedExtra placeOfMade(OfferedPart::Kind kind, const std::string& run, std::size_t number, const std::string& folder) {
+    const std::string name = std::to_string(number) + "-" + fs::path(run).stem().stem().string();
+    return kind == OfferedPart::Kind::Report ? SealedExtra{"report/" + bagName(name), folder + "/" + name}
+                                             : SealedExtra{"page", folder + "/" + name + pageEnding};
+}
+
+std::string placeInBag(const SealedExtra& made) {
+    const std::string folder = bag::payload + made.folder;
+    return hasEnding(made.path, pageEnding) ? folder + "/" + bagName(fs::path(made.path).filename().string()) : folder;
 }
 
 void choose(SealRequest& request, const std::vector<OfferedPart>& parts) {
+    const auto reports = std::count_if(parts.begin(), parts.end(), [](const OfferedPart& part) {
+        return part.kind == OfferedPart::Kind::Report && part.chosen && part.run.empty();
+    });
+    std::size_t report = 0;
     for (const OfferedPart& part : parts) {
+        if (!part.run.empty()) {
+            continue;
+        }
         if (part.kind == OfferedPart::Kind::Input) {
             if (!part.chosen) {
                 request.leftHome.push_back(part.id);
@@ -258,6 +339,10 @@ void choose(SealRequest& request, const std::vector<OfferedPart>& parts) {
             continue;
         } else if (part.kind == OfferedPart::Kind::Run) {
             request.runs.push_back(part.path);
+        } else if (part.kind == OfferedPart::Kind::Report && reports > 1) {
+            // Their files have the same names, and refer to each other by them.
+            const std::string name = std::to_string(++report) + "-" + fs::path(part.path).filename().string();
+            request.extras.push_back({"report/" + bagName(name), part.path});
         } else {
             const char* folder = part.kind == OfferedPart::Kind::Export   ? "exports"
                                  : part.kind == OfferedPart::Kind::Report ? "report"

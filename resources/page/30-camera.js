@@ -62,12 +62,17 @@ class Camera {
         return add3(this.target, this.frame().back, this.distance);
     }
 
+    // Nearest and farthest depth that is drawn, m.
+    depths() {
+        const far = this.distance + 4 * length3(add3(this.bounds.high, this.bounds.low, -1));
+        return { near: Math.max(far / 20000, 0.02 * this.distance), far };
+    }
+
     // View and projection, column by column.
     matrix(aspect) {
         const { back, right, up } = this.frame();
         const eye = this.eye();
-        const reach = this.distance + 4 * length3(add3(this.bounds.high, this.bounds.low, -1));
-        const near = Math.max(reach / 20000, 0.02 * this.distance);
+        const { near, far: reach } = this.depths();
         const f = 1 / Math.tan(verticalAngle / 2);
         const a = (reach + near) / (near - reach);
         const b = 2 * reach * near / (near - reach);

@@ -28,6 +28,7 @@ function startedPrograms(canvas) {
         plain: started(plainVertex, groundFragment, ['place']),
         picture: started(pictureVertex, pictureFragment, ['place']),
         sky: started(pictureVertex, skyFragment, ['place']),
+        contours: started(pictureVertex, contourFragment, ['place']),
         structureDepth: started(structureVertex, depthFragment, ['now', 'next', 'tint', 'rest']),
         piecesDepth: started(pieceVertex, depthFragment, ['place', 'body', 'tint', 'rest']),
         plainDepth: started(plainVertex, depthFragment, ['place'])

@@ -101,7 +101,7 @@ const words = {
     analysis: ['Analysis: fragments in colour', '分析：碎块着色'],
     contrastStyle: ['High contrast shows the colours of analysis.', '高对比度使用分析的颜色。'],
     noShadows: ['This browser draws no shadows: it cannot keep depths in a texture.', '此浏览器不绘制阴影：它无法在纹理中保存深度。'],
-    edges: ['edges of elements, where they are large enough', '单元边线（单元足够大时）'],
+    edges: ['edges of large elements; contours at rest', '较大单元的边线；静止时的轮廓线'],
     byMaterial: ['material', '材料'],
     materials: [['stone', 'concrete', 'steel', 'masonry', 'soil', 'water bed'], ['石材', '混凝土', '钢', '砌体', '土', '水底']],
     assumed: ['{0} (assumed)', '{0}（假定）'],
@@ -178,9 +178,9 @@ const words = {
     limitPhoto: ['The picture of the ground has pixels of {0} m, its file has pixels of {1} m.', '地面影像的像素为 {0} m，其文件的像素为 {1} m。'],
     limitFallenOn: [' Debris that seems to rest on nothing may lie on it.', '看似悬空的碎块可能落在其上。'],
     limitPoints: ['While it plays on a slow machine, fewer pixels are drawn, and small fragments as squares; of those that cover one ' +
-        'another only the nearest. FE states are then not interpolated, fragments throw no shadows, and elements have no edges. When it ' +
+        'another only the nearest. FE states are then not interpolated, fragments throw no shadows, and nothing has edges or contours. When it ' +
         'stops, everything is drawn in full.',
-    '在较慢的机器上播放时，像素减少，小碎块画为方块，相互遮挡的只画最近的，有限元状态不作插值，碎块不投阴影，单元无边线；停止时完整绘制。'],
+    '在较慢的机器上播放时，像素减少，小碎块画为方块，相互遮挡的只画最近的，有限元状态不作插值，碎块不投阴影，没有边线和轮廓线；停止时完整绘制。'],
     limitLook: ['Sun, shadows, grain of materials, earth and water are illustrative: the sun is not that of the day, and materials have the ' +
         'colour of their class.', '日光、阴影、材料纹理、地面和水面仅为示意：太阳不是当日的太阳，材料只有其类别的颜色。'],
     limitSize: ['The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it.',

@@ -27,6 +27,8 @@ const materialTones = [[184, 170, 144], [167, 168, 164], [118, 130, 143], [169, 
 const materialRoughness = [1, 0.55, 0.2, 0.85, 0.8, 0.3];
 const smallestEdges = 4;   // px, of an element below which its edges are not drawn: they would cover it
 const darkestEdges = 0.5;
+const darkestContours = 0.6;
+const leastContour = 3;    // px, that a jump in depth must be worth to have one
 let tones = usualTones;
 const categories = [[0, 114, 178], [230, 159, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [240, 228, 66], [213, 94, 0],
     [120, 94, 60], [140, 140, 150]];
@@ -93,6 +95,7 @@ class Player {
         this.typicalSize = this.renderer.sizes.reduce((sum, size) => sum + size, 0) / Math.max(1, this.pieces.count);
         this.ground = this.groundTriangles();
         this.groundSolid = this.renderer.solid(this.ground.points);
+        this.groundThrows = this.facts.ground.terrain !== null && shadesItself(this.ground.points);
         this.water = facts.ground.water === null ? null : this.renderer.solid(this.waterTriangles());
         this.sunBounds = this.boundsOfShadows();
         this.site = new Site(arrays, facts, this.renderer, pictured, () => {
@@ -141,7 +144,22 @@ class Player {
             }
         }
         low[2] -= 0.01 * room;
-        return { low, high };
+        return { low, high, sunward: this.sunwardEnd({ low, high }) };
+    }
+
+    // How far towards the sun a terrain reaches that may throw shadows into a box, m.
+    sunwardEnd(box) {
+        const { terrain } = this.facts.ground;
+        const [across, upward] = sunAxes.slice(0, 2).map((axis) => endsAlong(axis, box));
+        let end = -Infinity;
+        for (let i = 0; terrain !== null && i < terrain.heights.length; ++i) {
+            const node = terrainNode(terrain, i % terrain.nx, Math.floor(i / terrain.nx));
+            const [x, y, z] = sunAxes.map((axis) => dot3(axis, node));
+            // A triangle reaches in by a cell.
+            const near = (at, [from, to]) => at > from - 2 * terrain.cell && at < to + 2 * terrain.cell;
+            end = near(x, across) && near(y, upward) ? Math.max(end, z) : end;
+        }
+        return end;
     }
 
     // Materials, light of a sun and its shadows. High contrast takes the plain colours of analysis.
@@ -383,7 +401,11 @@ class Player {
         this.drawPanes((index, pane, view) => {
             const edges = this.edgesIn(pane);
             this.drawStanding(index, view, share, edges);
-            this.drawMoving(index, pane, view, edges);
+            this.drawDebris(index, pane, view, edges);
+            if (!this.moving) {
+                this.drawContours(pane);
+            }
+            this.drawOver(index, view);
         }, true);
         if (!this.moving) {
             // Edges are smoothed by the first copy; the second cannot do that.
@@ -396,18 +418,24 @@ class Player {
     // Maps of what is lit in both panes. @param part  of the side of a map; smaller ones are made in less time
     castShadows(share, part, boxes) {
         const { renderer } = this;
+        const solids = this.groundThrows ? [...this.site.solids, this.groundSolid] : this.site.solids;
         for (const index of this.fine ? [0, 1] : []) {
             if (renderer.shadows[index].works) {
                 renderer.castShadow(index, this.sunBounds, share, part, {
-                    structure: index === 0 || this.showsStructure, solids: this.site.solids, boxes: boxes && index === 1
+                    structure: index === 0 || this.showsStructure, solids, boxes: boxes && index === 1
                 });
             }
         }
     }
 
+    // Of a usual element, px of the page.
+    elementPixels(pane) {
+        return this.typicalSize * this.pixelsPerMetre(pane) / this.camera.distance / this.ratio;
+    }
+
     // How dark the edges of elements are in a pane; 0: there are none, or they would cover what they belong to.
     edgesIn(pane) {
-        const pixels = this.typicalSize * this.pixelsPerMetre(pane) / this.camera.distance / this.ratio;
+        const pixels = this.elementPixels(pane);
         return this.fine && this.edges ? darkestEdges * Math.min(1, Math.max(0, pixels / smallestEdges - 1)) : 0;
     }
 
@@ -432,7 +460,10 @@ class Player {
         gl.clear(gl.DEPTH_BUFFER_BIT);
         renderer.drawStill();
         renderer.tested = true;
-        this.drawPanes((index, pane, view) => this.drawMoving(index, pane, view), false);
+        this.drawPanes((index, pane, view) => {
+            this.drawDebris(index, pane, view);
+            this.drawOver(index, view);
+        }, false);
         renderer.tested = false;
     }
 
@@ -489,16 +520,39 @@ class Player {
         }
     }
 
-    drawMoving(index, pane, view, edges = 0) {
+    drawDebris(index, pane, view, edges = 0) {
+        const pixels = this.squarePixels(pane);
+        if (index === 1 && pixels > 0) {
+            this.renderer.drawSquares(view, pane, this.pixelsPerMetre(pane), Math.max(1, 0.6 * pixels));
+        } else if (index === 1) {
+            this.renderer.drawBoxes(view, { edges });
+        }
+    }
+
+    // In pictures at rest alone: a slow machine has no time for them while it plays.
+    drawContours(pane) {
+        if (!this.fine || !this.edges) {
+            return;
+        }
+        const { near, far } = this.camera.depths();
+        const { low, high } = this.camera.bounds;
+        drawContours(this.renderer, pane, {
+            lens: [1 / near, 1 / near - 1 / far],
+            least: [this.typicalSize, leastContour / this.pixelsPerMetre(pane)],
+            end: this.camera.distance + length3(add3(high, low, -1)),
+            thick: Math.max(1, Math.round(this.ratio)),
+            // A pile seen from afar would be all lines.
+            ink: [...edgeInk, darkestContours * Math.min(1, Math.max(0.5, this.elementPixels(pane) / smallestEdges))]
+        });
+        // Their depths lie where a picture of what stands was.
+        this.stillKey = '';
+    }
+
+    // What lies over solids: water, and all that is seen through everything.
+    drawOver(index, view) {
         const { renderer } = this;
         const gl = renderer.gl;
         if (index === 1) {
-            const pixels = this.squarePixels(pane);
-            if (pixels > 0) {
-                renderer.drawSquares(view, pane, this.pixelsPerMetre(pane), Math.max(1, 0.6 * pixels));
-            } else {
-                renderer.drawBoxes(view, { edges });
-            }
             if (this.water !== null) {
                 renderer.drawSolid(view, this.water, this.tones.water, { surface: 2 });
             }

@@ -142,7 +142,7 @@ TEST(Include, NothingOfTheProgramSeesTheSelfTestButItsCommandAndTheReport) {
             if (include.quoted && include.name.starts_with("core/selftest/")) {
                 ++seen;
                 EXPECT_TRUE(file.under("core/selftest") || file.path == "app/cli/run/self_test_command.cpp" ||
-                            file.path == "app/cli/exports/report_command.cpp" || file.path == "app/gui/exports/report_work.cpp")
+                            file.path == "app/cli/exports/report_request.cpp" || file.path == "app/gui/exports/run_orders.cpp")
                     << place(file, include.line) << ": " << include.name;
             }
         }

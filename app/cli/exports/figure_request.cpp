@@ -10,10 +10,8 @@
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/virtual_display.h"
 #include "core/base/error.h"
-#include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
 #include "core/fe/north.h"
-#include "core/fe/regrouping.h"
 #include "core/pipeline/loose_scene.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_cautions.h"
@@ -22,6 +20,7 @@
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/view_json.h"
+#include "widgets/render/basics/run_scene.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
 
@@ -354,17 +353,9 @@ render::SceneData FigureRequest::sceneFor(const std::shared_ptr<const io::RunRea
 }
 
 render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around) {
-    const std::shared_ptr<const FeResult>& fe = inputs.fe;
-    const Scenario& scenario = run->origin().scenario;
-    figures::setResultSpan(fe->times().back() - fe->times().front());
-    render::SceneData data;
-    data.fe = fe;
-    data.components = std::make_shared<const Components>(
-        groupComponents(fe->mesh(), scenario.regrouping, scenario.components, scenario.assumptions));
-    data.fragments = run->fragments();
-    data.clustering = run->clustering();
-    data.trajectory = run;
-    data.setSurroundings(scenario, inputs.terrain, run->result().get());
+    figures::setResultSpan(inputs.fe->times().back() - inputs.fe->times().front());
+    render::SceneData data =
+        render::sceneOf(inputs, {&run->origin().scenario, run, run->fragments(), run->clustering(), run->result().get()});
     data.orthophoto = around.shown.orthophoto;
     data.surroundings = around.shown.surroundings;
     return data;

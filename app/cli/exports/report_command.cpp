@@ -2,38 +2,29 @@
 #include <memory>
 #include <optional>
 
-#include "app/cli/exports/figure_request.h"
+#include "app/cli/exports/report_request.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/health_output.h"
 #include "app/cli/frame/json_output.h"
-#include "app/cli/frame/option_value.h"
-#include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/temporary_run.h"
 #include "app/cli/frame/text_output.h"
-#include "app/cli/frame/virtual_display.h"
 #include "core/base/error.h"
 #include "core/evidence/report_gaps.h"
 #include "core/scenario/case_lookup.h"
-#include "core/selftest/report_checks.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
-#include "io/exports/provenance.h"
 #include "io/exports/report_facts.h"
 #include "io/run/run_history.h"
-#include "io/site/site_place.h"
 #include "widgets/figures/report/report_language.h"
-#include "widgets/figures/report/report_pictures.h"
 
 namespace rubble::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int mostRepeats = 100;
 
 /// The run that is reported, and the case that it must agree with.
 struct ReportSubject {
@@ -88,42 +79,8 @@ ReportSubject openReportSubject(const Arguments& arguments, Session& session) {
     return subject;
 }
 
-int repeatsOf(const Arguments& arguments) {
-    const std::string text = arguments.value("--repeats").value_or("2");
-    int repeats = 0;
-    if (!parseNumber(text, repeats) || repeats < 0 || repeats > mostRepeats) {
-        throw wrongValue("--repeats", text, "a number from 0 to 100");
-    }
-    return repeats;
-}
-
-/// The self-test that was asked for, on this machine, now.
-void addSelfTest(ReportFacts& facts, const Arguments& arguments, Session& session) {
-    const std::string scope = arguments.value("--self-test").value_or("closed-form");
-    if (scope == "none") {
-        return;
-    }
-    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::reportCases(scope), {}, session.execution()));
-    session.execution().check();
-    facts.selfTestScope = scope;
-}
-
-void checkSelfTest(const Arguments& arguments) {
-    const std::string scope = arguments.value("--self-test").value_or("closed-form");
-    if (scope != "all" && scope != "closed-form" && scope != "none") {
-        throw wrongValue("--self-test", scope, "all, closed-form or none");
-    }
-}
-
-std::string languageOf(const Arguments& arguments) {
-    const std::string code = arguments.value("--language").value_or("en");
-    if (code != "en" && code != "zh_CN") {
-        throw wrongValue("--language", code, "en or zh_CN");
-    }
-    return code;
-}
-
-io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& subject, const Inputs& inputs) {
+io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& subject, const Inputs& inputs,
+                            const ReportMaking& making) {
     io::ReportRequest request;
     request.run = subject.run;
     request.inputs = inputs;
@@ -137,26 +94,19 @@ io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& sub
     request.author = arguments.value("--by").value_or("");
     request.causesPath = arguments.value("--causes").value_or("");
     request.wordsPath = arguments.value("--words").value_or("");
-    request.repeats = repeatsOf(arguments);
+    request.repeats = making.repeats;
     request.studyFolder = arguments.value("--cache").value_or(io::cacheFolder());
     return request;
 }
 
-figures::MapPictureStyle mapStyle(const io::RunReader& run) {
-    figures::MapPictureStyle style;
-    style.place = io::SitePlace(run.origin().frame, run.origin().site).transform();
-    style.system = run.origin().frame.crs;
-    return style;
-}
-
 /// What the report would lack, in its language; nothing is repeated for it and nothing written.
-ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportRequest request, const std::string& language) {
-    const ReportPlan plan{request.repeats, arguments.value("--self-test").value_or("closed-form") != "none"};
+ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportRequest request, const ReportMaking& making) {
+    const ReportPlan plan{making.repeats, making.selfTest != "none"};
     request.repeats = 0;
     const ReportFacts facts = io::reportFacts(request, session.execution());
     const Findings gaps = reportGaps(facts, plan);
     const std::vector<Message> words = reportOwnWords(facts);
-    const Saying say = language == "en" ? Saying(englishText) : Saying(figures::chineseWords());
+    const Saying say = making.language == "en" ? Saying(englishText) : Saying(figures::chineseWords());
     if (arguments.json()) {
         Json object;
         object["run"] = request.run->path();
@@ -187,58 +137,39 @@ ExitCode report(const Arguments& arguments, Session& session) {
         throw UsageError({"cli.no_report", "rubble-cli report does not know where to write.", {}},
                          {"cli.no_report.remedy", "Name a folder: --out FOLDER; it gets report.html and report.pdf.", {}});
     }
-    checkSelfTest(arguments);
-    const std::string language = languageOf(arguments);
+    const ReportMaking making(arguments);
     if (!checkOnly) {
         io::makeFolderOf(*folder);
     }
     const ReportSubject subject = openReportSubject(arguments, session);
     Findings site;
     const Inputs inputs = openInputsOfRun(subject.runPath, subject.run->origin(), arguments, session, &site);
-    io::ReportRequest request = requestOf(arguments, subject, inputs);
+    io::ReportRequest request = requestOf(arguments, subject, inputs, making);
     request.siteFindings = site;
     if (checkOnly) {
-        return tellGaps(arguments, session, request, language);
+        return tellGaps(arguments, session, request, making);
     }
-    ReportFacts facts = io::reportFacts(request, session.execution());
-    addSelfTest(facts, arguments, session);
-    quietQt();
-    figures::ensureGuiApplication();
-    const figures::WrittenLanguage written(language);
-    const VirtualDisplay display;
     const RunSurroundings around =
         subject.theCase ? surroundingsOfRun(*subject.theCase, subject.casePath, subject.run->origin(), inputs, session)
                         : RunSurroundings();
-    figures::ReportPictures pictures =
-        figures::drawReportPictures(sceneOfRun(subject.run, inputs, around), facts, mapStyle(*subject.run), session.execution());
-    pictures.say = written.say();
-    const io::ExportRecord record{"report",
-                                  {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}},
-                                  {},
-                                  {},
-                                  subject.casePath,
-                                  io::shownFiles(around.shown)};
-    Findings lacks;
-    const std::vector<std::string> files =
-        figures::writeReport(*folder, facts, pictures, io::exportProvenance(record, subject.run->origin(), subject.run.get()),
-                             session.execution(), &lacks);
-    if (!lacks.empty()) {
-        printFindings(session.err(), lacks);
+    const WrittenReport written = writeReport(*folder, request, around, making, session);
+    if (!written.lacks.empty()) {
+        printFindings(session.err(), written.lacks);
     }
     const io::Taint taint = io::taintOf(*subject.run);
     warnIfTainted(session, subject.runPath, taint);
     if (arguments.json()) {
         Json object;
         object["run"] = subject.runPath;
-        object["fingerprint"] = facts.fingerprint;
-        object["exports"] = files;
+        object["fingerprint"] = written.facts.fingerprint;
+        object["exports"] = written.files;
         object["tainted"] = taint.tainted();
-        object["lacks"] = findingsJson(lacks);
-        object["cautions"] = cautionsJson(facts.cautions);
-        object["reproduced"] = facts.floor ? Json(facts.reproduced) : Json();
+        object["lacks"] = findingsJson(written.lacks);
+        object["cautions"] = cautionsJson(written.facts.cautions);
+        object["reproduced"] = written.facts.floor ? Json(written.facts.reproduced) : Json();
         printJson(session, object);
     } else {
-        for (const std::string& path : files) {
+        for (const std::string& path : written.files) {
             session.out() << path << '\n';
         }
     }
@@ -248,6 +179,25 @@ ExitCode report(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command reportCommand() {
+    std::vector<Option> options{
+        {"--out", "FOLDER", false, "where report.html and report.pdf are written"},
+        {"--check", "", false, "write nothing; list what the report lacks that standards for such reports ask for"},
+        {"--case", "CASE", false, "of a run: the case that it must agree with"},
+        {"--run", "RUN", false, "of a case: the run that is reported (default: the newest that was kept)"},
+        scenarioOption(),
+        {"--title", "TEXT", false, "title (default: that of the case)"},
+        {"--question", "TEXT", false, "the question that the report answers"},
+        {"--by", "NAME", false, "who makes it"},
+        {"--causes", "FILE", false, "other causes that were compared: what rubble-cli compare --json printed"},
+        {"--words", "FILE", false,
+         "what only its author can say: text with # custody, # alternatives, # change, # summary, # qualification"}};
+    const std::vector<Option> making = ReportMaking::options();
+    options.insert(options.end(), making.begin(), making.end());
+    options.push_back(
+        {"--cache", "FOLDER", false, "where studies of accuracy are kept (default: RUBBLE_CACHE, else the user's cache)"});
+    options.push_back(cachedOption());
+    options.push_back(feOption());
+    options.push_back(runTerrainOption());
     return {"report",
             "RUN|CASE",
             "a report of a run as PDF and HTML",
@@ -257,24 +207,7 @@ Command reportCommand() {
             "limits. A run that does not agree with its case or inputs is refused, and what is stale is named. Of a case the "
             "newest run "
             "that was kept is reported; if there is none it is simulated.",
-            {{"--out", "FOLDER", false, "where report.html and report.pdf are written"},
-             {"--check", "", false, "write nothing; list what the report lacks that standards for such reports ask for"},
-             {"--case", "CASE", false, "of a run: the case that it must agree with"},
-             {"--run", "RUN", false, "of a case: the run that is reported (default: the newest that was kept)"},
-             scenarioOption(),
-             {"--title", "TEXT", false, "title (default: that of the case)"},
-             {"--question", "TEXT", false, "the question that the report answers"},
-             {"--by", "NAME", false, "who makes it"},
-             {"--causes", "FILE", false, "other causes that were compared: what rubble-cli compare --json printed"},
-             {"--words", "FILE", false,
-              "what only its author can say: text with # custody, # alternatives, # change, # summary, # qualification"},
-             {"--repeats", "N", false, "repeats simulated for the spread of the results, 0 for none (default: 2)"},
-             {"--language", "CODE", false, "language of the report and of --check: en (default) or zh_CN"},
-             {"--self-test", "SCOPE", false, "all, closed-form (default) or none"},
-             {"--cache", "FOLDER", false, "where studies of accuracy are kept (default: RUBBLE_CACHE, else the user's cache)"},
-             cachedOption(),
-             feOption(),
-             runTerrainOption()},
+            options,
             report};
 }
 

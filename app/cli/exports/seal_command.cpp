@@ -1,17 +1,23 @@
 #include <filesystem>
+#include <set>
 
 #include "app/cli/exports/page_request.h"
+#include "app/cli/exports/report_request.h"
 #include "app/cli/exports/run_surroundings.h"
 #include "app/cli/exports/seal_options.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/json_output.h"
+#include "app/cli/frame/option_value.h"
 #include "app/cli/frame/output_file.h"
-#include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/case/case_file.h"
+#include "io/exports/report_notes.h"
 #include "io/run/run_file.h"
+#include "io/seal/run_repeat.h"
 #include "io/seal/seal_case.h"
 #include "io/seal/seal_offer.h"
 #include "io/seal/unpacked_bundle.h"
@@ -45,21 +51,100 @@ io::SealRequest requestOf(const Arguments& arguments) {
     return request;
 }
 
-/// Makes a page of each run in a folder, to be sealed as well.
-void addPages(io::SealRequest& request, const std::string& folder, const Arguments& arguments, Session& session) {
-    const Case theCase = io::loadCase(request.casePath);
-    for (std::size_t i = 0; i < request.runs.size(); ++i) {
-        const std::string& path = request.runs[i];
-        const std::shared_ptr<io::RunReader> run = io::openRun(path);
-        const Inputs inputs = openInputsOfRun(path, run->origin(), arguments, session);
-        const RunSurroundings around = surroundingsOfRun(theCase, request.casePath, run->origin(), inputs, session);
-        const std::string page = folder + "/" + std::to_string(i + 1) + "-" + fs::path(path).stem().stem().string() + ".html";
-        writePage(page, run, inputs, around, session);
-        request.extras.push_back({"page", page});
+using PartKind = io::OfferedPart::Kind;
+
+/// What --make asks for. Throws UsageError.
+std::set<PartKind> wantedKinds(const Arguments& arguments) {
+    std::set<PartKind> kinds;
+    for (const std::string& value : arguments.values("--make")) {
+        for (const std::string& word : splitAtCommas(value)) {
+            if (word != "report" && word != "page") {
+                throw wrongValue("--make", word, "report or page");
+            }
+            kinds.insert(word == "report" ? PartKind::Report : PartKind::Page);
+        }
     }
+    return kinds;
 }
 
-void print(const io::SealReport& report, const std::string& out, Session& session) {
+/// Makes reports and pages in a folder: of each run that is sealed those that are asked for and not given.
+class Making {
+public:
+    Making(const io::SealRequest& request, const Arguments& arguments, Session& session)
+        : m_request(request), m_session(session), m_report(arguments), m_kinds(wantedKinds(arguments)) {}
+
+    std::vector<io::SealedExtra> make(const std::string& folder) {
+        std::vector<io::SealedExtra> made;
+        if (m_kinds.empty()) {
+            return made;
+        }
+        std::vector<io::OfferedPart> given;
+        for (const io::SealedExtra& extra : m_request.extras) {
+            given.push_back(io::addedPart(extra.path));
+        }
+        m_case = io::loadCase(m_request.casePath);
+        for (std::size_t i = 0; i < m_request.runs.size(); ++i) {
+            const std::string& run = m_request.runs[i];
+            io::OfferedPart sealed{PartKind::Run, {}, run};
+            sealed.fingerprint = io::openRun(run)->origin().fingerprint.hex();
+            for (const io::OfferedPart& missing : io::missingOf(sealed, given)) {
+                if (m_kinds.contains(missing.kind)) {
+                    made.push_back(io::placeOfMade(missing.kind, run, i + 1, folder));
+                    makeOf(run, missing.kind, made.back().path);
+                }
+            }
+        }
+        return made;
+    }
+
+private:
+    void makeOf(const std::string& path, PartKind kind, const std::string& out) {
+        const std::shared_ptr<io::RunReader> run = io::openRun(path);
+        // What is sealed stands on the files of the case.
+        const io::RunOrigin origin = io::originInCase(*run, m_request.casePath, m_case, m_session.execution());
+        Findings site, terrain;
+        const Inputs inputs = io::openRunInputs(origin, site, terrain, m_session.execution());
+        const RunSurroundings around = surroundingsOfRun(m_case, m_request.casePath, run->origin(), inputs, m_session);
+        if (kind == PartKind::Page) {
+            printNotes(m_session, site);
+            printNotes(m_session, terrain);
+            writePage(out, run, inputs, around, m_session);
+            return;
+        }
+        io::ReportRequest report;
+        // What the author has said of the case lies beside it, and goes into the bundle too.
+        const io::ReportNotes notes = io::readReportNotes(io::reportNotesPath(m_request.casePath));
+        report.run = run;
+        report.inputs = inputs;
+        report.fePath = inputs.fe->contents().path;
+        report.terrainPath = origin.terrainPath;
+        report.siteFindings = site;
+        report.siteFindings.append(terrain);
+        report.theCase = &m_case;
+        report.casePath = report.basePath = m_request.casePath;
+        if (const CaseScenario* scenario = findScenario(m_case, run->origin().scenarioName)) {
+            report.scenarioId = scenario->id;
+        }
+        report.question = notes.question;
+        report.author = notes.author.empty() ? m_request.by : notes.author;
+        report.words = notes.words;
+        report.causesPath = notes.causes;
+        report.repeats = m_report.repeats;
+        report.studyFolder = io::cacheFolder();
+        const WrittenReport written = writeReport(out, report, around, m_report, m_session);
+        if (!written.lacks.empty()) {
+            printFindings(m_session.err(), written.lacks);
+        }
+    }
+
+    const io::SealRequest& m_request;
+    Session& m_session;
+    const ReportMaking m_report;
+    const std::set<PartKind> m_kinds;
+    Case m_case;
+};
+
+void print(const io::SealReport& report, const std::vector<io::SealedExtra>& made, const std::string& out, Session& session) {
     const io::SealStatement& statement = report.statement;
     session.out() << out << '\n';
     FactList facts;
@@ -71,6 +156,9 @@ void print(const io::SealReport& report, const std::string& out, Session& sessio
     facts.add("SHA-256 of the key", statement.signer);
     if (!statement.subject.empty()) {
         facts.add("certificate", statement.subject);
+    }
+    for (const io::SealedExtra& each : made) {
+        facts.add("made for it", io::placeInBag(each));
     }
     facts.print(session.out());
     printFindings(session.out(), report.findings);
@@ -90,16 +178,15 @@ ExitCode seal(const Arguments& arguments, Session& session) {
     }
     checkOutputPath(*out, std::vector<std::string>{arguments.operand()});
     io::SealRequest request = requestOf(arguments);
-    const io::ScratchFolder pages;
-    if (arguments.has("--with-pages")) {
-        addPages(request, pages.path(), arguments, session);
-    }
+    const io::ScratchFolder scratch;
+    const std::vector<io::SealedExtra> made = Making(request, arguments, session).make(scratch.path());
+    request.extras.insert(request.extras.end(), made.begin(), made.end());
     const io::SealReport report = io::sealCase(*out, request, session.execution());
     if (const auto path = arguments.value("--stamp-request")) {
         io::writeIn(*path, report.stampRequest);
     }
     if (!arguments.json()) {
-        print(report, *out, session);
+        print(report, made, *out, session);
         return ExitCode::Ok;
     }
     const io::SealStatement& statement = report.statement;
@@ -113,6 +200,10 @@ ExitCode seal(const Arguments& arguments, Session& session) {
     object["runs"] = Json::array();
     for (const io::SealedRun& run : statement.runs) {
         object["runs"].push_back(run.place);
+    }
+    object["made"] = Json::array();
+    for (const io::SealedExtra& each : made) {
+        object["made"].push_back(io::placeInBag(each));
     }
     object["findings"] = findingsJson(report.findings);
     printJson(session, object);
@@ -129,11 +220,13 @@ Command sealCommand() {
         {"--add", "FILE", true, "an export that is sealed as well, with its provenance"},
         {"--report", "FOLDER", false, "a report that is sealed as well, as rubble-cli report wrote it"},
         {"--page", "FILE", true, "a page of a run that is sealed as well"},
-        {"--with-pages", "", false, "make a page of each run and seal it as well"},
+        {"--make", "KINDS", true, "report, page or both with a comma: made of each run of which none is given, and sealed as well"},
         {"--by", "NAME", false, "who seals"},
         {"--note", "TEXT", false, "why, or what is to be known of it"},
         {"--stamp-request", "FILE", false, "write the request for a time stamp (RFC 3161) here too, to be answered later"},
         {"--stamp-with", "COMMAND", false, "ask a service now: a command in which {request} and {answer} are files"}};
+    const std::vector<Option> report = ReportMaking::options();
+    options.insert(options.end(), report.begin(), report.end());
     const std::vector<Option> signer = signerOptions();
     options.insert(options.end(), signer.begin(), signer.end());
     return {"seal",

@@ -8,10 +8,13 @@
 #include <algorithm>
 
 #include "app/gui/case/file_commands.h"
+#include "app/gui/exports/report_work.h"
+#include "app/gui/exports/seal_making.h"
 #include "app/gui/exports/seal_memory.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "io/base/files.h"
+#include "io/seal/unpacked_bundle.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble {
@@ -20,13 +23,25 @@ namespace {
 
 const QString bundleEnding = QStringLiteral(".rubblecase");
 
-widgets::SealPart partOf(const io::OfferedPart& part) {
+widgets::SealPart sealPartOf(const io::OfferedPart& part) {
     return {static_cast<widgets::SealPart::Kind>(part.kind),
             QString::fromStdString(part.id),
             QString::fromStdString(part.path),
             part.remark.empty() ? QString() : widgets::worded(part.remark),
             static_cast<qint64>(part.bytes),
-            part.chosen};
+            part.chosen,
+            QString::fromStdString(part.run)};
+}
+
+io::OfferedPart offeredPart(const widgets::SealPart& part) {
+    io::OfferedPart offered{static_cast<io::OfferedPart::Kind>(part.kind), part.id.toStdString(), part.path.toStdString(),
+                            static_cast<std::uint64_t>(part.bytes), part.chosen};
+    offered.run = part.run.toStdString();
+    return offered;
+}
+
+bool isMade(const widgets::SealPart& part, widgets::SealPart::Kind kind) {
+    return part.kind == kind && part.chosen && !part.run.isEmpty();
 }
 
 /// Where the request for a time stamp goes: beside the bundle.
@@ -72,18 +87,33 @@ void CaseSealing::addShownRun(std::vector<io::OfferedPart>& offer) const {
     }
     shown.id = record->scenarioName.toStdString();
     shown.chosen = !computation.runStale(m_session.document().scenario());
+    const std::vector<io::OfferedPart> missing = io::missingOf(shown, offer);
     const auto firstAfter =
         std::find_if(offer.begin(), offer.end(), [&](const io::OfferedPart& each) { return each.kind > shown.kind; });
     offer.insert(firstAfter, std::move(shown));
+    offer.insert(offer.end(), missing.begin(), missing.end());
 }
 
 void CaseSealing::ask(const std::vector<io::OfferedPart>& offer) {
     LastSeal& last = m_session.part<LastSeal>();
     widgets::SealChoice proposed{rememberedSigner(), last.note, last.stampRequest, {}};
-    std::transform(offer.begin(), offer.end(), std::back_inserter(proposed.parts), partOf);
+    std::transform(offer.begin(), offer.end(), std::back_inserter(proposed.parts), sealPartOf);
+    for (widgets::SealPart& part : proposed.parts) {
+        if (!part.run.isEmpty()) {
+            part.chosen = part.kind == widgets::SealPart::Kind::Report ? last.report : last.page;
+        }
+    }
     auto* dialog = new widgets::SealDialog(proposed, &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAdding([](const QString& path) { return partOf(io::addedPart(path.toStdString())); });
+    dialog->setAdding([offer](const QString& path) {
+        const io::OfferedPart added = io::addedPart(path.toStdString());
+        std::vector<widgets::SealPart> parts{sealPartOf(added)};
+        if (added.kind == io::OfferedPart::Kind::Run) {
+            const std::vector<io::OfferedPart> missing = io::missingOf(added, offer);
+            std::transform(missing.begin(), missing.end(), std::back_inserter(parts), sealPartOf);
+        }
+        return parts;
+    });
     dialog->setCheck([](const widgets::SealChoice& choice) {
         try {
             const io::Signer signer(signerFiles(choice.signer));
@@ -94,7 +124,11 @@ void CaseSealing::ask(const std::vector<io::OfferedPart>& offer) {
     });
     connect(dialog, &QDialog::accepted, this, [this, dialog, &last] {
         const widgets::SealChoice choice = dialog->choice();
-        last = {choice.note, choice.stampRequest};
+        const auto made = [&](widgets::SealPart::Kind kind) {
+            return std::any_of(choice.parts.begin(), choice.parts.end(),
+                               [kind](const widgets::SealPart& part) { return isMade(part, kind); });
+        };
+        last = {choice.note, choice.stampRequest, made(widgets::SealPart::Kind::Report), made(widgets::SealPart::Kind::Page)};
         rememberSigner(choice.signer);
         if (const QString path = askForBundle(); !path.isEmpty()) {
             sealAt(path, choice);
@@ -122,23 +156,35 @@ void CaseSealing::sealAt(const QString& path, const widgets::SealChoice& choice)
     request.signer = signerFiles(choice.signer);
     request.stampRequest = choice.stampRequest;
     std::vector<io::OfferedPart> parts;
-    for (const widgets::SealPart& part : choice.parts) {
-        parts.push_back({static_cast<io::OfferedPart::Kind>(part.kind), part.id.toStdString(), part.path.toStdString(),
-                         static_cast<std::uint64_t>(part.bytes), part.chosen});
-    }
+    std::transform(choice.parts.begin(), choice.parts.end(), std::back_inserter(parts), offeredPart);
     io::choose(request, parts);
+    const auto making = std::make_shared<SealMaking>();
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(making->parts),
+                 [](const io::OfferedPart& part) { return part.chosen && !part.run.empty(); });
+    if (!making->empty()) {
+        making->opened = m_session.computation().content();
+        making->theCase = m_session.document().theCase();
+        making->casePath = request.casePath;
+        making->report = m_report->wished();
+    }
     // The reader keeps a run of the window in its place until it is packed.
     const RunRecord* record = m_session.computation().currentRun();
     const std::shared_ptr<io::RunReader> kept = record != nullptr ? record->reader : nullptr;
     const auto report = std::make_shared<io::SealReport>();
+    const auto made = std::make_shared<std::vector<io::SealedExtra>>();
     m_session.computation().write(
-        [request, kept, report, path](const Execution& execution) {
-            *report = io::sealCase(path.toStdString(), request, execution);
+        [request, kept, making, made, report, path](const Execution& execution) {
+            // What is made lies in the bundle alone; given up, nothing of it is left.
+            const io::ScratchFolder scratch;
+            *made = making->make(request.runs, scratch.path(), execution);
+            io::SealRequest whole = request;
+            whole.extras.insert(whole.extras.end(), made->begin(), made->end());
+            *report = io::sealCase(path.toStdString(), whole, execution);
             if (!report->stampRequest.empty()) {
                 io::writeIn(requestBeside(path).toStdString(), report->stampRequest);
             }
         },
-        [self = QPointer<CaseSealing>(this), session = &m_session, report, path](const std::exception_ptr& thrown) {
+        [self = QPointer<CaseSealing>(this), session = &m_session, made, report, path](const std::exception_ptr& thrown) {
             if (const auto failure = failureOf(thrown)) {
                 session->report(*failure);
             } else if (thrown != nullptr) {
@@ -146,13 +192,13 @@ void CaseSealing::sealAt(const QString& path, const widgets::SealChoice& choice)
             } else {
                 session->tell(tr("Sealed %1; runs in it: %2").arg(QFileInfo(path).fileName()).arg(report->statement.runs.size()));
                 if (self != nullptr) {
-                    self->tell(path, *report);
+                    self->tell(path, *report, *made);
                 }
             }
         });
 }
 
-void CaseSealing::tell(const QString& path, const io::SealReport& report) {
+void CaseSealing::tell(const QString& path, const io::SealReport& report, const std::vector<io::SealedExtra>& made) {
     const io::SealStatement& statement = report.statement;
     QStringList lines{tr("%1 in %2 files, signed with the key %3.")
                           .arg(QLocale().formattedDataSize(statement.bytes, 1, QLocale::DataSizeSIFormat),
@@ -165,6 +211,13 @@ void CaseSealing::tell(const QString& path, const io::SealReport& report) {
             : tr("The request for a time stamp lies in %1. Send it to a time-stamping service, and put its answer in with Open "
                  "sealed…, Time stamp.")
                   .arg(QFileInfo(requestBeside(path)).fileName());
+    if (!made.empty()) {
+        QStringList names;
+        for (const io::SealedExtra& extra : made) {
+            names += QString::fromStdString(io::placeInBag(extra));
+        }
+        lines += tr("Made for it, and in it: %1").arg(QLocale().createSeparatedList(names));
+    }
     for (const Finding& finding : report.findings.list()) {
         lines += tr("%1; %2").arg(widgets::worded(finding.what), widgets::worded(finding.remedy));
     }

@@ -14,6 +14,7 @@ namespace rubble {
 
 class Actions;
 class FileCommands;
+class ReportWork;
 class Session;
 
 /// Seals the case that is open into a bundle, with what the user chooses of it, on the worker.
@@ -22,6 +23,8 @@ class CaseSealing : public QObject {
 
 public:
     CaseSealing(Session& session, FileCommands& files, Actions& actions, QWidget& window);
+    /// Knows what a report is asked to say.
+    void setReport(ReportWork& report) { m_report = &report; }
 
     /// Saves the case, looks for what it has, and asks what of it is sealed and by whom.
     void seal();
@@ -31,17 +34,21 @@ private:
     struct LastSeal {
         QString note;
         bool stampRequest = false;
+        bool report = false;  ///< one was made of a run that had none
+        bool page = false;
     };
     void ask(const std::vector<io::OfferedPart>& offer);
     QString askForBundle();
     /// What the window has of the case and nobody kept: the run that is shown.
     void addShownRun(std::vector<io::OfferedPart>& offer) const;
     void sealAt(const QString& path, const widgets::SealChoice& choice);
-    void tell(const QString& path, const io::SealReport& report);
+    /// @param made  reports and pages that were made to be sealed
+    void tell(const QString& path, const io::SealReport& report, const std::vector<io::SealedExtra>& made);
 
     Session& m_session;
     FileCommands& m_files;
     QWidget& m_window;
+    ReportWork* m_report = nullptr;
 };
 
 }  // namespace rubble

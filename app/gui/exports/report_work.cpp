@@ -15,30 +15,13 @@
 #include "app/gui/stage/scene_display.h"
 #include "core/base/error.h"
 #include "core/evidence/report_gaps.h"
-#include "core/selftest/report_checks.h"
 #include "io/base/machine.h"
-#include "io/exports/provenance.h"
 #include "io/exports/report_facts.h"
 #include "io/exports/report_notes.h"
-#include "io/site/site_place.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/report_panel.h"
-#include "widgets/figures/report/report_pictures.h"
 
 namespace rubble {
-
-/// Everything that the worker needs, as it was when it was asked for.
-struct ReportWork::Order {
-    io::ReportRequest request;
-    std::vector<io::ShownFile> around;
-    Case theCase;
-    widgets::ReportWishes wishes;
-    render::SceneData scene;
-    std::string folder;
-    Findings lacks;  ///< of the report that was written
-
-    void write(const Execution& execution);
-};
 
 namespace {
 
@@ -50,31 +33,7 @@ std::string studyFolder() {
     }
 }
 
-void addSelfTest(ReportFacts& facts, const QString& scope, const Execution& execution) {
-    if (scope == QLatin1String("none")) {
-        return;
-    }
-    execution.report({"report.testing", "Testing this machine", {}}, 0.5);
-    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::reportCases(scope.toStdString()), {}, execution));
-    execution.check();
-    facts.selfTestScope = scope.toStdString();
-}
-
 }  // namespace
-
-void ReportWork::Order::write(const Execution& execution) {
-    ReportFacts facts = io::reportFacts(request, execution);
-    addSelfTest(facts, wishes.selfTest, execution);
-    const io::RunReader& run = *request.run;
-    figures::MapPictureStyle map;
-    map.place = io::SitePlace(run.origin().frame, run.origin().site).transform();
-    map.system = run.origin().frame.crs;
-    figures::ReportPictures pictures = figures::drawReportPictures(scene, facts, map, execution);
-    pictures.say = [](const Message& message) { return widgets::worded(message); };
-    const io::ExportRecord record{
-        "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, request.casePath, around};
-    figures::writeReport(folder, facts, pictures, io::exportProvenance(record, run.origin(), &run), execution, &lacks);
-}
 
 ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, Actions& actions, QWidget& window)
     : m_session(session),
@@ -176,14 +135,15 @@ void ReportWork::writeTo(const QString& folder) {
     if (!whyNot().isEmpty() || m_kept.writing) {
         return;
     }
-    const std::shared_ptr<Order> order = orderNow();
+    const auto order = std::make_shared<ReportOrder>(orderNow());
     order->scene = m_scene.data();
     order->folder = folder.toStdString();
-    start([order](const Execution& execution) { order->write(execution); },
-          [kept = &m_kept, order, folder] {
+    const auto lacks = std::make_shared<Findings>();
+    start([order, lacks](const Execution& execution) { *lacks = order->write(execution); },
+          [kept = &m_kept, lacks, folder] {
               kept->written = folder;
-              if (!order->lacks.empty()) {
-                  const Finding& lack = order->lacks.list().front();
+              if (!lacks->empty()) {
+                  const Finding& lack = lacks->list().front();
                   kept->failure = Failure{[what = lack.what] { return widgets::worded(what); },
                                           [remedy = lack.remedy] { return widgets::worded(remedy); }, lack.what.id};
               }
@@ -195,10 +155,10 @@ void ReportWork::check() {
     if (!whyNot().isEmpty() || m_kept.writing) {
         return;
     }
-    const std::shared_ptr<Order> order = orderNow();
+    const auto order = std::make_shared<ReportOrder>(orderNow());
     order->request.repeats = 0;
     const auto facts = std::make_shared<ReportFacts>();
-    start([order, facts](const Execution& execution) { *facts = io::reportFacts(order->request, execution); },
+    start([order, facts](const Execution& execution) { *facts = order->facts(execution); },
           [kept = &m_kept, order, facts] {
               kept->facts = std::move(*facts);
               kept->of = order->request.run;
@@ -206,35 +166,39 @@ void ReportWork::check() {
           });
 }
 
-std::shared_ptr<ReportWork::Order> ReportWork::orderNow() const {
-    auto order = std::make_shared<Order>();
-    const RunRecord* record = m_computation.currentRun();
-    order->theCase = m_document.theCase();
-    order->wishes = m_deck.report().wishes();
-    io::ReportRequest& request = order->request;
-    request.theCase = &order->theCase;
-    request.run = record->reader;
-    request.inputs = m_computation.inputs();
-    request.fePath = request.inputs.fe->contents().path;
-    request.terrainPath = m_computation.terrain().path;
-    request.siteFindings = io::openingFindings(m_computation.content());
+ReportOrder ReportWork::wished() const {
+    ReportOrder order;
+    const widgets::ReportWishes wishes = m_deck.report().wishes();
+    order.theCase = m_document.theCase();
+    order.selfTest = wishes.selfTest;
+    io::ReportRequest& request = order.request;
     request.casePath = m_document.path().toStdString();
     request.basePath = m_document.base().toStdString();
-    request.question = order->wishes.question.toStdString();
-    request.author = order->wishes.author.toStdString();
-    request.words = order->wishes.words;
-    request.repeats = order->wishes.repeats;
+    request.question = wishes.question.toStdString();
+    request.author = wishes.author.toStdString();
+    request.words = wishes.words;
+    request.repeats = wishes.repeats;
     request.studyFolder = studyFolder();
-    if (order->wishes.causes == widgets::ReportedCauses::File) {
-        request.causesPath = order->wishes.causesFile.toStdString();
-    } else if (const MadeComparison* made = comparison();
-               made != nullptr && order->wishes.causes == widgets::ReportedCauses::Page) {
+    if (wishes.causes == widgets::ReportedCauses::File) {
+        request.causesPath = wishes.causesFile.toStdString();
+    } else if (const MadeComparison* made = comparison(); made != nullptr && wishes.causes == widgets::ReportedCauses::Page) {
         request.causes = reportCauses(*made->comparison, made->further.get());
         for (const io::EnsembleInput& input : made->inputs) {
             request.causesFiles.push_back({"cause", input.path, input.sha256});
         }
     }
-    order->around = io::shownFiles(m_computation.terrain());
+    return order;
+}
+
+ReportOrder ReportWork::orderNow() const {
+    ReportOrder order = wished();
+    io::ReportRequest& request = order.request;
+    request.run = m_computation.currentRun()->reader;
+    request.inputs = m_computation.inputs();
+    request.fePath = request.inputs.fe->contents().path;
+    request.terrainPath = m_computation.terrain().path;
+    request.siteFindings = io::openingFindings(m_computation.content());
+    order.around = io::shownFiles(m_computation.terrain());
     return order;
 }
 

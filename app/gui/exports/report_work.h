@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/gui/exports/run_orders.h"
 #include "app/gui/session/worker.h"
 #include "core/evidence/report_facts.h"
 #include "io/run/run_file.h"
@@ -62,11 +63,12 @@ public:
     /// Collects what the report would say, for what it lacks; simulates and writes nothing.
     void check();
     bool writing() const { return m_kept.writing; }
+    /// What the panel asks for, of a run that is yet to be named.
+    ReportOrder wished() const;
 
 private:
-    struct Order;
-    /// Everything that is needed, as it is now.
-    std::shared_ptr<Order> orderNow() const;
+    /// Everything that is needed for the run that is shown, as it is now, but for the scene.
+    ReportOrder orderNow() const;
     void start(std::function<void(const Execution&)> work, std::function<QString()> done);
     void showOutcome();
     /// Words about one collapse are not those about another.

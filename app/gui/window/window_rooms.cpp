@@ -125,6 +125,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     connectFiles(parts);
     connectGrid(parts);
     report->setCauses(studies->causes());
+    sealing->setReport(*report);
     QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
     QObject::connect(opening.get(), &Opening::runChosen, &project->keptRuns(), &KeptRunsDisplay::openFile);
     QObject::connect(opening.get(), &Opening::sealedChosen, bundles.get(), &BundleOpening::open);

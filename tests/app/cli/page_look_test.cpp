@@ -7,6 +7,7 @@
 
 #include "io/case/case_file.h"
 #include "io/site/input_files.h"
+#include "tests/support/ascii_grid.h"
 #include "tests/support/browser.h"
 #include "tests/support/photographed_case.h"
 
@@ -100,6 +101,27 @@ TEST_F(PageLook, SunEdgesAndSurroundingsAreDrawn) {
     EXPECT_GT(plain[0].get<int>() + plain[1].get<int>(), 5000);
 }
 
+// The blocks have contours against what lies behind them; while the page moves and in analysis nothing has.
+TEST_F(PageLook, WhatStandsOutHasAContourAtRest) {
+    if (!m_browser) {
+        return;
+    }
+    said("page.panels.lookFrom('corner')");
+    const std::string without = "player.drawContours = () => {}";
+    const nlohmann::json still = changedBy(without);
+    EXPECT_EQ(still[0], 0) << "a contour only takes light";
+    EXPECT_GT(still[1].get<int>(), 200);
+    // They are lines: a small part of the pane, and none of them far from where depths jump.
+    EXPECT_LT(still[1].get<int>(), said("page.player.panes()[1].width * page.player.panes()[1].height").get<int>() / 50);
+    said("page.player.drawn = 0, page.player.drawContours = () => { ++page.player.drawn; }");
+    said("page.player.glancing = true, page.player.draw(), page.player.settle()");
+    EXPECT_EQ(said("page.player.drawn"), 0) << "nothing has one while it moves";
+    said("page.player.draw()");
+    EXPECT_EQ(said("page.player.drawn"), 2) << "both panes have them at rest";
+    said("delete page.player.drawContours, page.player.setStyle('analysis')");
+    EXPECT_EQ(changedBy(without), nlohmann::json::array({0, 0})) << "analysis has none";
+}
+
 TEST_F(PageLook, TheStyleIsChosenByKeysAndKeptInTheOtherLanguage) {
     if (!m_browser) {
         return;
@@ -154,6 +176,52 @@ TEST_F(PageLook, SurroundingsAreMeasuredAndTold) {
     ASSERT_TRUE(hit["point"].is_array()) << hit;
     EXPECT_EQ(hit["element"], -1);
     EXPECT_NEAR(hit["point"][1].get<double>(), 3.0, 0.01);
+}
+
+/// A cliff between the small collapse and the sun.
+class PageTerrain : public SmallRun {};
+
+TEST_F(PageTerrain, ThrowsShadowsToo) {
+    if (Browser::program().empty()) {
+        std::cout << "not run: no Chromium here\n";
+        return;
+    }
+    const std::string terrain =
+        io::AsciiGrid().write(m_folder / "cliff.asc", [](double x, double) { return x < -5.0 ? 12.0 : 0.0; });
+    run({"--terrain", terrain}, "0.2");
+    ASSERT_EQ(cli({"export", m_out, "--export", "page=" + (m_folder / "cliff.html")}).exitCode, 0);
+    Browser browser(m_folder / "profile", 1280, 800);
+    browser.open(m_folder / "cliff.html");
+    browser.evaluate("page.jump(page.player.end), page.panels.lookFrom('top')");
+    // Heights of the cliff between the box of what falls and the sun are within the map.
+    const nlohmann::json counts = browser.evaluate(R"js((() => {
+        const { player } = page;
+        const gl = player.renderer.gl;
+        const pane = player.panes()[1];
+        const pixels = () => {
+            player.draw();
+            const out = new Uint8Array(4 * pane.width * pane.height);
+            gl.readPixels(pane.x, pane.y, pane.width, pane.height, gl.RGBA, gl.UNSIGNED_BYTE, out);
+            return out;
+        };
+        const before = pixels();
+        const { renderer } = player;
+        renderer.castShadow = (index, bounds, share, part, what) => Renderer.prototype.castShadow.call(renderer, index, bounds,
+            share, part, { ...what, solids: [] });
+        const after = pixels();
+        const counts = [0, 0];
+        for (let i = 0; i < after.length; i += 4) {
+            const by = after[i] + after[i + 1] - before[i] - before[i + 1];
+            counts[0] += by < -12 ? 1 : 0;
+            counts[1] += by > 12 ? 1 : 0;
+        }
+        return [...counts, before.length / 4];
+    })())js");
+    EXPECT_EQ(counts[0], 0) << "a shadow only takes light";
+    // The shadow of 12 m at the sun's height reaches some 8 m to the east: over the blocks.
+    EXPECT_GT(counts[1].get<double>(), 0.03 * counts[2].get<double>());
+    EXPECT_EQ(browser.evaluate("page.player.renderer.gl.getError()"), 0);
+    EXPECT_THAT(browser.complaints(), testing::IsEmpty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "io/case/case_file.h"
+#include "io/run/run_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 
@@ -153,13 +154,40 @@ TEST_F(SealCommand, ExportsAndReportsGoAlong) {
     fs::create_directories(m_folder / "report/pictures");
     std::ofstream(m_folder / "report/report.html") << "<html>";
     std::ofstream(m_folder / "report/pictures/1.png") << "png";
-    const Outcome sealed = seal({"--add", m_folder / "fragments.csv", "--report", m_folder / "report", "--with-pages", "--json"});
+    const Outcome sealed = seal({"--add", m_folder / "fragments.csv", "--report", m_folder / "report", "--make", "page", "--json"});
     ASSERT_EQ(sealed.exitCode, 0) << sealed.err;
+    EXPECT_EQ(sealed.json()["made"], nlohmann::json::array({"data/page/1-small.html"}));
     ASSERT_EQ(cli({"open-sealed", m_bundle, "--no-run", "--into", m_folder / "opened"}).exitCode, 0);
     for (const char* place : {"exports/fragments.csv", "exports/fragments.csv.provenance.json", "report/report.html",
                               "report/pictures/1.png", "page/1-small.html", "build/build.txt"}) {
         EXPECT_TRUE(fs::exists(m_folder / "opened/small/data/" + place)) << place;
     }
+}
+
+// What is made is of the run, and what was given is not made again.
+TEST_F(SealCommand, WhatTheRunLacksIsMade) {
+    const std::size_t files = filesHere();
+    const std::vector<std::string> both{"--make", "report,page", "--repeats", "0", "--self-test", "none", "--json"};
+    const Outcome sealed = seal(both);
+    ASSERT_EQ(sealed.exitCode, 0) << sealed.err;
+    EXPECT_EQ(sealed.json()["made"], nlohmann::json::array({"data/report/1-small", "data/page/1-small.html"}));
+    EXPECT_EQ(filesHere(), files) << "it lies in the bundle alone";
+    ASSERT_EQ(cli({"open-sealed", m_bundle, "--no-run", "--into", m_folder / "opened"}).exitCode, 0);
+    const std::string data = m_folder / "opened/small/data/";
+    const std::string hash = io::openRun(m_out)->result()->trajectoryHash.hex();
+    const std::string report = textOf(data + "report/1-small/report.html");
+    EXPECT_THAT(report, HasSubstr("Two blocks"));
+    EXPECT_THAT(report, HasSubstr(hash));
+    EXPECT_TRUE(fs::exists(data + "report/1-small/report.pdf"));
+    EXPECT_THAT(textOf(data + "page/1-small.html"), HasSubstr(hash));
+    std::vector<std::string> given{"--page", data + "page/1-small.html", "--report", data + "report/1-small"};
+    given.insert(given.end(), both.begin(), both.end());
+    const Outcome again = seal(given);
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_EQ(again.json()["made"], nlohmann::json::array());
+    const Outcome unknown = seal({"--make", "chart"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("report or page"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "io/case/case_file.h"
 #include "io/run/run_file.h"
 #include "io/seal/bundle_verdict.h"
+#include "io/seal/run_repeat.h"
 #include "tests/io/seal/sealed_small_case.h"
 #include "tests/support/error_id.h"
 
@@ -33,11 +34,27 @@ protected:
     static std::vector<std::string> names(const std::vector<OfferedPart>& parts, Kind kind) {
         std::vector<std::string> found;
         for (const OfferedPart& part : parts) {
-            if (part.kind == kind) {
+            if (part.kind == kind && part.run.empty()) {
                 found.push_back((part.chosen ? "" : "-") + fs::path(part.path).filename().string());
             }
         }
         return found;
+    }
+    /// Kinds that can be made, with the name of the run.
+    static std::vector<std::string> missing(const std::vector<OfferedPart>& parts) {
+        std::vector<std::string> found;
+        for (const OfferedPart& part : parts) {
+            if (!part.run.empty()) {
+                EXPECT_FALSE(part.chosen);
+                found.push_back((part.kind == Kind::Report ? "report of " : "page of ") + fs::path(part.run).filename().string());
+            }
+        }
+        return found;
+    }
+    /// A page that says that it was made of a run with a fingerprint.
+    std::string page(const std::string& fingerprint) {
+        return "<html><!--{\"rubble_provenance\":1,\"simulated\":true,\"fingerprint\":\"" + fingerprint + "\",\"case_path\":\"" +
+               m_case + "\",\"inputs\":[{\"role\":\"fe\",\"path\":\"small.exo\",\"sha256\":\"00\"}]}-->";
     }
     std::string provenance() {
         return "{\"fingerprint\": \"" + openRun(m_folder / "small.run.h5")->origin().fingerprint.hex() + "\"}";
@@ -75,6 +92,45 @@ TEST_F(SealOffer, OfTwoRunsOfAScenarioTheNewestIsChosenAndWhatIsGoneIsSaid) {
     EXPECT_THAT(names(parts, Kind::Run), ElementsAre("small.run.h5", "-before.run.h5"));
     EXPECT_THAT(names(parts, Kind::Input), ElementsAre("small.exo", "-north.jpg", "south.jpg"));
     EXPECT_EQ(parts[1].remark.id, "io.seal.offer_missing");
+}
+
+TEST_F(SealOffer, WhatARunLacksCanBeMade) {
+    EXPECT_THAT(missing(offer()), ElementsAre("report of small.run.h5", "page of small.run.h5"));
+    writeIn(m_folder / "page.html", page("00"));
+    const std::vector<OfferedPart> other = offer();
+    EXPECT_THAT(missing(other), ElementsAre("report of small.run.h5", "page of small.run.h5"));
+    EXPECT_EQ(other.back().remark.id, "io.seal.offer_of_others");
+    writeIn(m_folder / "page.html", page(openRun(m_folder / "small.run.h5")->origin().fingerprint.hex()));
+    EXPECT_THAT(missing(offer()), ElementsAre("report of small.run.h5"));
+    fs::copy_file(m_folder / "page.html", m_folder / "earlier.rubblecase");
+    EXPECT_THAT(names(offer(), Kind::Export), ElementsAre()) << "a bundle is not sealed into another";
+    const OfferedPart run = addedPart(m_folder / "small.run.h5");
+    EXPECT_THAT(missing(missingOf(run, {addedPart(m_folder / "page.html")})), ElementsAre("report of small.run.h5"));
+    const SealedExtra made = placeOfMade(Kind::Report, m_folder / "small.run.h5", 2, "/made");
+    EXPECT_EQ(made.folder, "report/2-small");
+    EXPECT_EQ(made.path, "/made/2-small");
+}
+
+// Files of two reports have the same names, and each refers to its own.
+TEST_F(SealOffer, TwoReportsHaveAFolderEach) {
+    std::vector<OfferedPart> parts;
+    for (const char* name : {"first", "second"}) {
+        writeIn(m_folder / (std::string("elsewhere/") + name + "/report.html"), name);
+        parts.push_back(addedPart(m_folder / (std::string("elsewhere/") + name)));
+    }
+    SealRequest request = SealedSmallCase::the().request();
+    choose(request, parts);
+    sealCase(m_folder / "small.rubblecase", request, Execution());
+    PackedFiles files = packedFiles(m_folder / "small.rubblecase");
+    EXPECT_EQ(contentAt(files, "data/report/1-first/report.html"), "first");
+    EXPECT_EQ(contentAt(files, "data/report/2-second/report.html"), "second");
+}
+
+TEST_F(SealOffer, ARunStandsOnTheFilesOfItsCase) {
+    const std::shared_ptr<RunReader> run = openRun(m_folder / "small.run.h5");
+    EXPECT_EQ(originInCase(*run, m_case, loadCase(m_case), Execution()).fePath, m_folder / "small.exo");
+    fs::remove(m_folder / "small.exo");
+    EXPECT_EQ(idOfError([&] { originInCase(*run, m_case, loadCase(m_case), Execution()); }), "io.run.not_of_case");
 }
 
 TEST_F(SealOffer, WhatIsChosenComesIntoTheRequest) {

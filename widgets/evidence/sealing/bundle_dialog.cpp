@@ -59,7 +59,7 @@ BundleDialog::BundleDialog(QWidget* parent)
     column->addWidget(buildProgress());
     column->addWidget(buildButtons());
     connectPages();
-    resize(860, 640);
+    resize(860, 700);
     setContent({});
     m_checks->setFocus();
 }

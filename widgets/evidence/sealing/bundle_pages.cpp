@@ -60,6 +60,8 @@ QTreeWidget* list(const char* name, const QString& label, const QStringList& hea
     tree->setSelectionMode(QAbstractItemView::SingleSelection);
     tree->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     tree->setMinimumHeight(84);
+    // It takes what is left: by its own wish what is below it would have to be scrolled to.
+    tree->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     return tree;
 }
 

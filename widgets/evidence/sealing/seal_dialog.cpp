@@ -49,8 +49,25 @@ QString sizeText(qint64 bytes) {
 }
 
 QString nameOf(const SealPart& part) {
-    const QString file = QFileInfo(part.path).fileName();
-    return part.id.isEmpty() ? file : QStringLiteral("%1 (%2)").arg(file, part.id);
+    const QString file = QFileInfo(part.run.isEmpty() ? part.path : part.run).fileName();
+    const QString name = part.id.isEmpty() ? file : QStringLiteral("%1 (%2)").arg(file, part.id);
+    if (part.run.isEmpty()) {
+        return name;
+    }
+    return part.kind == SealPart::Kind::Report ? SealDialog::tr("Make a report of %1").arg(name)
+                                               : SealDialog::tr("Make a page of %1").arg(name);
+}
+
+/// Where it lies, or how it is made.
+QString tipOf(const SealPart& part) {
+    if (part.run.isEmpty()) {
+        return part.path;
+    }
+    return part.kind == SealPart::Kind::Report
+               ? SealDialog::tr(
+                     "Made before the bundle is written, as Export > Report… makes it of what its panel asks for. It "
+                     "simulates the repeats that are set there.")
+               : SealDialog::tr("Made before the bundle is written, as Export > Share as a page… makes it.");
 }
 
 }  // namespace
@@ -90,7 +107,7 @@ QWidget* SealDialog::buildParts() {
     column->setSpacing(8);
     auto* about =
         new QLabel(tr("The case is sealed with its journal. What is ticked goes along; an input that is not ticked stays "
-                      "here, and only its digest is sealed."));
+                      "here, and only its digest is sealed. A run that lacks a report or a page can have it made."));
     about->setObjectName(QStringLiteral("muted"));
     about->setWordWrap(true);
     column->addWidget(about);
@@ -160,7 +177,7 @@ QTreeWidgetItem* SealDialog::groupOf(SealPart::Kind kind) {
     }
     auto* group = new QTreeWidgetItem({kindText(kind)});
     group->setData(PartName, partRole, order);
-    group->setSizeHint(PartName, QSize(0, rowHeight));
+    group->setSizeHint(PartRemark, QSize(0, rowHeight));
     group->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     m_tree->insertTopLevelItem(place, group);
     group->setExpanded(true);
@@ -169,18 +186,19 @@ QTreeWidgetItem* SealDialog::groupOf(SealPart::Kind kind) {
 
 void SealDialog::addPart(const SealPart& part) {
     const auto known = [&](const SealPart& each) {
-        return !part.path.isEmpty() && each.path == part.path && each.kind == part.kind;
+        return each.path == part.path && each.kind == part.kind && each.run == part.run;
     };
     if (std::any_of(m_parts.begin(), m_parts.end(), known)) {
         return;
     }
-    auto* item = new QTreeWidgetItem({nameOf(part), sizeText(part.bytes)});
+    auto* item = new QTreeWidgetItem({nameOf(part), part.run.isEmpty() ? sizeText(part.bytes) : QString()});
     item->setData(PartName, partRole, static_cast<int>(m_parts.size()));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(PartName, part.chosen ? Qt::Checked : Qt::Unchecked);
-    item->setSizeHint(PartName, QSize(0, rowHeight));
+    // In the column that takes what is left: in the others it would be their width.
+    item->setSizeHint(PartRemark, QSize(0, rowHeight));
     item->setTextAlignment(PartSize, Qt::AlignRight | Qt::AlignVCenter);
-    item->setToolTip(PartName, part.path);
+    item->setToolTip(PartName, tipOf(part));
     m_parts.push_back(part);
     groupOf(part.kind)->addChild(item);
 }
@@ -188,7 +206,9 @@ void SealDialog::addPart(const SealPart& part) {
 void SealDialog::addFiles() {
     const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Seal these as well"), {}, tr("All files (*)"));
     for (const QString& path : paths) {
-        addPart(m_part(path));
+        for (const SealPart& part : m_part(path)) {
+            addPart(part);
+        }
     }
     showChosen();
 }
@@ -196,7 +216,9 @@ void SealDialog::addFiles() {
 void SealDialog::addFolder() {
     const QString path = QFileDialog::getExistingDirectory(this, tr("Folder of a report"));
     if (!path.isEmpty()) {
-        addPart(m_part(path));
+        for (const SealPart& part : m_part(path)) {
+            addPart(part);
+        }
         showChosen();
     }
 }
@@ -204,27 +226,47 @@ void SealDialog::addFolder() {
 void SealDialog::showChosen() {
     const QSignalBlocker quiet(m_tree);
     qint64 bytes = 0;
+    bool made = false;
     const SealPart* largest = nullptr;
     for (int g = 0; g < m_tree->topLevelItemCount(); ++g) {
         QTreeWidgetItem* group = m_tree->topLevelItem(g);
         for (int i = 0; i < group->childCount(); ++i) {
             QTreeWidgetItem* item = group->child(i);
             SealPart& part = m_parts[item->data(PartName, partRole).toUInt()];
-            part.chosen = item->checkState(PartName) == Qt::Checked;
-            const bool digestAlone = part.kind == SealPart::Kind::Input && !part.chosen;
-            const QString digest = digestAlone ? tr("only its digest is sealed") : QString();
-            item->setText(PartRemark,
-                          part.remark.isEmpty() || digest.isEmpty() ? part.remark + digest : inOneLine({part.remark, digest}));
+            const bool stays = runStays(part);
+            part.chosen = item->checkState(PartName) == Qt::Checked && !stays;
+            const Qt::ItemFlags usual = Qt::ItemIsSelectable | Qt::ItemIsUserCheckable;
+            item->setFlags(stays ? usual : usual | Qt::ItemIsEnabled);
+            item->setText(PartRemark, remarkOf(part, stays));
             item->setToolTip(PartRemark, item->text(PartRemark));
-            if (part.chosen) {
+            if (part.chosen && !part.run.isEmpty()) {
+                made = true;
+            } else if (part.chosen) {
                 bytes += part.bytes;
                 largest = largest == nullptr || part.bytes > largest->bytes ? &part : largest;
             }
         }
     }
     const QString size = sizeText(bytes);
-    m_sum->setText(largest == nullptr ? tr("The case alone is sealed.")
-                                      : tr("About %1 are sealed; the largest is %2.").arg(size, nameOf(*largest)));
+    m_sum->setText((largest == nullptr ? tr("The case alone is sealed.")
+                                       : tr("About %1 are sealed; the largest is %2.").arg(size, nameOf(*largest))) +
+                   (made ? u' ' + tr("What is made comes on top.") : QString()));
+}
+
+bool SealDialog::runStays(const SealPart& part) const {
+    return !part.run.isEmpty() && std::none_of(m_parts.begin(), m_parts.end(), [&](const SealPart& each) {
+        return each.kind == SealPart::Kind::Run && each.path == part.run && each.chosen;
+    });
+}
+
+QString SealDialog::remarkOf(const SealPart& part, bool stays) const {
+    QString consequence;
+    if (stays) {
+        consequence = tr("its run is not sealed");
+    } else if (part.kind == SealPart::Kind::Input && !part.chosen) {
+        consequence = tr("only its digest is sealed");
+    }
+    return part.remark.isEmpty() || consequence.isEmpty() ? part.remark + consequence : inOneLine({part.remark, consequence});
 }
 
 void SealDialog::showReady() {

@@ -27,6 +27,7 @@ struct SealPart {
     QString remark;  ///< what speaks against it; empty: nothing
     qint64 bytes = 0;
     bool chosen = true;  ///< of an input: it travels, and not its digest alone
+    QString run = {};    ///< of a report or a page that is made before it is sealed: the file of its run
 };
 
 /// What is sealed, and by whom.
@@ -51,8 +52,8 @@ public:
     explicit SealDialog(const SealChoice& choice, QWidget* parent = nullptr);
 
     SealChoice choice() const;
-    /// @param part  says what a file or folder is that was chosen to be added
-    void setAdding(std::function<SealPart(const QString& path)> part) { m_part = std::move(part); }
+    /// @param part  says what a file or folder is that was chosen to be added, and what can be made of it
+    void setAdding(std::function<std::vector<SealPart>(const QString& path)> part) { m_part = std::move(part); }
     /// @param objection  asked before the dialog is accepted, for keys that cannot be used
     void setCheck(std::function<SealObjection(const SealChoice& choice)> objection) { m_objection = std::move(objection); }
 
@@ -65,11 +66,14 @@ private:
     void addPart(const SealPart& part);
     void addFiles();
     void addFolder();
-    /// Size of all that is ticked, and what of an input is left.
+    /// Size of all that is ticked, what of an input is left, and what cannot be made as its run stays.
     void showChosen();
+    QString remarkOf(const SealPart& part, bool stays) const;
+    /// The run of something that is to be made is not sealed.
+    bool runStays(const SealPart& part) const;
     void showReady();
 
-    std::function<SealPart(const QString& path)> m_part;
+    std::function<std::vector<SealPart>(const QString& path)> m_part;
     std::function<SealObjection(const SealChoice& choice)> m_objection;
     std::vector<SealPart> m_parts;
     QTreeWidget* m_tree;

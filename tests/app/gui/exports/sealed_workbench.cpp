@@ -3,14 +3,18 @@
 #include <QAbstractButton>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QTest>
 
 #include "io/case/case_file.h"
 #include "io/seal/seal_case.h"
+#include "tests/app/gui/legibility.h"
+#include "tests/app/gui/spoken_texts.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
+#include "widgets/basics/language.h"
 
 namespace rubble {
 
@@ -29,6 +33,37 @@ std::string SealedWorkbench::makeKey(const std::string& name) {
 
 bool SealedWorkbench::idle() {
     return QTest::qWaitFor([&] { return !session->computation().busy(); }, patience);
+}
+
+void SealedWorkbench::expectReadable(QWidget& dialog, const QString& name) {
+    EXPECT_LE(dialog.height(), window->height()) << name.toStdString();
+    QStringList illegible;
+    (void)QTest::qWaitFor([&] { return (illegible = illegibleIn(dialog)).isEmpty(); }, 1000);
+    EXPECT_TRUE(illegible.isEmpty()) << name.toStdString() << ": " << illegible.join(u'\n').toStdString();
+    const QString language = widgets::currentLanguage();
+    if (language != QLatin1String("en")) {
+        QStringList names = namesIn(session->computation().inputs().fe.get());
+        for (const char* known : {"small.run.h5", "small.rubblecase", "small.rubble", "small.exo", "small.tsq", "fragments.csv",
+                                  "A. Engineer", "fe-1", "As computed", "small"}) {
+            names += QLatin1String(known);
+        }
+        if (const RunRecord* record = session->computation().currentRun()) {
+            const QString run = QFileInfo(record->path).fileName();
+            names << run << run.section(u'.', 0, 0);
+        }
+        for (const auto& [place, text] : textsOf(dialog)) {
+            EXPECT_TRUE(strangeWords(text, names).isEmpty()) << place.toStdString() << ": " << text.toStdString();
+        }
+    }
+    const QString folder = qEnvironmentVariable("RUBBLE_TAKE_SCREENS");
+    for (const char* theme : {"dark", "light"}) {
+        if (!folder.isEmpty()) {
+            window->setTheme(QLatin1String(theme));
+            QTest::qWait(200);
+            ASSERT_TRUE(
+                pictureOf(dialog).save(QStringLiteral("%1/%2-%3-%4.png").arg(folder, name, language, QLatin1String(theme))));
+        }
+    }
 }
 
 void SealedWorkbench::simulated() {

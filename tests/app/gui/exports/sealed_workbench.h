@@ -30,6 +30,9 @@ protected:
     /// Answers the next dialog for files from within its own event loop.
     static void chooseFile(const std::string& path);
     bool idle();
+    /// What stands on a dialog can be read whole in the smallest window, and speaks the language of the window.
+    /// RUBBLE_TAKE_SCREENS names a folder for pictures of it in both themes.
+    void expectReadable(QWidget& dialog, const QString& name);
     /// A part of a dialog by its name, which must be there.
     template <typename Part>
     static Part& child(const QWidget& dialog, const char* name) {

@@ -18,6 +18,7 @@
 
 #include "core/base/error.h"
 #include "widgets/figures/camera_path.h"
+#include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/marks.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
@@ -27,6 +28,7 @@ namespace rubble::figures {
 namespace {
 
 constexpr std::size_t longest = 100000;
+constexpr double movieTextPoints = 9.0;
 constexpr int startTimeoutMs = 20000;
 constexpr int writeTimeoutMs = 120000;   // an encoder that takes nothing for so long hangs
 constexpr int finishTimeoutMs = 600000;  // as does one that is not done so long after the last picture
@@ -296,6 +298,16 @@ void printTime(QImage& picture, double time, double pace, render::Theme theme, d
     painter.drawText(box, static_cast<int>(Qt::AlignCenter), text);
 }
 
+/// The picture above a strip with what must be known of the run. @param pixels  of both together
+QImage withCautions(const QImage& picture, const QSize& pixels, const FigureStyle& style, render::Theme theme) {
+    QImage whole(pixels, QImage::Format_RGB32);
+    QPainter painter(&whole);
+    painter.drawImage(0, 0, picture);
+    paintCautions(painter, QRectF(0.0, picture.height(), pixels.width(), pixels.height() - picture.height()),
+                  QString::fromStdString(style.cautions), movieTextPoints / 72.0 * style.dpi, theme);
+    return whole;
+}
+
 }  // namespace
 
 std::size_t movieLength(const MovieSettings& settings) {
@@ -347,13 +359,18 @@ void makeMovie(Studio& studio, render::View view, FigureStyle style, const Movie
     style.framed = false;
     style.pixels = evenSize(style.pixels);
     style.provenance.clear();
+    const QSize pixels = style.pixels;
+    const double text = movieTextPoints / 72.0 * style.dpi;
+    if (!style.cautions.empty()) {
+        style.pixels.rheight() -= std::min(cautionHeight(text), pixels.height() / 4);
+    }
     for (std::size_t i = 0; i < pictures; ++i) {
         execution.check();
         view.time = movieTime(settings, i);
         lookAlong(view, settings.cameras, view.time);
         QImage picture = studio.picture(view, style);
-        printTime(picture, view.time - view.timeOrigin, settings.pace, view.theme, 9.0 / 72.0 * style.dpi, view.axes);
-        target.add(picture);
+        printTime(picture, view.time - view.timeOrigin, settings.pace, view.theme, text, view.axes);
+        target.add(style.cautions.empty() ? picture : withCautions(picture, pixels, style, view.theme));
         execution.report({"movie.drawing", "Drawing the movie: picture {0} of {1}", {i + 1, pictures}},
                          static_cast<double>(i + 1) / static_cast<double>(pictures));
     }

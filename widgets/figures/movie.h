@@ -58,7 +58,8 @@ std::unique_ptr<MovieTarget> movieTarget(const std::string& path, QSize pixels, 
 /// Pictures of a movie have sides of even numbers.
 QSize evenSize(QSize pixels);
 
-/// Draws a movie picture by picture, time and pace printed on each. Throws what drawing and the target throw, and Cancelled.
+/// Draws a movie picture by picture, time and pace printed on each, and the cautions of its style below. Throws what drawing and
+/// the target throw, and Cancelled.
 /// @param style  unframed; its size is made even
 void makeMovie(Studio& studio, render::View view, FigureStyle style, const MovieSettings& settings, MovieTarget& target,
                const Execution& execution);

@@ -12,6 +12,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
+#include "io/run/run_cautions.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/movie.h"
 #include "widgets/figures/view_json.h"
@@ -108,6 +109,7 @@ ExitCode movie(const Arguments& arguments, Session& session) {
     view.time = settings.from;
     const auto target =
         figures::movieTarget(*path, style.pixels, settings.fps, recordOf(*run, around, view, settings, style.pixels, data));
+    style.cautions = pictureCautions(runCautions(io::standingOf(*run)));
     figures::Studio studio(data);
     figures::makeMovie(studio, view, style, settings, *target, session.execution());
     const std::size_t pictures = figures::movieLength(settings);

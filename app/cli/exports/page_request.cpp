@@ -31,6 +31,7 @@ void addPictures(io::PageExtras& extras, const render::SceneData& scene, const i
     drawing.map = extras.map.get();
     drawing.mapStyle.place = io::SitePlace(run.origin().frame, run.origin().site).transform();
     drawing.mapStyle.system = run.origin().frame.crs;
+    drawing.mapStyle.cautions = pictureCautions(runCautions(io::standingOf(run)));
     drawing.photographs = photographs;
     try {
         const VirtualDisplay display;

@@ -13,6 +13,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/simulation/run/acknowledgement.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_history.h"
 #include "widgets/run/health_list.h"
 
@@ -33,6 +34,15 @@ void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
         }
     }
     std::stable_sort(to.begin(), to.end(), [](const RunEntry& a, const RunEntry& b) { return a.when < b.when; });
+}
+
+/// Bodies that there were when a run was stopped; 0 where its file cannot be read.
+std::int64_t bodiesSoFar(const io::RunReader* run) {
+    try {
+        return run != nullptr ? io::standingOf(*run).bodies : 0;
+    } catch (const std::exception&) {
+        return 0;
+    }
 }
 
 }  // namespace
@@ -216,7 +226,7 @@ void RunHistory::ended() {
     run.live = record->live;
     run.wallSeconds = record->wallSeconds;
     run.fragments = record->results.fragments != nullptr ? static_cast<std::int64_t>(record->results.fragments->size()) : 0;
-    run.bodies = record->results.clustering != nullptr ? static_cast<std::int64_t>(record->results.clustering->list.size()) : 0;
+    run.bodies = record->outcome == nullptr ? bodiesSoFar(record->reader.get()) : 0;
     run.endTime = record->newest;
     run.breaches = widgets::limitsIn(record->health());
     if (const SimulationResult* result = record->outcome.get()) {

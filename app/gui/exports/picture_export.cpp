@@ -137,6 +137,7 @@ std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& 
     figures::FigureStyle style;
     style.pixels = choice.pixels;
     style.dpi = movieDpi * choice.pixels.height() / 720.0;
+    style.cautions = made.cautions.toStdString();
     const auto target =
         figures::movieTarget(path, style.pixels, choice.settings.fps, io::exportProvenance(record, made.origin, made.run.get()));
     figures::Studio studio(data);

@@ -10,6 +10,7 @@
 #include "widgets/figures/page_pictures.h"
 #include "widgets/figures/report/report_language.h"
 #include "widgets/figures/report/report_pictures.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble {
 
@@ -51,6 +52,7 @@ void PageOrder::write(const Execution& execution) const {
     drawing.times = figures::pageTimes(scene, theCase.bookmarks);
     drawing.map = extras.map.get();
     drawing.mapStyle = mapStyleOf(run->origin());
+    drawing.mapStyle.cautions = widgets::cautionWords(runCautions(io::standingOf(*run))).toStdString();
     drawing.photographs = photographs;
     extras.pictures = figures::drawPagePictures(scene, drawing, execution);
     extras.surroundings = scene.surroundings;

@@ -9,6 +9,7 @@
 
 #include "core/simulation/health/passed_limits.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_file.h"
 
 namespace rubble {
@@ -65,7 +66,7 @@ std::optional<RunEntry> entryOfRunFile(const QString& path) {
         entry.wallSeconds =
             file.birthTime().isValid() ? static_cast<double>(file.birthTime().msecsTo(file.lastModified())) * 1e-3 : 0.0;
         entry.fragments = run->fragments() != nullptr ? static_cast<std::int64_t>(run->fragments()->size()) : 0;
-        entry.bodies = run->clustering() != nullptr ? static_cast<std::int64_t>(run->clustering()->list.size()) : 0;
+        entry.bodies = io::standingOf(*run).bodies;
         entry.endTime = run->frameTime(run->frameCount() - 1);
         entry.breaches = static_cast<std::int64_t>(passedLimits(run->breaches()).size());
         if (const auto result = run->result()) {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -57,6 +58,31 @@ private:
     std::string m_session;
     std::vector<std::string> m_requests;
     std::vector<std::string> m_complaints;
+};
+
+/// What all tests of a page look at: a fixture that makes the page in its constructor, and a browser, made once for all of them.
+/// Null where there is no browser: then nothing is run.
+template <class Page>
+class PageForAll {
+public:
+    static Page* page() {
+        if (!made() && !Browser::program().empty()) {
+            made() = std::make_unique<Made>();
+        }
+        return made() ? &made()->page : nullptr;
+    }
+    static Browser* browser() { return page() != nullptr ? &made()->browser : nullptr; }
+    static void end() { made().reset(); }
+
+private:
+    struct Made {
+        Page page;
+        Browser browser{page.folder() / "profile", 1280, 800};
+    };
+    static std::unique_ptr<Made>& made() {
+        static std::unique_ptr<Made> all;
+        return all;
+    }
 };
 
 }  // namespace rubble

@@ -18,14 +18,10 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The page of the small collapse, within a wall and a picture of the ground; nothing is run where there is no browser.
-class PageLook : public SmallRun {
-protected:
-    void SetUp() override {
-        if (Browser::program().empty()) {
-            std::cout << "not run: no Chromium here\n";
-            return;
-        }
+/// The page of the small collapse, within a wall and a picture of the ground.
+class WalledPage : public SmallRun {
+public:
+    WalledPage() {
         run({}, "1");
         std::ofstream(m_folder / "wall.obj") << "v -2 3 0\nv 9 3 0\nv 9 3 2.5\nv -2 3 2.5\nf 1 2 3\nf 1 3 4\n";
         writeGreyTiff(m_folder / "ground.tif", 60, 60);
@@ -35,12 +31,33 @@ protected:
         theCase.inputs.push_back({"orthophoto-1", InputRole::Orthophoto, "ground.tif",
                                   io::digestOfInput(m_folder / "ground.tif", InputRole::Orthophoto, Execution()).sha256});
         io::saveCase(m_folder / "small.rubble", theCase);
-        const Outcome outcome =
-            cli({"export", m_out, "--case", m_folder / "small.rubble", "--export", "page=" + (m_folder / "small.html")});
-        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-        m_notes = outcome.err;
-        m_browser = std::make_unique<Browser>(m_folder / "profile", 1280, 800);
-        m_browser->open(m_folder / "small.html");
+        const Outcome outcome = cli({"export", m_out, "--case", m_folder / "small.rubble", "--export", "page=" + path()});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        notes = outcome.err;
+    }
+    const io::TemporaryFolder& folder() const { return m_folder; }
+    std::string path() const { return m_folder / "small.html"; }
+
+    std::string notes;
+
+private:
+    void TestBody() override {}
+};
+
+/// That page in a browser, opened anew for each test; nothing is run where there is none.
+class PageLook : public testing::Test {
+protected:
+    using Shared = PageForAll<WalledPage>;
+
+    static void TearDownTestSuite() { Shared::end(); }
+    void SetUp() override {
+        m_browser = Shared::browser();
+        if (m_browser == nullptr) {
+            std::cout << "not run: no Chromium here\n";
+            return;
+        }
+        m_notes = Shared::page()->notes;
+        m_browser->open(Shared::page()->path());
         m_browser->waitFor("page.player.site.photo");
         said("page.jump(page.player.end)");
     }
@@ -65,7 +82,7 @@ protected:
     }
 
     std::string m_notes;
-    std::unique_ptr<Browser> m_browser;
+    Browser* m_browser = nullptr;
 };
 
 TEST_F(PageLook, BeginsWithMaterials) {

@@ -27,24 +27,22 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The page of the small collapse and a browser, made once for all that look at it.
-class PageForAll : public PhotoOfCase {
+/// The page of the small collapse, with a photograph.
+class SmallPage : public PhotoOfCase {
 public:
-    PageForAll() {
+    SmallPage() {
         SetUp();
         m_case.bookmarks = {{0.25, "The second block goes."}, {99.0, "Long after."}};
         io::keepValidation(scenes::tossRecord(), m_folder / "cache");
         const Outcome outcome = CommandRun()
                                     .with("RUBBLE_CACHE", m_folder / "cache")
-                                    .cli({"export", m_out, "--case", save(), "--export", "page=" + page()});
+                                    .cli({"export", m_out, "--case", save(), "--export", "page=" + path()});
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("mm of those recorded"));
-        browser = std::make_unique<Browser>(m_folder / "profile", 1280, 800);
     }
-    std::string page() const { return m_folder / "small.html"; }
+    const io::TemporaryFolder& folder() const { return m_folder; }
+    std::string path() const { return m_folder / "small.html"; }
     const std::string& runFile() const { return m_out; }
-
-    std::unique_ptr<Browser> browser;
 
 private:
     void TestBody() override {}
@@ -53,17 +51,16 @@ private:
 /// The page of the small collapse in a browser, opened anew for each test; nothing is run where there is none.
 class PageInBrowser : public testing::Test {
 protected:
-    static void TearDownTestSuite() { made().reset(); }
+    using Shared = PageForAll<SmallPage>;
+
+    static void TearDownTestSuite() { Shared::end(); }
     void SetUp() override {
-        if (Browser::program().empty()) {
+        m_browser = Shared::browser();
+        if (m_browser == nullptr) {
             std::cout << "not run: no Chromium here\n";
             return;
         }
-        if (!made()) {
-            made() = std::make_unique<PageForAll>();
-        }
-        m_page = made()->page();
-        m_browser = made()->browser.get();
+        m_page = Shared::page()->path();
         m_browser->resize(1280, 800);
         m_ready = m_browser->open(m_page);
     }
@@ -92,12 +89,6 @@ protected:
     std::string m_page;
     Browser* m_browser = nullptr;
     std::string m_ready;
-
-private:
-    static std::unique_ptr<PageForAll>& made() {
-        static std::unique_ptr<PageForAll> all;
-        return all;
-    }
 };
 
 void PageInBrowser::expectPicturesInBothLanguages(Browser& browser, const std::string& chinese) {
@@ -123,7 +114,7 @@ void PageInBrowser::expectPicturesInBothLanguages(Browser& browser, const std::s
 }
 
 std::vector<std::map<std::string, std::string>> PageInBrowser::table() {
-    cli({"export", made()->runFile(), "--export", "fragments=" + (m_folder / "f.csv")});
+    cli({"export", Shared::page()->runFile(), "--export", "fragments=" + (m_folder / "f.csv")});
     std::istringstream lines(textOf(m_folder / "f.csv"));
     std::vector<std::vector<std::string>> rows;
     for (std::string line; std::getline(lines, line);) {

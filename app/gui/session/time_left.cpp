@@ -14,7 +14,9 @@ double TimeLeft::after(const Progress& progress) {
     }
     const double spent = static_cast<double>(m_since.elapsed()) / 1000.0;
     const double did = fraction - m_first;
-    return did > 0.02 && spent > 1.0 ? spent * (1.0 - fraction) / did : std::numeric_limits<double>::quiet_NaN();
+    // What seems all but done may have something to come that its stage does not count: no time is better than none left.
+    const bool known = did > 0.02 && spent > 1.0 && fraction < 0.99;
+    return known ? spent * (1.0 - fraction) / did : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace rubble

@@ -1609,8 +1609,8 @@
         <translation>@(#)ADF Database</translation>
     </message>
     <message>
-        <source>A density lies outside {0} to {1}</source>
-        <translation>密度超出 {0} 至 {1}</translation>
+        <source>No material has this density: they have {0} to {1}</source>
+        <translation>没有材料具有此密度：材料密度为 {0} 至 {1}</translation>
     </message>
     <message>
         <source>A dying element has positions that are not numbers and makes no fragment</source>

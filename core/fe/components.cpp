@@ -5,13 +5,11 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/fe/material.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double leastDensity = 1.0;      // kg/m3; below: the file is hardly in SI units
-constexpr double greatestDensity = 25e3;  // kg/m3
 
 bool usable(double value) {
     return std::isfinite(value) && value > 0.0;
@@ -69,10 +67,10 @@ public:
             m_findings.add(
                 {"components.assumed_density", "No density is known: {0} is assumed", {{m_assumptions.density, "kg/m3"}}},
                 {"components.assumed_density.remedy", "Set component[NAME].density.", {}}, place(m_mesh, e, component));
-        } else if (value < leastDensity || value > greatestDensity) {
+        } else if (!isMaterialDensity(value)) {
             m_findings.add({"components.implausible_density",
-                            "A density lies outside {0} to {1}",
-                            {{leastDensity, "kg/m3"}, {greatestDensity, "kg/m3"}}},
+                            "No material has this density: they have {0} to {1}",
+                            {{leastMaterialDensity, "kg/m3"}, {greatestMaterialDensity, "kg/m3"}}},
                            {"components.implausible_density.remedy",
                             "Check the units of the file and set component[NAME].density in kg/m3.",
                             {}},

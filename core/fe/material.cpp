@@ -20,7 +20,7 @@ std::optional<Material> materialNamed(std::string_view name) {
 }
 
 bool isMaterialDensity(double density) {
-    return density >= 25.0 && density <= 22000.0;
+    return density >= leastMaterialDensity && density <= greatestMaterialDensity;
 }
 
 Material materialOfDensity(double density) {

@@ -20,7 +20,9 @@ std::optional<Material> materialNamed(std::string_view name);
 /// slab that carries the mass of something else).
 Material materialOfDensity(double density);
 
-/// Whether anything that is built has this density [kg/m3]: 25 (foam) to 22,000 (heavier than lead).
+inline constexpr double leastMaterialDensity = 25.0;        ///< kg/m3: foam
+inline constexpr double greatestMaterialDensity = 22000.0;  ///< kg/m3: heavier than lead
+/// Whether anything that is built has this density, kg/m3. Outside of it a file is hardly read in its units.
 bool isMaterialDensity(double density);
 
 /// Whether a body may be made of it; soil and water bed are only ground.

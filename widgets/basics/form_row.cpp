@@ -3,9 +3,16 @@
 #include <QDialog>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QVBoxLayout>
 
 namespace rubble::widgets {
+
+namespace {
+
+constexpr const char* keptAsTyped = "rubbleKeptAsTyped";
+
+}  // namespace
 
 void addRow(QFormLayout& form, const QString& name, QWidget* editor, const QString& tip) {
     auto* label = new QLabel(name);

@@ -12,6 +12,7 @@
 #include <QUrl>
 #include <utility>
 
+#include "widgets/basics/form_row.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/report/spoken_text.h"

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/scenario/parameters.h"
+#include "widgets/basics/form_row.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
@@ -198,6 +199,7 @@ HealthList::HealthList(QWidget* parent)
         edit->setAccessibleName(label);
         form->addWidget(name, row, 0);
         form->addWidget(edit, row, 1);
+        keepAsTyped(*edit);
         connect(edit, &QLineEdit::textChanged, this, [this] { m_complaint->hide(); });
         connect(edit, &QLineEdit::returnPressed, this, &HealthList::acknowledge);
     };

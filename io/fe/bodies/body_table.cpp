@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
+#include "core/fe/material.h"
 #include "io/base/trimmed.h"
 #include "io/fe/bodies/body_columns.h"
 #include "io/fe/bodies/body_meshes.h"
@@ -18,8 +19,6 @@ namespace {
 
 constexpr std::uintmax_t mostBytes = std::uintmax_t{256} << 20;
 /// Beyond these a unit is wrong, or a decimal point: foam and gold.
-constexpr double leastDensity = 10.0;        // kg/m3
-constexpr double greatestDensity = 20000.0;  // kg/m3
 /// A quaternion of six digits has this length at least.
 constexpr double turnTolerance = 1e-3;
 
@@ -287,7 +286,7 @@ private:
     }
 
     void noteDensity(const LooseBody& body) {
-        if (body.density() < leastDensity || body.density() > greatestDensity) {
+        if (!isMaterialDensity(body.density())) {
             m_table.findings.add(
                 {"bodies.density", "bodies have a mass and sides that make {0}, which nothing weighs", {{body.density(), "kg/m3"}}},
                 {"bodies.density.remedy", "look at the units in the heading", {}},

@@ -357,6 +357,17 @@ TEST_F(SteadyWindow, EscLeavesAFieldAsItWas) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience)) << "nothing else is open";
 }
 
+TEST_F(SteadyWindow, EscLeavesWordsAsTheyWereTyped) {
+    clickPanel(PanelDeck::Report);
+    auto* author = window->findChild<QLineEdit*>(QStringLiteral("reportAuthor"));
+    ASSERT_NE(author, nullptr);
+    author->setFocus();
+    QTest::keyClicks(author, QStringLiteral("A. Miller"));
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(author->hasFocus());
+    EXPECT_EQ(author->text(), QStringLiteral("A. Miller")) << "it counted already, without Enter";
+}
+
 TEST_F(SteadyWindow, EscClosesWhatIsOpenBeforeItCancels) {
     makeCheap();
     startLongRun();

@@ -215,6 +215,9 @@ TEST(Components, DensitiesOfOtherUnitsAreNoticed) {
     mesh.density = {2.4e-9, 2400};
     const Components components = groupComponents(mesh, {}, {}, {});
     EXPECT_EQ(components.findings.count("components.implausible_density"), 1);
+    // A file in g, cm and microseconds that is read as SI: its 18.6 is tungsten.
+    mesh.density = {18.62, 7.896};
+    EXPECT_EQ(groupComponents(mesh, {}, {}, {}).findings.count("components.implausible_density"), 2);
 }
 
 }  // namespace

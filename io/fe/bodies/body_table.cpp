@@ -18,7 +18,6 @@ namespace rubble::io {
 namespace {
 
 constexpr std::uintmax_t mostBytes = std::uintmax_t{256} << 20;
-/// Beyond these a unit is wrong, or a decimal point: foam and gold.
 /// A quaternion of six digits has this length at least.
 constexpr double turnTolerance = 1e-3;
 

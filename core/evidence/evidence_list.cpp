@@ -33,10 +33,25 @@ Message instantOf(const std::optional<double>& instant) {
                    : Message{"evidence.at_rest", "the debris at rest", {}};
 }
 
+/// An outline shows debris as every other does.
+void sayHeld(EvidenceRow& row, const CaseInput& input) {
+    if (input.held == PointsHeld::Section) {
+        row.says = {"evidence.measured", "measured heights, which sections are held against", {}};
+    } else if (input.held == PointsHeld::Control) {
+        row.says = {"evidence.control", "places by their names, for pairs of photographs; no debris", {}};
+    } else if (input.instant) {
+        row.says = {"evidence.edge_at", "the edge of the debris at {0}, from point to point", {{*input.instant, "s"}}};
+    } else {
+        row.says = {"evidence.edge", "the edge of the debris at rest, from point to point", {}};
+    }
+}
+
 EvidenceRow surveyRow(const CaseInput& input) {
     EvidenceRow row{input.id, evidenceFormOf(input), input.path, input.taken, instantOf(input.instant)};
+    row.byEnding = !input.kind;
     if (row.form == EvidenceForm::Measured) {
-        row.says = {"evidence.measured", "measured heights, which sections are held against", {}};
+        row.held = input.held;
+        sayHeld(row, input);
     }
     if (input.before) {
         row.says = {"evidence.before", "the site before the collapse", {}};
@@ -91,6 +106,10 @@ std::span<const std::string_view> endingsOf(EvidenceForm form) {
             break;
     }
     return {};
+}
+
+bool hasOverlap(const CaseInput& survey) {
+    return evidenceFormOf(survey) != EvidenceForm::Measured || survey.held == PointsHeld::Outline;
 }
 
 EvidenceForm evidenceFormOf(const CaseInput& survey) {

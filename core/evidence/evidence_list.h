@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@
 namespace rubble {
 
 /// What evidence is; a survey of a case of before, where that was not kept, by the ending of its file.
-/// Points are the control points of the case, measured ones those that sections are held against.
+/// Points are the control points of the case, measured ones those of a total station or a drawing.
 enum class EvidenceForm { Photograph, Heights, Cloud, Outline, Points, Measured };
 /// "photograph", "heights", "cloud", "outline", "points", "measured"
 inline constexpr std::array<const char*, 6> evidenceFormNames{"photograph", "heights", "cloud", "outline", "points", "measured"};
@@ -28,10 +29,16 @@ struct EvidenceRow {
     double within = unknown;  ///< m, its place is known to, at 95 %; NaN: not known
     double score = unknown;   ///< overlap with the simulated debris, 0 to 1; NaN: none was made
     Message elsewhere = {};   ///< what says that it lies elsewhere than its site; without id: nothing does
+    Message unread = {};      ///< why it cannot be read, or is no evidence; without id: it can, or nobody has looked yet
+    bool byEnding = false;    ///< what it is was told by the ending of its file; nobody has looked into it
+    std::optional<PointsHeld> held = std::nullopt;  ///< of measured points
 };
 
 /// Endings of files that heights, clouds or outlines are read from, in small letters: ".las". Of other evidence none.
 std::span<const std::string_view> endingsOf(EvidenceForm form);
+
+/// A survey that can be held against the debris by overlap, and not in sections alone.
+bool hasOverlap(const CaseInput& survey);
 
 /// What a survey is, by what was found in its file, else by its ending.
 EvidenceForm evidenceFormOf(const CaseInput& survey);

@@ -25,6 +25,10 @@ enum class InputRole { Fe, Terrain, Photograph, Survey, Orthophoto, Surroundings
 enum class SurveyKind { Heights, Cloud, Outline, Points };
 inline constexpr std::array<std::string_view, 4> surveyKindNames{"heights", "cloud", "outline", "points"};
 
+/// What measured points are held to say: heights for sections, the edge of the debris in their order, or places of other evidence.
+enum class PointsHeld { Section, Outline, Control };
+inline constexpr std::array<std::string_view, 3> pointsHeldNames{"section", "outline", "control"};
+
 /// A file that a case stands on, by relative path and SHA-256.
 struct CaseInput {
     std::string id;  ///< "fe-1"
@@ -51,6 +55,8 @@ struct CaseInput {
     CloudRequest read = {};
     /// Of a survey: what its file holds; unset: it was never looked at.
     std::optional<SurveyKind> kind = std::nullopt;
+    /// Of measured points: what they are held to say.
+    PointsHeld held = PointsHeld::Section;
     /// Of a survey that is a cloud: where its scanners stood, m, easting, northing and height; empty: as its file says.
     std::vector<Vec3> scanners = {};
     friend bool operator==(const CaseInput&, const CaseInput&) = default;

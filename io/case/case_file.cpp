@@ -160,6 +160,9 @@ json inputJson(const CaseInput& input) {
     if (input.kind) {
         object["holds"] = std::string(surveyKindNames[static_cast<std::size_t>(*input.kind)]);
     }
+    if (input.held != PointsHeld::Section) {
+        object["held_as"] = std::string(pointsHeldNames[static_cast<std::size_t>(input.held)]);
+    }
     for (const Vec3& scanner : input.scanners) {
         object["scanners_m"].push_back(jsonVector(scanner));
     }
@@ -174,6 +177,14 @@ SurveyKind kindFrom(const JsonCursor& value) {
     return static_cast<SurveyKind>(found - surveyKindNames.begin());
 }
 
+PointsHeld heldFrom(const JsonCursor& value) {
+    const auto found = std::find(pointsHeldNames.begin(), pointsHeldNames.end(), value.text());
+    if (found == pointsHeldNames.end()) {
+        value.fail("section, outline or control");
+    }
+    return static_cast<PointsHeld>(found - pointsHeldNames.begin());
+}
+
 std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) {
     if (!object.has(key)) {
         return {};
@@ -186,9 +197,9 @@ std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) 
 }
 
 CaseInput inputFrom(const JsonCursor& object) {
-    object.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m",
-                      "ground_noise_m", "offset_error_m", "registration", "taken", "before_collapse", "instant_s", "crs", "columns",
-                      "holds", "scanners_m"});
+    object.allowOnly({"id",         "role",    "path",           "sha256",         "shows_fallen", "offset_m",  "area_m",
+                      "left_out_m", "noise_m", "ground_noise_m", "offset_error_m", "registration", "taken",     "before_collapse",
+                      "instant_s",  "crs",     "columns",        "holds",          "held_as",      "scanners_m"});
     CaseInput input{object["id"].text(), roleFrom(object["role"]), object["path"].text(), object["sha256"].text()};
     if (object.has("shows_fallen")) {
         input.showsFallen = object["shows_fallen"].flag();
@@ -218,6 +229,9 @@ CaseInput inputFrom(const JsonCursor& object) {
     input.read = cloudRequestFromJson(object);
     if (object.has("holds")) {
         input.kind = kindFrom(object["holds"]);
+    }
+    if (object.has("held_as")) {
+        input.held = heldFrom(object["held_as"]);
     }
     if (object.has("scanners_m")) {
         for (const JsonCursor& scanner : object["scanners_m"].elements()) {

@@ -9,6 +9,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/evidence/ensembles/probability_map.h"
+#include "core/evidence/evidence_list.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "core/fe/components.h"
 #include "core/scenario/case_lookup.h"
@@ -145,6 +146,11 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
         attempt(survey.problem, [&] {
             const SurveyRequest wanted = surveyRequest(request.run->origin(), input, request.terrainPath);
             checkShowsDebris(input);
+            if (!hasOverlap(input)) {
+                throw UsageError(
+                    {"report.held_for_sections", "These are measured points that sections are held against: no overlap", {}},
+                    {"report.held_for_sections.remedy", "Hold them as an outline if they are the edge of the debris.", {}});
+            }
             Site site = request.theCase->site;
             site.groundClasses = request.run->origin().site.groundClasses;
             const SiteWindow window(boundsAtRest(facts.fe->mesh()), debrisBounds(mapped, input.instant));

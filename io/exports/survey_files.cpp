@@ -11,6 +11,7 @@
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
+#include "io/json/json_cursor.h"
 #include "io/json/scope_json.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_cautions.h"
@@ -56,7 +57,24 @@ SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, co
     request.groundRead = origin.terrainRead;
     request.registration = stated.registration;
     request.read = stated.read;
+    request.edge = stated.held == PointsHeld::Outline;
     return request;
+}
+
+std::string scanProvenance(const RunReader& run, const RunScan& made, const SitePlace& place) {
+    nlohmann::json document = nlohmann::json::parse(provenanceText(run));
+    nlohmann::json& scan = document["scan"];
+    scan = {{"time_s", made.shape.time},
+            {"at_rest", !made.instant.has_value()},
+            {"step_rad", made.settings.step},
+            {"range_m", made.settings.range},
+            {"noise_m", made.settings.noise},
+            {"seed", made.settings.seed},
+            {"scanners_m", nlohmann::json::array()}};
+    for (const Vec3& scanner : made.settings.scanners) {
+        scan["scanners_m"].push_back(jsonVector(place.toWorld(scanner)));
+    }
+    return jsonText(document);
 }
 
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey) {

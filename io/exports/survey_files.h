@@ -5,6 +5,7 @@
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/case.h"
 #include "io/exports/map_files.h"
+#include "io/site/clouds/run_scan.h"
 #include "io/site/survey_file.h"
 
 namespace rubble::io {
@@ -16,6 +17,9 @@ SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, co
 
 /// What a comparison with a survey was made from, as every file of it says.
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey);
+
+/// What a scan of a run was made from, as every file of it says: with the instant that it shows and where its scanners stood.
+std::string scanProvenance(const RunReader& run, const RunScan& made, const SitePlace& place);
 
 /// Writes a comparison as GeoTIFF with the bands difference, surveyed and simulated [m; of a footprint shares of cells], no-data
 /// value -9999, rows from the north, the coordinate system of the case. Atomic, with NAME.provenance.json.

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/evidence/surveys/stated_survey.h"
+#include "io/site/clouds/run_scan.h"
 #include "io/site/evidence_surface.h"
 
 namespace rubble::io {
@@ -28,6 +29,7 @@ SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site,
     request.groundRead = site.groundRead;
     request.registration = stated.registration;
     request.read = stated.read;
+    request.edge = stated.held == PointsHeld::Outline;
     const SurveyInput survey = readSurvey(file.path, site.frame, site.site, Aabb(), execution, request);
     findings.append(survey.findings);
     return surfaceEvidence(survey, stated, settings.cell, site.ground, execution);
@@ -42,6 +44,17 @@ const CaseInput* surveyOfFile(const Case& theCase, const std::string& casePath, 
     return found != theCase.inputs.end() ? &*found : nullptr;
 }
 
+std::optional<double> instantOfScan(const std::string& file, Findings& findings) {
+    const std::optional<double> instant = scannedInstant(file, {});
+    if (instant) {
+        findings.add({"survey.scanned_instant",
+                      "the scan says that it shows the run at {0}: the run is taken at that instant",
+                      {{*instant, "s"}}},
+                     {"survey.scanned_instant.remedy", "say another instant if it is of another one", {}}, file);
+    }
+    return instant;
+}
+
 CaseInput statedOfFile(const Case& theCase, const std::string& casePath, const std::string& file, const SurveyScope& given,
                        Findings& findings) {
     const CaseInput* survey = surveyOfFile(theCase, casePath, file);
@@ -50,6 +63,8 @@ CaseInput statedOfFile(const Case& theCase, const std::string& casePath, const s
     if (survey != nullptr) {
         stated = *survey;
         checkShowsDebris(*survey);
+    } else {
+        stated.instant = instantOfScan(file, findings);
     }
     if (!given.whole()) {
         stated.scope = given;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -43,8 +44,11 @@ SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site,
 /// The survey of a case that a file is; null: it is none of them.
 const CaseInput* surveyOfFile(const Case& theCase, const std::string& casePath, const std::string& file);
 
+/// s, on the clock of the FE file: which instant of a run a scan of ours says it shows, as a finding too; unset: it says none.
+std::optional<double> instantOfScan(const std::string& file, Findings& findings);
+
 /// What a case says of a file, with the scope that counts when it was taken; of a file that is none of its surveys all counts, as
-/// it lies. Throws UsageError for a survey of before the collapse.
+/// it lies, at the instant that a scan of ours says. Throws UsageError for what shows no debris.
 /// @param given  in place of the scope that the case keeps, unless it is everything
 CaseInput statedOfFile(const Case& theCase, const std::string& casePath, const std::string& file, const SurveyScope& given,
                        Findings& findings);

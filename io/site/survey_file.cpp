@@ -9,6 +9,7 @@
 #include "io/site/height_reading.h"
 #include "io/site/input_files.h"
 #include "io/site/outline_file.h"
+#include "io/site/surveys/measured_points.h"
 #include "io/site/surveys/survey_placing.h"
 
 namespace rubble::io {
@@ -76,13 +77,18 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     input.site = site;
     input.survey.name = fs::path(path).filename().string();
     std::optional<OutlineReading> outline;
-    if (request.holds != SurveyRequest::Holds::Heights) {
+    if (request.edge && request.holds != SurveyRequest::Holds::Heights && holdsMeasuredPoints(path)) {
+        input.survey.isFootprint = true;
+        input.survey.footprint = readMeasuredEdge({path, request.read, frame, site}, input.findings, execution);
+    } else if (request.holds != SurveyRequest::Holds::Heights) {
         outline = readOutline(path, frame, site, request.withFallen, execution);
     }
     if (outline && !request.read.empty()) {
         refuseRequestOfNoCloud(path);
     }
-    if (outline) {
+    if (input.survey.isFootprint) {
+        // The edge of measured points is there already.
+    } else if (outline) {
         takeOutline(input, std::move(*outline), request);
     } else if (request.holds == SurveyRequest::Holds::Outline) {
         throw ParseError({"survey.no_outline", "{0} is no file of polygons that can be read", {path}},

@@ -37,11 +37,12 @@ struct SurveyRequest {
     std::optional<Registration> registration = {};  ///< by which it is moved once its coordinates were brought to the case
     CloudRequest read = {};                         ///< of a survey that is a point cloud
     CloudRequest groundRead = {};                   ///< of a ground that is one
+    bool edge = false;                              ///< measured points are the edge of the debris, in their order
 };
 
 /// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris
-/// (as readOutline() does) into the local frame of a case. Of a debris map of our own the heights are above the ground. What is
-/// assumed, resampled or left out is a counted finding.
+/// (as readOutline() or readMeasuredEdge() does) into the local frame of a case. Of a debris map of our own the heights are above
+/// the ground. What is assumed, resampled or left out is a counted finding.
 /// @param window  of a raster that is read; outlines are read whole
 /// Throws WorldError, ParseError (neither heights nor polygons, or not what was asked for; degrees in a case without a coordinate
 /// system), UsageError, Cancelled.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
@@ -73,6 +74,50 @@ TEST(EvidenceTable, WhatIsTooLongTakesASecondLineAndNamesKeepBothEnds) {
         height += table.rowHeight(row);
     }
     EXPECT_GE(table.height(), height) << "all three rows are seen";
+}
+
+TEST(EvidenceTable, WhatMeasuredPointsSayIsChosenInTheirRow) {
+    std::vector<EvidenceRow> rows = threeRows();
+    EvidenceRow measured{"survey-2", EvidenceForm::Measured, "station.csv", {}, {"evidence.measured", "measured heights", {}}};
+    measured.held = PointsHeld::Section;
+    rows.insert(rows.begin() + 1, measured);
+    EvidenceTable table;
+    table.setRows(rows);
+    table.resize(270, table.height());
+    table.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&table));
+    auto* choice = qobject_cast<QComboBox*>(table.cellWidget(1, 1));
+    ASSERT_NE(choice, nullptr);
+    EXPECT_EQ(table.cellWidget(0, 1), nullptr) << "what a cloud shows is not chosen";
+    EXPECT_EQ(choice->currentText(), QStringLiteral("sections"));
+    EXPECT_GE(table.rowHeight(1), choice->sizeHint().height());
+    std::vector<std::pair<QString, PointsHeld>> told;
+    QObject::connect(&table, &EvidenceTable::held, &table, [&](const QString& id, PointsHeld as) { told.emplace_back(id, as); });
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_Down);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told[0], std::pair(QStringLiteral("survey-2"), PointsHeld::Outline));
+    rows[1].held = PointsHeld::Control;
+    table.setRows(rows);
+    EXPECT_EQ(table.cellWidget(1, 1), choice) << "who uses it keeps it";
+    EXPECT_EQ(choice->currentText(), QStringLiteral("control"));
+    EXPECT_EQ(told.size(), 1u) << "only a person chooses";
+    rows.erase(rows.begin() + 1);
+    table.setRows(rows);
+    EXPECT_EQ(table.cellWidget(1, 1), nullptr);
+}
+
+TEST(EvidenceTable, OneThatCannotBeReadSaysWhyAndAGuessSaysThatItIsOne) {
+    std::vector<EvidenceRow> rows = threeRows();
+    rows[0].unread = {"cloud.empty", "{0} is empty", {"site.laz"}};
+    rows[0].byEnding = true;
+    EvidenceTable table;
+    table.setRows(rows);
+    EXPECT_EQ(table.item(0, 2)->text(), QStringLiteral("unreadable"));
+    EXPECT_TRUE(table.item(0, 0)->toolTip().contains(QStringLiteral("site.laz is empty")))
+        << qPrintable(table.item(0, 0)->toolTip());
+    EXPECT_TRUE(table.item(0, 0)->toolTip().contains(QStringLiteral("by the ending of its name")));
+    EXPECT_FALSE(table.item(1, 0)->toolTip().contains(QStringLiteral("by the ending of its name")));
 }
 
 TEST(EvidenceTable, OneThatLiesElsewhereIsMarkedAndSaysWhy) {

@@ -223,5 +223,29 @@ TEST_F(SiteForm, EnterTakesWhatWasTypedAndEscapeNothing) {
     EXPECT_EQ(dialog.result(), QDialog::Rejected);
 }
 
+TEST_F(SiteForm, TellsHowTheTerrainWasReadWhereGroundClassesAreChosen) {
+    const auto shown = [&] {
+        QString all;
+        for (const auto* label : dialog.findChildren<QLabel*>()) {
+            all += label->isVisibleTo(&dialog) ? label->text() : QString();
+        }
+        return all;
+    };
+    dialog.setTerrain({});
+    EXPECT_FALSE(shown().contains(QStringLiteral("as it was read")));
+    Findings found;
+    found.add({"cloud.gridded",
+               "{0} points were laid on cells of {1}, {2} to a cell in the median; {3} % of the cells have none",
+               {26'107, {0.62, "m"}, 2, 12.5}},
+              {"r", "r", {}});
+    found.add({"terrain.spikes", "one that is told elsewhere", {}}, {"r", "r", {}});
+    found.add({"terrain.filled", "{0} of {1} places of the terrain had no height and were filled from their neighbours", {40, 900}},
+              {"r", "r", {}}, "", 40);
+    dialog.setTerrain(found);
+    EXPECT_TRUE(shown().contains(QStringLiteral("26,107 points were laid on cells of 0.620"))) << qPrintable(shown());
+    EXPECT_TRUE(shown().contains(QStringLiteral("40 of 900 places"))) << qPrintable(shown());
+    EXPECT_FALSE(shown().contains(QStringLiteral("told elsewhere")));
+}
+
 }  // namespace
 }  // namespace rubble::widgets

@@ -91,6 +91,9 @@ void CasePanel::buildFile() {
     m_units = file->addValue(tr("Units"), {}, tr("What the file was taken to count in; chosen below"));
     m_flag = file->addValue(tr("Active flag"), {}, tr("How the file says which elements are active"));
     m_terrain = file->addValue(tr("Terrain"), {}, tr("What debris falls on; Terrain… in the Case menu chooses it"));
+    m_cells = file->addValue(tr("Terrain cells"), {},
+                             tr("Side of the cells that the heights of the terrain stand for, and how many of those about the "
+                                "structure had no height: these were filled from their neighbours, from the rim inwards"));
     m_surroundings = file->addValue(
         tr("Surroundings"), {}, tr("What is drawn around the structure; Orthophoto… and Surroundings… in the Case menu choose it"));
     m_velocity = file->addValue(tr("Velocity"), {}, tr("Nodal velocities; else differences of positions at active states"));
@@ -181,6 +184,15 @@ void CasePanel::setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, co
                                     .arg(path, shownCount(static_cast<std::int64_t>(terrain->nx())),
                                          shownCount(static_cast<std::int64_t>(terrain->ny())), shownLength(terrain->cell(), 4),
                                          shownLength(terrain->lowest(), 4), shownLength(terrain->highest(), 4)));
+    showCells(terrain.get());
+}
+
+void CasePanel::showCells(const TerrainGrid* terrain) {
+    QString text = terrain != nullptr ? shownLength(terrain->cell(), 3) : QStringLiteral("–");
+    if (const std::int64_t filled = m_terrainFindings.count("terrain.filled"); terrain != nullptr && filled > 0) {
+        text = tr("%1, %2 filled").arg(text, shownCount(filled));
+    }
+    m_cells->setText(text);
 }
 
 void CasePanel::setSurroundings(bool orthophoto, std::size_t meshes, bool collided) {

@@ -41,6 +41,7 @@ signals:
 private:
     void buildFile();
     void buildTable();
+    void showCells(const TerrainGrid* terrain);
     void showFile(const FeResult* fe);
     void showUnits(const FeResult::Contents& contents);
     void showComponents(const FeResult* fe, const Components* components);
@@ -59,6 +60,7 @@ private:
     QLabel* m_velocity;
     QLabel* m_dead;
     QLabel* m_terrain;
+    QLabel* m_cells;
     QLabel* m_surroundings;
     QLabel* m_note;
     QTableWidget* m_table;

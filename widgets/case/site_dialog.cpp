@@ -55,6 +55,7 @@ SiteDialog::SiteDialog(QWidget* parent)
       m_shift(new NumberField(tr("Height shift"))),
       m_collide(new QCheckBox(tr("Debris falls on the surroundings too"))),
       m_classes(new QLineEdit),
+      m_terrain(new QLabel),
       m_table(new QTableWidget(0, ColumnCount)),
       m_offsets(new QTableWidget(0, OffsetColumnCount)),
       m_add(new QPushButton(tr("Add control point"))),
@@ -85,6 +86,14 @@ SiteDialog::SiteDialog(QWidget* parent)
         tr("Classes of a point cloud whose points are the terrain, 0 to 255, parted by commas, such as 2,9. Left empty it is 2, "
            "ground; of a cloud without ground all points but vegetation and wires"));
     form->addRow(tr("Ground classes"), m_classes);
+    m_terrain->setWordWrap(true);
+    m_terrain->setObjectName(QStringLiteral("muted"));
+    m_terrain->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QSizePolicy asHighAsItsWords(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    asHighAsItsWords.setHeightForWidth(true);
+    m_terrain->setSizePolicy(asHighAsItsWords);
+    m_terrain->hide();
+    form->addRow(QString(), m_terrain);
     column->addLayout(form);
     buildTable();
     column->addWidget(m_table, 2);
@@ -208,6 +217,19 @@ void SiteDialog::takeOffset(int row, int column) {
 void SiteDialog::setCheck(std::function<Findings(const Site&, const std::string&)> check) {
     m_check = std::move(check);
     showFit();
+}
+
+void SiteDialog::setTerrain(const Findings& findings) {
+    QStringList lines;
+    for (const Finding& finding : findings.list()) {
+        const std::string& id = finding.what.id;
+        if (id == "cloud.ground" || id == "cloud.no_ground" || id == "cloud.gridded" || id == "terrain.filled" ||
+            id == "terrain.wider_filled") {
+            lines << worded(finding.what);
+        }
+    }
+    m_terrain->setText(tr("The terrain as it was read: %1.").arg(lines.join(QStringLiteral("; "))));
+    m_terrain->setVisible(!lines.isEmpty());
 }
 
 void SiteDialog::setContent(const Site& site, const QString& crs, const std::vector<SiteMeshOffset>& surroundings) {

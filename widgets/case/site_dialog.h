@@ -39,6 +39,8 @@ public:
     void setContent(const Site& site, const QString& crs, const std::vector<SiteMeshOffset>& surroundings = {});
     /// What finds out whether a place in a coordinate system can be right; without it only the control points are looked at.
     void setCheck(std::function<Findings(const Site&, const std::string&)> check);
+    /// What was found when the terrain of the case was read: how it was laid on cells, and how its holes were filled.
+    void setTerrain(const Findings& findings);
     /// What the fields say.
     Site site() const { return m_site; }
     QString crs() const;
@@ -66,6 +68,7 @@ private:
     NumberField* m_shift;
     QCheckBox* m_collide;
     QLineEdit* m_classes;
+    QLabel* m_terrain;
     QTableWidget* m_table;
     QTableWidget* m_offsets;
     QPushButton* m_add;

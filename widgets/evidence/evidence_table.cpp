@@ -1,5 +1,6 @@
 #include "widgets/evidence/evidence_table.h"
 
+#include <QComboBox>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QResizeEvent>
@@ -21,6 +22,12 @@ constexpr int aboveWords = 7;
 
 QString numberOrWords(double number, const QString& otherwise) {
     return std::isfinite(number) ? shownNumber(number) : otherwise;
+}
+
+/// Metres; no place is known to less than a millimetre, whatever the residuals of its control points say.
+QString withinWords(double within, const QString& otherwise) {
+    constexpr double least = 0.001;
+    return within >= 0.0 && within < least ? QStringLiteral("< ") + shownNumber(least, 1) : numberOrWords(within, otherwise);
 }
 
 }  // namespace
@@ -82,19 +89,28 @@ void EvidenceTable::setRows(const std::vector<EvidenceRow>& rows) {
         const QString name = QFileInfo(QString::fromStdString(row.path)).fileName();
         const QString shows = worded(row.says);
         const bool elsewhere = !row.elsewhere.id.empty();
+        const bool unread = !row.unread.id.empty();
         const QStringList cells{name.isEmpty() ? evidenceFormText(row.form) : name, shows,
-                                elsewhere ? tr("elsewhere") : numberOrWords(row.within, tr("not known")),
+                                unread      ? tr("unreadable")
+                                : elsewhere ? tr("elsewhere")
+                                            : withinWords(row.within, tr("not known")),
                                 numberOrWords(row.score, QStringLiteral("–"))};
         QStringList tip{evidenceFormText(row.form), name, shows};
-        if (elsewhere) {
-            tip << worded(row.elsewhere);
+        if (row.byEnding) {
+            tip << tr("what it is was told by the ending of its name");
+        }
+        for (const Message* said : {&row.elsewhere, &row.unread}) {
+            if (!said->id.empty()) {
+                tip << worded(*said);
+            }
         }
         for (int c = 0; c < cells.size(); ++c) {
             setItem(r, c, tableCell(cells[c], c < 2, tip.join(QStringLiteral(" · "))));
         }
-        if (elsewhere) {
+        if (elsewhere || unread) {
             item(r, 2)->setForeground(tints().finding);
         }
+        offerHeld(r);
     }
     if (current >= 0 && current < rowCount()) {
         setCurrentCell(current, 0);
@@ -102,6 +118,40 @@ void EvidenceTable::setRows(const std::vector<EvidenceRow>& rows) {
     setVisible(!rows.empty());
     fitRows();
     m_showing = false;
+}
+
+void EvidenceTable::offerHeld(int row) {
+    const EvidenceRow& shown = m_rows[static_cast<std::size_t>(row)];
+    auto* choice = qobject_cast<QComboBox*>(cellWidget(row, 1));
+    if (!shown.held) {
+        if (choice != nullptr) {
+            removeCellWidget(row, 1);
+        }
+        return;
+    }
+    if (choice == nullptr) {
+        choice = new QComboBox;
+        // [PointsHeld]
+        choice->addItems({tr("sections"), tr("outline"), tr("control")});
+        choice->setItemData(0, tr("Heights, which every section shows; unless something else is chosen"), Qt::ToolTipRole);
+        choice->setItemData(1, tr("The edge of the debris, from point to point in their order, which is compared"),
+                            Qt::ToolTipRole);
+        choice->setItemData(2, tr("Places by their names, for pairs of photographs; they show no debris"), Qt::ToolTipRole);
+        choice->setAccessibleName(tr("What the points are held to say"));
+        choice->setFont(headingFont());
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice->setMinimumContentsLength(4);
+        setCellWidget(row, 1, choice);
+        connect(choice, &QComboBox::activated, this, [this, choice](int as) {
+            const int at = indexAt(choice->pos()).row();
+            if (at >= 0 && at < static_cast<int>(m_rows.size())) {
+                emit held(QString::fromStdString(m_rows[static_cast<std::size_t>(at)].id), static_cast<PointsHeld>(as));
+            }
+        });
+    }
+    choice->setCurrentIndex(static_cast<int>(*shown.held));
+    choice->setToolTip(item(row, 1)->toolTip() + QStringLiteral(" · ") +
+                       tr("Choose what these points are held to say; kept in the case"));
 }
 
 void EvidenceTable::resizeEvent(QResizeEvent* event) {
@@ -115,11 +165,15 @@ void EvidenceTable::resizeEvent(QResizeEvent* event) {
 void EvidenceTable::fitRows() {
     for (int row = 0; row < rowCount(); ++row) {
         int lines = fontMetrics().height();
+        const QWidget* choice = cellWidget(row, 1);
         for (const int column : {0, 1}) {
+            if (column == 1 && choice != nullptr) {
+                continue;  // its words lie below the choice, which says them in its tip
+            }
             const QRect room(0, 0, columnWidth(column) - besideWords, QWIDGETSIZE_MAX);
             lines = std::max(lines, fontMetrics().boundingRect(room, Qt::TextWordWrap, item(row, column)->text()).height());
         }
-        setRowHeight(row, lines + aboveWords);
+        setRowHeight(row, std::max(lines + aboveWords, choice != nullptr ? choice->sizeHint().height() : 0));
     }
     int height = horizontalHeader()->sizeHint().height() + 2 * frameWidth() + 2;
     for (int row = 0; row < std::min(rowCount(), evidenceRowsShown); ++row) {

@@ -59,6 +59,7 @@ public:
         std::shared_ptr<const SurveyComparison> comparison;
     };
     void setContent(const Content& content);
+    const Content& content() const { return m_content; }
     /// What the fields ask for.
     SurveySettings settings() const;
     void setSettings(const SurveySettings& settings);

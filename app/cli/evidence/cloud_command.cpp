@@ -193,10 +193,17 @@ void writeDistanceFiles(const Arguments& arguments, const io::CloudComparison& m
 /// Options that mean something against a run alone.
 constexpr std::array<std::string_view, 6> runOptions{"--case", "--scanner", "--time", "--live-threshold", "--fe", "--terrain"};
 
-/// What the case of --case says of the cloud; nothing without it.
+/// What the case of --case says of the cloud; without it which instant of a run it says it shows.
 CaseInput statedOfCloud(const Arguments& arguments, const io::RunOrigin& origin, Findings& findings) {
     const auto path = arguments.value("--case");
-    return path ? io::statedOfFile(loadCaseOfRun(*path, origin), *path, arguments.operand(), {}, findings) : CaseInput();
+    if (path) {
+        return io::statedOfFile(loadCaseOfRun(*path, origin), *path, arguments.operand(), {}, findings);
+    }
+    CaseInput stated;
+    if (!arguments.has("--time")) {
+        stated.instant = io::instantOfScan(arguments.operand(), findings);
+    }
+    return stated;
 }
 
 ExitCode compareWithRun(const Arguments& arguments, Session& session, const std::string& path,
@@ -397,7 +404,8 @@ Command cloudCommand() {
          {"--case", "CASE", false, "against a run: the case that says when FILE was taken, what counts of it and how it lies"},
          {"--metres", "", false, "bring all to metres first (default: lengths are in units of the files)"},
          scannerOption("against a run: where a scanner stood, easting, northing and height, m (default: as FILE says)"),
-         {"--time", "SECONDS", false, "against a run: instant on the file's clock, or end (default: end)"},
+         {"--time", "SECONDS", false,
+          "against a run: instant on the file's clock, or end (default: as case or scan say, else end)"},
          {"--live-threshold", "M", false, "against a run: live structure has fallen if it moved farther than this, m (default: 1)"},
          areaOption(),
          leaveOutOption(),

@@ -212,6 +212,7 @@ Json cloudJson(const io::PointCloud& cloud, const io::CloudSummary& summary, con
     object["returns"] = countsJson(summary.returns, "return");
     object["has_times"] = head.columns.times;
     object["scans"] = scansJson(head, summary);
+    object["instant_s"] = head.instant ? Json(*head.instant) : Json();
     object["photographs"] = photographsJson(head, photographs);
     object["not_read"] = head.unread;
     object["warnings"] = findingsJson(summary.findings);

@@ -26,9 +26,9 @@ namespace rubble::cli {
 namespace {
 
 /// Options that say something of a survey.
-constexpr std::array<std::string_view, 11> surveyOptions{"--pairs",      "--pairs-error", "--fit",     "--registration-error",
+constexpr std::array<std::string_view, 12> surveyOptions{"--pairs",      "--pairs-error", "--fit",     "--registration-error",
                                                          "--unregister", "--taken",       "--instant", "--before",
-                                                         "--columns",    "--crs",         "--scanner"};
+                                                         "--columns",    "--crs",         "--scanner", "--held-as"};
 
 void needs(const Arguments& arguments, std::string_view option, std::string_view other) {
     if (arguments.has(option) && !arguments.has(other)) {
@@ -126,6 +126,21 @@ private:
     io::OpenedCase m_opened;
 };
 
+/// What measured points are held to say.
+void holdAs(CaseInput& survey, const std::string& held) {
+    const auto found = std::find(pointsHeldNames.begin(), pointsHeldNames.end(), held);
+    if (found == pointsHeldNames.end()) {
+        throw wrongValue("--held-as", held, "section, outline or control");
+    }
+    if (survey.kind != SurveyKind::Points) {
+        throw UsageError({"cli.held_no_points", "{0} holds no measured points: what it says is told by its content", {survey.path}},
+                         {"cli.held_no_points.remedy",
+                          "Give a table of a total station with names of its points, or a DXF without closed lines.",
+                          {}});
+    }
+    survey.held = static_cast<PointsHeld>(found - pointsHeldNames.begin());
+}
+
 void changeSurvey(Case& theCase, const Arguments& arguments, Session& session, Findings& findings) {
     const std::string path = *arguments.value("--survey");
     CaseInput& survey = theCase.inputs[io::takeSurvey(theCase, arguments.operand(), path)];
@@ -133,6 +148,9 @@ void changeSurvey(Case& theCase, const Arguments& arguments, Session& session, F
         CloudRequest read = survey.read;
         takeCloudRequest(arguments, read);
         io::stateReading(survey, path, read);
+    }
+    if (const auto held = arguments.value("--held-as")) {
+        holdAs(survey, *held);
     }
     if (arguments.has("--scanner")) {
         survey.scanners = scannersFrom(arguments);
@@ -198,6 +216,8 @@ std::vector<Option> evidenceChangeOptions() {
             scannerOption("where a scanner of a cloud stood, easting, northing and height, m; kept (default: as the cloud says)"),
             {"--registration-error", "M", false, "standard deviation by which a place of it may be off, m (default: as found)"},
             {"--unregister", "", false, "let it lie as its coordinates say"},
+            {"--held-as", "WHAT", false,
+             "what measured points are held to say: section, outline (the edge of the debris) or control (default: section)"},
             columnsOption(),
             systemOption(),
             {"--taken", "TIME", false, "when it was taken, by the clock of the site, such as 2021-06-25T16:30"},

@@ -17,6 +17,7 @@
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/case/case_file.h"
+#include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/exports/survey_files.h"
 #include "io/run/acknowledgements.h"
@@ -77,8 +78,12 @@ public:
         try {
             if (row.form == EvidenceForm::Photograph) {
                 fillPhotograph(row);
-            } else if (row.form != EvidenceForm::Points && row.form != EvidenceForm::Measured && m_run != nullptr) {
-                row.score = m_run->scoreOf(m_case, m_casePath, inputOf(row.id), m_findings, m_execution);
+            } else if (row.form != EvidenceForm::Points) {
+                const CaseInput& survey = inputOf(row.id);
+                m_findings.append(io::checkKind(survey, io::inputPath(m_casePath, survey)));
+                if (m_run != nullptr && hasOverlap(survey)) {
+                    row.score = m_run->scoreOf(m_case, m_casePath, survey, m_findings, m_execution);
+                }
             }
         } catch (const Cancelled&) {
             throw;
@@ -144,6 +149,8 @@ Json evidenceJson(const Case& theCase, const std::vector<EvidenceRow>& rows) {
         Json entry;
         entry["id"] = row.id.empty() ? Json() : Json(row.id);
         entry["kind"] = evidenceFormNames[static_cast<std::size_t>(row.form)];
+        entry["held_as"] = row.held ? Json(pointsHeldNames[static_cast<std::size_t>(*row.held)]) : Json();
+        entry["kind_by_ending"] = row.byEnding;
         entry["file"] = row.path.empty() ? Json() : Json(row.path);
         entry["taken"] = row.taken.empty() ? Json() : Json(row.taken);
         entry["shows"] = englishText(row.says);

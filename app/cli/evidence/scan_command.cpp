@@ -10,6 +10,7 @@
 #include "app/cli/frame/text_output.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
+#include "io/exports/survey_files.h"
 #include "io/site/clouds/run_scan.h"
 #include "io/site/site_place.h"
 
@@ -36,14 +37,18 @@ io::RunScan scanOf(const Arguments& arguments, const MapSubject& subject, const 
     for (const Vec3& at : scannersFrom(arguments)) {
         settings.scanners.push_back(place.toLocal(at));
     }
-    return io::scanRun(scannedSite(*subject.run, subject.inputs, instantFrom(arguments),
-                                   parseLength(arguments, "--live-threshold", 1.0, true), execution),
-                       std::move(settings), execution);
+    const std::optional<double> instant = instantFrom(arguments);
+    io::RunScan made = io::scanRun(
+        scannedSite(*subject.run, subject.inputs, instant, parseLength(arguments, "--live-threshold", 1.0, true), execution),
+        std::move(settings), execution);
+    made.instant = instant;
+    return made;
 }
 
 Json scanJson(const io::RunScan& made, const io::SitePlace& place) {
     Json object;
     object["time_s"] = made.shape.time;
+    object["at_rest"] = !made.instant.has_value();
     object["points"] = made.scan.places.size();
     object["step_deg"] = made.settings.step / degree;
     object["range_m"] = made.settings.range;
@@ -65,7 +70,7 @@ Json scanJson(const io::RunScan& made, const io::SitePlace& place) {
 void printScan(std::ostream& out, const io::RunScan& made, const io::SitePlace& place) {
     const auto count = [](std::uint64_t points) { return englishInteger(static_cast<std::int64_t>(points)); };
     FactList facts;
-    facts.add("time", englishNumber(made.shape.time) + " s");
+    facts.add("time", englishNumber(made.shape.time) + (made.instant ? " s, told by LAS and PLY" : " s, the end"));
     facts.add("points", count(made.scan.places.size()) + ": " + count(made.counts[1]) + " on debris, " + count(made.counts[2]) +
                             " on fallen structure, " + count(made.counts[3]) + " on standing structure, " + count(made.counts[4]) +
                             " on the ground");
@@ -96,11 +101,12 @@ ExitCode scan(const Arguments& arguments, Session& session) {
     const MapSubject subject = openMapSubject(arguments, session);
     const io::SitePlace place(subject.inputs.frame, subject.run->origin().site);
     const io::RunScan made = scanOf(arguments, subject, place, session.execution());
+    Findings findings = subject.findings;
     for (const std::string& path : files) {
         io::writeScan(path, made, place, subject.inputs.frame.crs);
-        io::writeProvenance(path, io::provenanceText(*subject.run));
+        io::writeProvenance(path, io::scanProvenance(*subject.run, made, place));
+        io::tellUnsaidInstant(path, made, findings);
     }
-    Findings findings = subject.findings;
     findings.append(made.findings);
     conclude(
         arguments, session, subject, findings, [&] { return scanJson(made, place); },

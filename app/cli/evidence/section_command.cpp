@@ -57,6 +57,15 @@ struct MeasuredSite {
     std::optional<double> instant;
 };
 
+/// That points are asked for in a section which the case holds to say something else.
+void tellHeldOtherwise(const CaseInput& stated, Findings& findings) {
+    if (stated.held == PointsHeld::Outline) {
+        findings.add(
+            {"section.held_otherwise", "the case holds these points as the edge of the debris; they stand in this section too", {}},
+            {"section.held_otherwise.remedy", "leave them out of --points, or hold them for sections", {}}, stated.path);
+    }
+}
+
 MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject, const Site& site, Findings& findings,
                           const Execution& execution) {
     MeasuredSite all;
@@ -73,6 +82,7 @@ MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject,
             request.scope = stated.scope;
             request.read = stated.read;
             if (io::surveyOfFile(theCase, casePath, path) != nullptr) {
+                tellHeldOtherwise(stated, findings);
                 instants.insert(stated.instant);
             }
         }

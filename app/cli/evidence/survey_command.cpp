@@ -77,7 +77,7 @@ struct SurveyFile {
     CaseInput stated = {};  ///< what the case says of it; without a SHA-256 if it names no such survey
 };
 
-SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
+SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run, Findings& findings) {
     SurveyFile file{arguments.value("--survey").value_or(""), run.origin().site};
     const std::string casePath = caseOfEvidence(arguments);
     if (!casePath.empty()) {
@@ -99,6 +99,8 @@ SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
     if (const CaseInput* found = casePath.empty() ? nullptr : io::surveyOfFile(file.theCase, casePath, file.path)) {
         file.stated = *found;
         checkShowsDebris(*found);
+    } else if (!arguments.has("--time")) {
+        file.stated.instant = io::instantOfScan(file.path, findings);
     }
     return file;
 }
@@ -372,7 +374,8 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     }
     checkCsvPath(arguments, inputs);
     const MapSubject subject = openMapSubject(arguments, session);
-    SurveyFile file = surveyFile(arguments, *subject.run);
+    Findings findings = subject.findings;
+    SurveyFile file = surveyFile(arguments, *subject.run, findings);
     if (!arguments.has("--time")) {
         time = file.stated.instant;
     }
@@ -383,7 +386,6 @@ ExitCode survey(const Arguments& arguments, Session& session) {
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const io::SiteWindow window(io::boundsAtRest(subject.inputs.fe->mesh()), debrisBounds(mapped, time));
     const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site, window, session.execution(), wanted);
-    Findings findings = subject.findings;
     findings.append(input.findings);
     if (arguments.has("--area") || arguments.has("--leave-out")) {
         file.stated.scope = scopeFrom(arguments, subject.inputs.frame, file.site, findings, session.execution());

@@ -191,6 +191,7 @@ void FileCommands::editSite() {
         }
     }
     dialog.setContent(theCase.site, QString::fromStdString(theCase.frame.crs), meshes);
+    dialog.setTerrain(m_computation.terrain().findings);
     const Frame frame = m_computation.inputs().fe != nullptr ? m_computation.inputs().frame : theCase.frame;
     dialog.setCheck([frame](const Site& site, const std::string& crs) {
         Frame placed = frame;

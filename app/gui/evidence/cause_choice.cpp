@@ -201,8 +201,9 @@ std::vector<CauseChoice::Cause> CauseChoice::causes() const {
 
 std::vector<EvidenceRow> CauseChoice::ownEvidence() const {
     std::vector<EvidenceRow> rows = evidenceOf(m_document.theCase());
-    std::erase_if(rows,
-                  [](const EvidenceRow& row) { return row.form == EvidenceForm::Points || row.form == EvidenceForm::Measured; });
+    std::erase_if(rows, [](const EvidenceRow& row) {
+        return row.form == EvidenceForm::Points || (row.held && *row.held != PointsHeld::Outline);
+    });
     return rows;
 }
 
@@ -210,7 +211,8 @@ QString CauseChoice::whyNot(const CaseInput& survey) const {
     const auto isIt = [&, base = m_document.base().toStdString()](const io::KeptCauses::File& added) {
         return io::surveyOfFile(m_document.theCase(), base, added.file.path) == &survey;
     };
-    const Findings far = m_reach.of(survey);
+    Findings far = m_reach.of(survey);
+    far.append(m_reach.unread(survey));
     return survey.before    ? beforeCollapse()
            : survey.instant ? notAtRest()
            : !far.empty()   ? widgets::worded(far.list().front().what)

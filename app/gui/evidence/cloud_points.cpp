@@ -72,6 +72,8 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
             scanners(places);
         }
     });
+    connect(&box.scanners(), &widgets::ScannerField::pickRequested, this,
+            [this, &box] { pickScanners(m_area.window(), m_session, m_area.views(), box.scanners()); });
     connect(&actions[ActionId::CloudPoints], &QAction::triggered, this, &CloudPoints::setShown);
     connect(&actions[ActionId::MeasureCloud], &QAction::triggered, this, &CloudPoints::measure);
     connect(&m_work, &PointsWork::changed, this, &CloudPoints::refresh);

@@ -42,6 +42,10 @@ EvidenceListDisplay::EvidenceListDisplay(Session& session, PanelDeck& deck, Evid
       m_reach(session.part<SurveyReach>()) {
     connect(&deck.evidence().list(), &widgets::EvidenceTable::chosen, this,
             [this](const QString& id) { choose(id.toStdString()); });
+    connect(&deck.evidence().list(), &widgets::EvidenceTable::held, this, [this](const QString& id, PointsHeld as) {
+        choose(id.toStdString());
+        m_surveys.edit([as](CaseInput& input) { input.held = as; }, [] { return tr("what measured points are held to say"); });
+    });
     connect(&photographs, &EvidenceDisplay::changed, this, &EvidenceListDisplay::refresh);
     connect(&surveys, &SurveyDisplay::changed, this, &EvidenceListDisplay::refresh);
     connect(&m_document, &Document::replaced, this, [this] {
@@ -89,6 +93,9 @@ void EvidenceListDisplay::refresh() {
         const CaseInput* input = inputOf(theCase, row.id);
         if (const Findings far = input != nullptr ? m_reach.of(*input) : Findings(); !far.empty()) {
             row.elsewhere = far.list().front().what;
+        }
+        if (const Findings unread = input != nullptr ? m_reach.unread(*input) : Findings(); !unread.empty()) {
+            row.unread = unread.list().front().what;
         }
         const auto kept = m_scores.find(row.id);
         if (kept == m_scores.end()) {

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "app/gui/session/session.h"
+#include "io/case/case_surveys.h"
 #include "io/site/point_pairs.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/named_points.h"
@@ -18,16 +19,21 @@ std::size_t addPairsOfTable(QWidget* window, const QString& path, Session& sessi
     if (!io::needsNamedPoints(path.toStdString())) {
         read = io::readPointPairs(path.toStdString());
     } else {
-        const QString points = QFileDialog::getOpenFileName(
-            window, QCoreApplication::translate("PairsTable", "Measured points that the pairs name"),
-            QFileInfo(path).absolutePath(),
-            QCoreApplication::translate("PairsTable", "Points of a total station (*.csv *.txt *.dxf);;All files (*)"));
-        if (points.isEmpty()) {
-            return 0;
-        }
         Findings findings;
-        const std::vector<io::NamedPoint> measured = io::readNamedPoints(points.toStdString(), findings, Execution());
-        const io::SitePlace place(session.computation().inputs().frame, session.document().theCase().site);
+        const Case& theCase = session.document().theCase();
+        const io::SitePlace place(session.computation().inputs().frame, theCase.site);
+        std::vector<io::NamedPoint> measured =
+            io::controlPointsOfCase(theCase, session.document().base().toStdString(), place, findings, Execution());
+        if (measured.empty()) {
+            const QString points = QFileDialog::getOpenFileName(
+                window, QCoreApplication::translate("PairsTable", "Measured points that the pairs name"),
+                QFileInfo(path).absolutePath(),
+                QCoreApplication::translate("PairsTable", "Points of a total station (*.csv *.txt *.dxf);;All files (*)"));
+            if (points.isEmpty()) {
+                return 0;
+            }
+            measured = io::readNamedPoints(points.toStdString(), findings, Execution());
+        }
         read = io::readPointPairs(path.toStdString(), measured, [&place](const Vec3& at) { return place.toLocal(at); });
         QStringList words;
         for (const Finding& finding : findings.list()) {

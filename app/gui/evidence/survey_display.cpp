@@ -322,12 +322,15 @@ void SurveyDisplay::add(const QString& path) {
         if (!m_reading->ask(theCase.inputs[added], path)) {
             return;
         }
+        // One that the case has already is worked on where it stands.
+        m_work.chosen =
+            static_cast<int>(std::count_if(theCase.inputs.begin(), theCase.inputs.begin() + static_cast<std::ptrdiff_t>(added),
+                                           [](const CaseInput& input) { return input.role == InputRole::Survey; }));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_session.tell(failure->inOneLine());
         return;
     }
-    m_work.chosen = static_cast<int>(surveys().size());
     m_deck.choose(PanelDeck::Evidence);
     m_document.setSurveys(std::move(theCase.inputs),
                           [name = QFileInfo(path).fileName()] { return tr("survey %1 added").arg(name); });
@@ -420,9 +423,12 @@ bool SurveyDisplay::stale() const {
 }
 
 QString SurveyDisplay::whyNoComparison() const {
+    const CaseInput* survey = current();
+    if (survey != nullptr && survey->held == PointsHeld::Control) {
+        return tr("Points that are held as control show no debris: they name places for pairs of photographs.");
+    }
     // A table can be held against the debris as a cloud can; a drawing has lines alone.
-    if (const CaseInput* survey = current();
-        survey != nullptr && evidenceFormOf(*survey) == EvidenceForm::Measured && io::hasEnding(survey->path, ".dxf")) {
+    if (survey != nullptr && !hasOverlap(*survey) && io::hasEnding(survey->path, ".dxf")) {
         return tr("A drawing without areas stands in every section: compare a survey, and draw a section on its map.");
     }
     return EvidenceWork::whyNoDebris(m_computation.currentRun());
@@ -503,13 +509,24 @@ void SurveyDisplay::refresh() {
         content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
         content.stated = {survey->taken, survey->before, survey->instant, survey->registration};
         content.findings = m_reach.of(*survey);
+        content.findings.append(m_reach.unread(*survey));
     }
     content.noComparison = whyNoComparison();
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
     content.comparing = busy();
     const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
     const CaseInput& compared = m_work.answer.answered().survey;
-    if (made != nullptr && current() != nullptr && current()->id == compared.id) {
+    const bool shown = made != nullptr && current() != nullptr && current()->id == compared.id;
+    if (current() != nullptr) {
+        // A comparison tells what is odd in the points itself.
+        const Findings odd = m_reach.odd(*current());
+        for (const Finding& finding : odd.list()) {
+            if (!shown || finding.what.id == "evidence.other_kind") {
+                content.findings.add(finding.what, finding.remedy, finding.example, finding.count);
+            }
+        }
+    }
+    if (shown) {
         content.comparison = comparison();
         content.stale = !busy() && stale();
         if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {

@@ -6,6 +6,7 @@
 #include "app/gui/session/session.h"
 #include "core/base/error.h"
 #include "io/case/case_file.h"
+#include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/site/surveys/survey_reach.h"
 
@@ -26,19 +27,55 @@ SurveyReach::Asked SurveyReach::askedOf(const CaseInput& survey) const {
     return {io::inputPath(m_document.base().toStdString(), survey),
             survey.sha256,
             survey.registration,
+            survey.read,
+            survey.kind,
             inputs.frame,
             m_document.theCase().site,
             structure.min(),
             structure.max()};
 }
 
-Findings SurveyReach::of(const CaseInput& survey) const {
+const SurveyReach::Known* SurveyReach::known(const CaseInput& survey) const {
     if (m_known.empty() || m_computation.inputs().fe == nullptr) {
-        return {};
+        return nullptr;
     }
     const auto found =
         std::find_if(m_known.begin(), m_known.end(), [asked = askedOf(survey)](const Known& each) { return each.asked == asked; });
-    return found != m_known.end() ? found->findings : Findings();
+    return found != m_known.end() ? &*found : nullptr;
+}
+
+Findings SurveyReach::of(const CaseInput& survey) const {
+    const Known* found = known(survey);
+    return found != nullptr ? found->place : Findings();
+}
+
+Findings SurveyReach::unread(const CaseInput& survey) const {
+    const Known* found = known(survey);
+    return found != nullptr ? found->unread : Findings();
+}
+
+Findings SurveyReach::odd(const CaseInput& survey) const {
+    const Known* found = known(survey);
+    return found != nullptr ? found->odd : Findings();
+}
+
+SurveyReach::Known SurveyReach::lookAt(const Asked& asked, const Execution& execution) {
+    Known made{asked, {}, {}, {}};
+    try {
+        CaseInput survey;
+        survey.path = asked.path;
+        survey.read = asked.read;
+        survey.kind = asked.kind;
+        made.odd = io::checkKind(survey, asked.path);
+        made.place = io::checkSurveyReach(asked.path, asked.placed, asked.frame, asked.site, Aabb(asked.low, asked.high), execution,
+                                          asked.read);
+        made.odd.append(io::lookThroughCloud(asked.path, asked.read, execution));
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        made.unread.add(error.message(), error.remedy(), asked.path);
+    }
+    return made;
 }
 
 void SurveyReach::look() {
@@ -49,9 +86,9 @@ void SurveyReach::look() {
             continue;
         }
         const Asked asked = askedOf(input);
-        const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known& each) { return each.asked == asked; });
-        if (known != m_known.end()) {
-            still.push_back(*known);
+        const auto found = std::find_if(m_known.begin(), m_known.end(), [&](const Known& each) { return each.asked == asked; });
+        if (found != m_known.end()) {
+            still.push_back(*found);
         } else {
             wanted.push_back(asked);
         }
@@ -69,16 +106,7 @@ void SurveyReach::look() {
     m_worker.start({Worker::Kind::Study,
                     [made, wanted](const Execution& execution) {
                         for (const Asked& each : wanted) {
-                            Known known{each, {}};
-                            try {
-                                known.findings = io::checkSurveyReach(each.path, each.placed, each.frame, each.site,
-                                                                      Aabb(each.low, each.high), execution);
-                            } catch (const Cancelled&) {
-                                throw;
-                            } catch (const Error&) {
-                                // What else is wrong with it is said where it is compared.
-                            }
-                            made->push_back(std::move(known));
+                            made->push_back(lookAt(each, execution));
                         }
                     },
                     [this, made, wanted](const std::exception_ptr& thrown) {

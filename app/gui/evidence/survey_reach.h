@@ -16,8 +16,9 @@ class Computation;
 class Document;
 class Session;
 
-/// Which surveys of the open case lie elsewhere than its structure: looked at in the background as soon as one is added, placed, or
-/// the case is tied to the world otherwise.
+/// What is found of the surveys of the open case before anything is compared: which lie elsewhere than its structure, cannot be
+/// read, or hold something odd. Looked at in the background as soon as one is added, placed, or the case is tied to the world
+/// otherwise.
 class SurveyReach : public QObject {
     Q_OBJECT
 
@@ -26,6 +27,10 @@ public:
 
     /// What speaks against the place of a survey; empty: nothing does, or it is not known yet.
     Findings of(const CaseInput& survey) const;
+    /// Why a survey cannot be read; empty: it can, or it is not known yet.
+    Findings unread(const CaseInput& survey) const;
+    /// What is odd in it, and whether it holds what its name says.
+    Findings odd(const CaseInput& survey) const;
     bool busy() const { return m_worker.busy(); }
 
 signals:
@@ -38,6 +43,8 @@ private:
         std::string path;
         std::string sha256;
         std::optional<Registration> placed;
+        CloudRequest read;
+        std::optional<SurveyKind> kind;
         Frame frame;
         Site site;
         Vec3 low;  ///< m, local, of the structure at rest
@@ -46,8 +53,12 @@ private:
     };
     struct Known {
         Asked asked;
-        Findings findings;
+        Findings place;
+        Findings unread;
+        Findings odd;
     };
+    const Known* known(const CaseInput& survey) const;
+    static Known lookAt(const Asked& asked, const Execution& execution);
     void look();
     Asked askedOf(const CaseInput& survey) const;
 

@@ -60,8 +60,9 @@ std::vector<CaseInput> SurveySections::measuredPoints(Findings& said) const {
     const Case& theCase = m_document.theCase();
     for (CaseInput input : theCase.inputs) {
         // Of another instant they would show another site.
-        if (input.role == InputRole::Survey && evidenceFormOf(input) == EvidenceForm::Measured && !input.before &&
-            input.id != m_order->survey.id && input.instant == m_order->survey.instant) {
+        if (input.role == InputRole::Survey && evidenceFormOf(input) == EvidenceForm::Measured &&
+            input.held == PointsHeld::Section && !input.before && input.id != m_order->survey.id &&
+            input.instant == m_order->survey.instant) {
             input.scope = scopeWhenTaken(theCase, input, said);
             input.path = io::inputPath(m_document.base().toStdString(), input);
             points.push_back(std::move(input));

@@ -99,7 +99,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       evidence(std::make_unique<EvidenceDisplay>(session, *deck, parts.evidencePage, *playback, *scene, parts.actions)),
       survey(std::make_unique<SurveyDisplay>(session, *deck, parts.evidencePage, parts.actions)),
       cloudPoints(std::make_unique<CloudPoints>(session, *deck, *scene, *survey, parts.area, parts.actions)),
-      cloudTools(std::make_unique<CloudTools>(session, parts.actions, parts.window)),
+      cloudTools(std::make_unique<CloudTools>(session, parts.actions, parts.area.views(), parts.window)),
       evidenceList(std::make_unique<EvidenceListDisplay>(session, *deck, *evidence, *survey)),
       inspection(std::make_unique<Inspection>(session, *playback, parts.area, parts.actions)),
       map(std::make_unique<MapDisplay>(session, *playback, inspection->docks(), parts.actions)),

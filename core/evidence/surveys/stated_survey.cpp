@@ -69,6 +69,10 @@ void checkShowsDebris(const CaseInput& survey) {
         throw UsageError({"survey.before", "{0} was taken before the collapse: it shows no debris", {survey.path}},
                          {"survey.before.remedy", "Take it as the terrain, or say that it was taken afterwards.", {}});
     }
+    if (survey.held == PointsHeld::Control) {
+        throw UsageError({"survey.control", "The points of {0} are held as control: they show no debris", {survey.path}},
+                         {"survey.control.remedy", "Hold them as an outline or for sections in the list of evidence.", {}});
+    }
 }
 
 void checkShowsRest(const CaseInput& survey) {

@@ -20,7 +20,7 @@ SurveyScope scopeWhenTaken(const Case& theCase, const CaseInput& survey, Finding
 /// error of its registration stands for that of an offset that nobody stated.
 void takeStated(SurveySettings& settings, const Case& theCase, const CaseInput& survey, Findings& findings);
 
-/// Throws UsageError for a survey of before the collapse, which holds no debris.
+/// Throws UsageError for a survey of before the collapse and for points that are held as control, which show no debris.
 void checkShowsDebris(const CaseInput& survey);
 /// Throws UsageError for a survey of an instant of the collapse: members of an ensemble are held against what lies at rest.
 void checkShowsRest(const CaseInput& survey);

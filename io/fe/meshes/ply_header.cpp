@@ -99,7 +99,9 @@ PlyHeader readPlyHeader(MeshLines& lines, const std::string& path) {
             header.elements.back().properties.push_back(*property);
         } else if (word == "end_header" && format) {
             return header;
-        } else if (word != "comment" && word != "obj_info" && !word.empty()) {
+        } else if (word == "comment") {
+            header.comments.emplace_back(line);
+        } else if (word != "obj_info" && !word.empty()) {
             refuseLine(path, lines, whole);
         }
     }

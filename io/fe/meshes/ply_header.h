@@ -28,6 +28,7 @@ struct PlyHeader {
     bool text = false;
     bool bigEndian = false;
     std::vector<PlyElement> elements;
+    std::vector<std::string> comments;  ///< in their order, without the word before them
 };
 
 /// Whether a file is a PLY of points alone: without faces and strips of them. False for what is no PLY that can be read.

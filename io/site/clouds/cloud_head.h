@@ -69,6 +69,8 @@ struct CloudHead {
     std::optional<double> heightMetres;  ///< in one of z
     CloudUnits units;
     std::vector<CloudScan> scans;  ///< empty: the format has none
+    /// s, on the clock of the FE file: the instant of a run that was scanned; unset: the file does not say one.
+    std::optional<double> instant;
     std::vector<CloudPhotograph> photographs;
     std::vector<std::string> unread;  ///< columns beside those that are kept
 };

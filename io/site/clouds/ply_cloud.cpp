@@ -1,6 +1,7 @@
 #include "io/site/clouds/ply_cloud.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/base/file_words.h"
 #include "io/fe/meshes/ply_header.h"
@@ -20,6 +21,7 @@ public:
         m_start = at < 0 ? m_file->size() : static_cast<std::uint64_t>(at);
         m_head.format = "PLY";
         m_head.version = "1.0";
+        takeInstant();
         m_head.coding = m_ply.text ? "text" : m_ply.bigEndian ? "bytes, big end first" : "bytes, little end first";
     }
 
@@ -51,6 +53,17 @@ private:
     [[noreturn]] void refuse(const std::string& what) const {
         refuseContent({"cloud.ply", "{0} is no point cloud that can be read: {1}", {m_file->path(), what}},
                       "Export the points anew as PLY with x, y and z.");
+    }
+
+    /// Which instant of a run a scan of ours shows.
+    void takeInstant() {
+        for (const std::string& comment : m_ply.comments) {
+            std::string_view words = comment;
+            double seconds = 0.0;
+            if (takeWord(words) == "instant" && takeReal(words, seconds) && std::isfinite(seconds)) {
+                m_head.instant = seconds;
+            }
+        }
     }
 
     void plan(const PlyProperty& property) {

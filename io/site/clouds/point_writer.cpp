@@ -48,6 +48,9 @@ FileBytes plyHead(const WrittenCloud& cloud) {
     for (const auto& [at, points] : cloud.scanners) {
         text += "comment scanner " + exactNumber(at.x()) + " " + exactNumber(at.y()) + " " + exactNumber(at.z()) + "\n";
     }
+    if (cloud.instant) {
+        text += "comment instant " + exactNumber(*cloud.instant) + "\n";
+    }
     text += "end_header\n";
     return FileBytes(text.begin(), text.end());
 }
@@ -175,6 +178,11 @@ private:
                 appendNumber(places, points);
             }
             add(scannerUser, scannerRecord, places);
+        }
+        if (m_cloud.instant) {
+            FileBytes seconds;
+            appendNumber(seconds, *m_cloud.instant);
+            add(scannerUser, instantRecord, seconds);
         }
         return records;
     }

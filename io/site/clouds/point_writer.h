@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace rubble::io {
 inline constexpr const char* scannerUser = "Rubble";
 inline constexpr std::uint16_t scannerRecord = 1;
 inline constexpr std::size_t scannerBytes = 32;
+/// The record of a LAS of ours that says which instant of a run it was taken of: a double, s on the clock of the FE file.
+inline constexpr std::uint16_t instantRecord = 2;
 
 /// Bytes as they stand in a file, little end first.
 using FileBytes = std::vector<unsigned char>;
@@ -48,7 +51,9 @@ struct WrittenCloud {
     std::string crs;  ///< EPSG code, WKT or PROJ; empty: none is written
     std::vector<WrittenColumn> columns = {};
     std::vector<WrittenScanner> scanners = {};  ///< empty: points are of no scan
-    bool classes = false;                       ///< a PLY gets a column of classes; a LAS has one anyway
+    std::optional<double> instant =
+        {};                ///< s, on the clock of the FE file, of the run that was scanned; unset: at rest, or no scan
+    bool classes = false;  ///< a PLY gets a column of classes; a LAS has one anyway
 };
 
 /// A point that is written.

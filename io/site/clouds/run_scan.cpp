@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/base/file_words.h"
 #include "io/base/files.h"
+#include "io/site/clouds/point_cloud.h"
 #include "io/site/clouds/point_writer.h"
 
 namespace rubble::io {
@@ -108,6 +109,7 @@ void writeScan(const std::string& path, const RunScan& made, const SitePlace& pl
     cloud.points = scan.places.size();
     cloud.crs = crs;
     cloud.classes = true;
+    cloud.instant = made.instant;
     for (std::size_t s = 0; s < made.settings.scanners.size(); ++s) {
         cloud.scanners.push_back({place.toWorld(made.settings.scanners[s]), scan.echoes[s]});
     }
@@ -121,6 +123,22 @@ void writeScan(const std::string& path, const RunScan& made, const SitePlace& pl
         point.kind = look.kind;
         point.scanner = scan.scanners[k];
     });
+}
+
+void tellUnsaidInstant(const std::string& path, const RunScan& made, Findings& findings) {
+    if (made.instant && !namesWrittenCloud(path)) {
+        addFinding(findings, path,
+                   {"scan.instant_unsaid", "a table does not keep which instant it shows: {0}", {{*made.instant, "s"}}},
+                   "say it where the table becomes a survey, or write a LAS or a PLY, which keep it");
+    }
+}
+
+std::optional<double> scannedInstant(const std::string& path, const CloudRequest& read) {
+    try {
+        return openCloud(path, read)->head().instant;
+    } catch (const Error&) {
+        return std::nullopt;  // what is wrong with it is said where it is read
+    }
 }
 
 }  // namespace rubble::io

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/base/execution.h"
@@ -21,19 +22,27 @@ struct RunScan {
     ScanSettings settings;  ///< m, local
     SiteScan scan;
     SiteShape shape;
+    std::optional<double> instant = std::nullopt;  ///< s, on the clock of the FE file, that was asked for; unset: at rest
     SightedDebris debris;
     std::array<std::uint64_t, scannedThings> counts{};  ///< points by what they lie on
     Findings findings;
 };
 
-/// Scans the site of a run with its ground. @param settings  scanners in m, local; without any, four stand around the debris, 1.8 m
-/// above the ground. Throws UsageError (nothing is seen, and as scanSite()), Cancelled.
+/// Scans the site of a run with its ground. The instant is left open. @param settings  scanners in m, local; without any, four
+/// stand around the debris, 1.8 m above the ground. Throws UsageError (nothing is seen, and as scanSite()), Cancelled.
 RunScan scanRun(ScannedSite site, ScanSettings settings, const Execution& execution);
 
 /// Whether a path ends as that of a scan that can be written: .las, .ply or .csv.
 bool namesScan(const std::string& path);
 
-/// Writes a scan in the system of the case with the class of each point; a LAS says where its scanners stood. Throws WorldError.
+/// Writes a scan in the system of the case with the class of each point; a LAS says where its scanners stood, a LAS and a PLY also
+/// which instant they show. Throws WorldError.
 void writeScan(const std::string& path, const RunScan& made, const SitePlace& place, const std::string& crs);
+
+/// That a table does not keep which instant a scan shows; nothing of a scan at rest, a LAS or a PLY.
+void tellUnsaidInstant(const std::string& path, const RunScan& made, Findings& findings);
+
+/// s, on the clock of the FE file: the instant that a scan of ours says it shows. Unset: it says none, or is no cloud.
+std::optional<double> scannedInstant(const std::string& path, const CloudRequest& read);
 
 }  // namespace rubble::io

@@ -240,6 +240,45 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,1,2"}).exitCode, 2);
 }
 
+TEST_F(EvidenceOfCase, MeasuredPointsSayWhatTheyAreHeldToSay) {
+    const std::string station = m_folder / "station.csv";
+    std::ofstream(station) << "Point,Easting,Northing,Elevation\n1,-3,-3,0.1\n2,8,-3,0.1\n3,8,6,0.1\n4,-3,6,0.1\n";
+    const auto row = [&](std::vector<std::string> more) {
+        const nlohmann::json all = evidence(std::move(more));
+        for (const nlohmann::json& each : all["evidence"]) {
+            if (each["kind"] == "measured") {
+                return each;
+            }
+        }
+        return nlohmann::json();
+    };
+    // Unless something else is said they are for sections, and so it stands there.
+    nlohmann::json said = row({"--survey", station});
+    EXPECT_EQ(said["held_as"], "section");
+    EXPECT_FALSE(said["kind_by_ending"]);
+    EXPECT_THAT(said["shows"].get<std::string>(), HasSubstr("sections"));
+    EXPECT_TRUE(row({"--run", m_out})["iou"].is_null());
+    // The edge of the debris is held against the run, as every outline is, and the case keeps it.
+    EXPECT_EQ(row({"--survey", station, "--held-as", "outline"})["held_as"], "outline");
+    said = row({"--run", m_out});
+    EXPECT_EQ(said["held_as"], "outline");
+    EXPECT_GT(said["iou"], 0.0);
+    const nlohmann::json held = cli({"survey", m_out, "--survey", station, "--case", m_case, "--json"}).json();
+    EXPECT_NEAR(held["iou"].get<double>(), said["iou"].get<double>(), 1e-12) << "one number in list and comparison";
+    EXPECT_NEAR(held["surveyed"]["area_m2"].get<double>(), 99.0, 1.0);
+    // As control they show no debris, which every command says.
+    EXPECT_EQ(row({"--survey", station, "--held-as", "control", "--run", m_out})["held_as"], "control");
+    EXPECT_TRUE(row({"--run", m_out})["iou"].is_null());
+    const Outcome refused = cli({"survey", m_out, "--survey", station, "--case", m_case});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("held as control"));
+    EXPECT_EQ(cli({"section", m_out, "--line", "-6,0.5,9,0.5", "--points", station, "--case", m_case}).exitCode, 2);
+    // Only measured points are held to say something.
+    EXPECT_EQ(cli({"evidence", m_case, "--survey", m_cloud, "--held-as", "outline"}).exitCode, 2);
+    EXPECT_EQ(cli({"evidence", m_case, "--survey", station, "--held-as", "truth"}).exitCode, 2);
+    EXPECT_EQ(cli({"evidence", m_case, "--held-as", "outline"}).exitCode, 2);
+}
+
 TEST_F(EvidenceOfCase, SystemAndColumnsOfACloudBelongToTheCase) {
     const std::string metric = m_folder / "scan.csv";
     const std::string feet = m_folder / "feet.xyz";

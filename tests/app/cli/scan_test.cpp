@@ -223,6 +223,43 @@ TEST_F(ScanOfRun, APoseThatIsNoneIsNotTakenAsTheScanner) {
     EXPECT_THAT(cli({"cloud", registered}).out, HasSubstr("no pose"));
 }
 
+TEST_F(ScanOfRun, OfAnInstantSaysSoAndIsHeldAgainstThatInstant) {
+    run({}, "2");
+    const std::vector<std::string> how{"--step", "0.3", "--range", "20", "--noise", "0", "--scanner", "-6,-6,3"};
+    const auto scan = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"scan", m_out, "--json"});
+        more.insert(more.end(), how.begin(), how.end());
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    };
+    const std::string las = m_folder / "falling.las";
+    const std::string ply = m_folder / "falling.ply";
+    const std::string csv = m_folder / "falling.csv";
+    const std::string rest = m_folder / "rest.las";
+    const double falling = 0.75;
+    const nlohmann::json made = scan({"--time", "0.75", "--out", las, "--out", ply, "--out", csv});
+    EXPECT_EQ(made["time_s"], falling);
+    EXPECT_FALSE(made["at_rest"]);
+    EXPECT_TRUE(warns(made, "scan.instant_unsaid")) << "a table cannot keep it";
+    EXPECT_TRUE(scan({"--out", rest})["at_rest"]);
+    for (const std::string& path : {las, ply, csv}) {
+        std::ifstream in(path + ".provenance.json");
+        EXPECT_EQ(nlohmann::json::parse(in)["scan"]["time_s"], falling) << path;
+    }
+    EXPECT_EQ(cli({"cloud", las, "--json"}).json()["instant_s"], falling);
+    EXPECT_EQ(cli({"cloud", ply, "--json"}).json()["instant_s"], falling);
+    EXPECT_TRUE(cli({"cloud", rest, "--json"}).json()["instant_s"].is_null());
+    // Unasked it is held against its own instant, and that is said.
+    const nlohmann::json then = compared(las, {});
+    EXPECT_EQ(then["time_s"], falling);
+    EXPECT_TRUE(warns(then, "survey.scanned_instant"));
+    EXPECT_GT(compared(rest, {})["time_s"], falling);
+    EXPECT_GT(compared(las, {"--time", "end"})["time_s"], falling) << "who asks is answered";
+    const nlohmann::json survey = cli({"survey", m_out, "--survey", ply, "--json"}).json();
+    EXPECT_EQ(survey["time_s"], falling);
+}
+
 TEST_F(ScanOfRun, RefusesWhatCannotBeMeant) {
     run({}, "0.5");
     EXPECT_EQ(cli({"scan", m_out, "--scanner", "1,2"}).exitCode, 2);

@@ -29,6 +29,7 @@
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_place.h"
 #include "widgets/evidence/surveys/point_box.h"
+#include "widgets/evidence/surveys/scanner_field.h"
 #include "widgets/views/tour.h"
 
 namespace rubble {
@@ -195,6 +196,8 @@ TEST_F(Screens, ACloudAndItsDialogsCanBeReadWhole) {
     const io::TemporaryFolder folder;
     ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(folder / "case.rubble")));
     std::ofstream(folder / "bare.txt") << "7 1 2 0.5\n7 10 3 0.5\n7 4 9 1.5\n";
+    std::ofstream(folder / "survey.csv") << "name,easting,northing,height\nA,-15,-5,0.4\nB,15,-5,0.4\nC,15,5,0.6\n";
+    window->rooms().survey->add(QString::fromStdString(folder / "survey.csv"));
     window->rooms().survey->add(QString::fromStdString(layLevelTable(folder / "level.csv", 0.1)));
     window->rooms().deck->evidence().survey().points().setCell(1.0);
     window->rooms().cloudPoints->measure();
@@ -218,6 +221,9 @@ TEST_F(Screens, ACloudAndItsDialogsCanBeReadWhole) {
             });
             return done;
         };
+        const auto picked = seen(QStringLiteral("dialog-scanners"));
+        emit window->rooms().deck->evidence().survey().points().scanners().pickRequested();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return *picked; }, patience));
         const auto fitted = seen(QStringLiteral("dialog-fit"));
         emit place.fitRequested();
         ASSERT_TRUE(QTest::qWaitFor([&] { return *fitted; }, patience));

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/simulation/run/simulation.h"
 
 namespace rubble {
 namespace {

@@ -131,6 +131,32 @@ TEST(EvidenceList, SaysWhatEachIsHeldToShow) {
     EXPECT_TRUE(std::isnan(rows[4].within)) << "two points leave nothing to judge by";
 }
 
+TEST(EvidenceList, MeasuredPointsSayWhatTheyAreHeldToSay) {
+    Case theCase;
+    CaseInput points{"survey-1", InputRole::Survey, "station.csv", {}};
+    points.kind = SurveyKind::Points;
+    theCase.inputs.push_back(points);
+    const auto row = [&](PointsHeld held, std::optional<double> instant = {}) {
+        theCase.inputs[0].held = held;
+        theCase.inputs[0].instant = instant;
+        return evidenceOf(theCase).front();
+    };
+    EXPECT_EQ(row(PointsHeld::Section).says.id, "evidence.measured");
+    EXPECT_EQ(row(PointsHeld::Outline).says.id, "evidence.edge");
+    EXPECT_EQ(row(PointsHeld::Outline, 2.5).says.id, "evidence.edge_at");
+    EXPECT_EQ(row(PointsHeld::Control).says.id, "evidence.control");
+    EXPECT_EQ(row(PointsHeld::Control).held, PointsHeld::Control);
+    EXPECT_FALSE(row(PointsHeld::Control).byEnding);
+    EXPECT_FALSE(hasOverlap(theCase.inputs[0]));
+    EXPECT_THROW(checkShowsDebris(theCase.inputs[0]), UsageError);
+    theCase.inputs[0].held = PointsHeld::Outline;
+    EXPECT_TRUE(hasOverlap(theCase.inputs[0]));
+    EXPECT_NO_THROW(checkShowsDebris(theCase.inputs[0]));
+    theCase.inputs[0].kind.reset();
+    EXPECT_TRUE(evidenceOf(theCase).front().byEnding) << "nobody looked into it";
+    EXPECT_FALSE(evidenceOf(theCase).front().held);
+}
+
 }  // namespace
 
 }  // namespace rubble

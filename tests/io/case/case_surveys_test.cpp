@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/evidence/evidence_list.h"
 #include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
@@ -107,6 +108,49 @@ TEST_F(CaseSurveys, AreOutlinesWhereTheReaderOfPolygonsTakesThem) {
     EXPECT_EQ(kindOf("edge.txt", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
                                  R"({"type":"Polygon","coordinates":[[[0,0],[5,0],[5,5],[0,0]]]}}]})"),
               SurveyKind::Outline);
+}
+
+TEST_F(CaseSurveys, OfAnOldCaseAreSaidToBeOtherwiseThanTheirNames) {
+    // A table of a station: by its ending it is listed as a cloud.
+    const std::string station = m_folder / "station.csv";
+    std::ofstream(station) << "name,easting,northing,height\nP1,1,2,3\nP2,2,2,3\n";
+    CaseInput survey{"survey-1", InputRole::Survey, "station.csv", ""};
+    ASSERT_EQ(evidenceFormOf(survey), EvidenceForm::Cloud);
+    const Findings said = checkKind(survey, station);
+    ASSERT_EQ(said.count("evidence.other_kind"), 1);
+    EXPECT_EQ(englishText(said.list().front().what), "the ending of its name says otherwise, but this file holds measured points");
+    const std::string points = m_folder / "points.csv";
+    std::ofstream(points) << "x,y,z\n1,2,3\n4,5,7\n";
+    EXPECT_TRUE(checkKind(survey, points).empty()) << "it is what its name says";
+    // The same file added once more: what it holds is kept from then on.
+    Case theCase;
+    theCase.inputs.push_back(survey);
+    EXPECT_EQ(takeSurvey(theCase, m_folder / "a.rubble", station), 0u);
+    EXPECT_EQ(theCase.inputs[0].kind, SurveyKind::Points);
+    EXPECT_TRUE(checkKind(theCase.inputs[0], station).empty());
+}
+
+TEST_F(CaseSurveys, HeldAsControlGiveTheirNames) {
+    std::ofstream(m_folder / "a.csv") << "name,easting,northing,height\nP1,1,2,3\nP2,2,2,3\n";
+    std::ofstream(m_folder / "b.csv") << "name,easting,northing,height\nP2,9,9,9\nP3,3,2,3\n";
+    Case theCase;
+    for (const char* name : {"a.csv", "b.csv"}) {
+        theCase.inputs[takeSurvey(theCase, m_folder / "a.rubble", m_folder / name)].held = PointsHeld::Control;
+    }
+    theCase.inputs[1].registration.emplace().shift = Vec3(0.0, 0.0, 0.5);
+    const SitePlace place{Frame(), Site()};
+    Findings said;
+    const std::vector<NamedPoint> points = controlPointsOfCase(theCase, m_folder / "a.rubble", place, said, Execution());
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_EQ(points[1].place, Vec3(2.0, 2.0, 3.0)) << "the first file counts";
+    EXPECT_EQ(points[2].name, "P3");
+    EXPECT_LT((points[2].place - Vec3(3.0, 2.0, 3.5)).norm(), 1e-9) << "its file is registered";
+    EXPECT_EQ(said.count("control.of_another_file"), 1);
+    theCase.inputs[0].held = theCase.inputs[1].held = PointsHeld::Outline;
+    EXPECT_TRUE(controlPointsOfCase(theCase, m_folder / "a.rubble", place, said, Execution()).empty());
+    // Read as a cloud, they are held to say nothing of their own any more.
+    stateReading(theCase.inputs[0], m_folder / "a.csv", {{}, {"skip", "x", "y", "z"}});
+    EXPECT_EQ(theCase.inputs[0].held, theCase.inputs[0].kind == SurveyKind::Points ? PointsHeld::Outline : PointsHeld::Section);
 }
 
 TEST_F(CaseSurveys, AreLookedIntoWhenTheyAreTaken) {

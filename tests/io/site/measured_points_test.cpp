@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/base/error.h"
@@ -93,6 +94,66 @@ TEST_F(MeasuredPoints, ClosedLinesOfADrawingAreAnOutline) {
     EXPECT_LT((input.survey.bounds().second - Eigen::Vector2d(10.0, 10.0)).norm(), 1e-9);
     EXPECT_EQ(input.findings.count("survey.closed_lines"), 1);
     EXPECT_EQ(input.findings.count("survey.other_shapes"), 3);
+}
+
+TEST_F(MeasuredPoints, RowsOfATableAreTheEdgeOfTheDebrisInTheirOrder) {
+    const std::string path = m_folder / "edge.csv";
+    std::ofstream(path) << "name,easting,northing,height\n1,500000,5400000,101\n2,500008,5400000,101\n3,500008,5400006,102\n"
+                           "4,500000,5400006,101\n";
+    EXPECT_TRUE(holdsMeasuredPoints(path));
+    SurveyRequest request;
+    request.edge = true;
+    Registration east;
+    east.shift = Vec3(2.0, 0.0, 0.0);
+    request.registration = east;
+    const SurveyInput input = readSurvey(path, m_frame, {}, Aabb(), Execution(), request);
+    ASSERT_TRUE(input.survey.isFootprint);
+    EXPECT_LT((input.survey.bounds().first - Eigen::Vector2d(2.0, 0.0)).norm(), 1e-9);
+    EXPECT_LT((input.survey.bounds().second - Eigen::Vector2d(10.0, 6.0)).norm(), 1e-9);
+    ASSERT_EQ(input.findings.count("measured.closed"), 1);
+    const auto closed = std::find_if(input.findings.list().begin(), input.findings.list().end(),
+                                     [](const Finding& finding) { return finding.what.id == "measured.closed"; });
+    EXPECT_EQ(englishText(closed->what), "the measured edge is open; it was closed by straight lines, the longest over 6 m");
+    // Held for sections the same file has heights.
+    request.edge = false;
+    EXPECT_FALSE(readSurvey(path, m_frame, {}, Aabb(), Execution(), request).survey.isFootprint);
+}
+
+TEST_F(MeasuredPoints, LinesOfADrawingAreJoinedToAnEdge) {
+    const std::string path = m_folder / "edge.dxf";
+    std::ofstream out(path);
+    out << "0\nSECTION\n2\nENTITIES\n0\nPOINT\n8\n0\n10\n500003\n20\n5400003\n30\n101\n";
+    for (const char* line :
+         {"10\n500000\n20\n5400000\n11\n500008\n21\n5400000\n", "10\n500008\n20\n5400006\n11\n500008\n21\n5400000\n",
+          "10\n500008\n20\n5400006\n11\n500000\n21\n5400006\n"}) {
+        out << "0\nLINE\n8\n0\n" << line;
+    }
+    out << "0\nENDSEC\n0\nEOF\n";
+    out.close();
+    ASSERT_TRUE(holdsMeasuredPoints(path));
+    const Outline edge = readMeasuredEdge({path, {}, m_frame, {}}, m_said, Execution());
+    ASSERT_EQ(edge.polygons.size(), 1u);
+    EXPECT_EQ(edge.polygons[0][0].size(), 4u);
+    EXPECT_LT((edge.bounds().second - Eigen::Vector2d(8.0, 6.0)).norm(), 1e-9);
+    EXPECT_EQ(m_said.count("measured.points_beside"), 1);
+    EXPECT_EQ(m_said.count("measured.closed"), 1);
+    EXPECT_EQ(m_said.count("measured.unplaced"), 1);
+}
+
+TEST_F(MeasuredPoints, AnEdgeThatEnclosesNothingOrCrossesItselfIsRefused) {
+    const auto refusal = [&](const char* rows) {
+        const std::string path = m_folder / "edge.csv";
+        std::ofstream(path) << "name,easting,northing,height\n" << rows;
+        try {
+            readMeasuredEdge({path, {}, m_frame, {}}, m_said, Execution());
+        } catch (const Error& error) {
+            return error.message().id;
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal("1,500000,5400000,101\n2,500008,5400000,101\n"), "measured.no_edge");
+    EXPECT_EQ(refusal("1,500000,5400000,1\n2,500008,5400006,1\n3,500008,5400000,1\n4,500000,5400006,1\n"), "measured.crossed");
+    EXPECT_EQ(refusal("1,500000,5400000,1\n2,500008,5400000,1\n3,500008,5400006,1\n"), "");
 }
 
 TEST_F(MeasuredPoints, AFileOfNoPointsIsRefused) {

@@ -11,6 +11,7 @@
 
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/unit_label.h"
 #include "widgets/evidence/surveys/scanner_field.h"
 
 namespace rubble::widgets {
@@ -25,6 +26,7 @@ constexpr double usualStep = 0.2;                     // degrees
 ScanDialog::ScanDialog(QWidget* parent)
     : QDialog(parent),
       m_scanners(new ScannerField(tr("four around the debris"))),
+      m_instant(new NumberField(tr("Instant that is scanned"))),
       m_step(new NumberField(tr("Step between rays"))),
       m_range(new NumberField(tr("Range of the scanners"))),
       m_noise(new NumberField(tr("Noise along a ray"))),
@@ -56,7 +58,16 @@ ScanDialog::ScanDialog(QWidget* parent)
     m_seed->setRange(0.0, 1e9);
     m_seed->setNumber(static_cast<double>(usual.seed));
     m_seed->setToolTip(tr("Equal seeds give equal points"));
+    m_instant->setEmptyMeans(tr("the end, all at rest"));
+    m_instant->setUnit("s");
+    m_instant->setToolTip(tr(
+        "Instant of the run on the clock of the FE result. A LAS or PLY keeps it, so that the cloud is compared with that instant "
+        "once it is a survey; of a CSV it must be said there"));
+    auto* instant = new QHBoxLayout;
+    instant->addWidget(m_instant, 1);
+    instant->addWidget(new UnitLabel(QStringLiteral("s")));
     form->addRow(tr("Scanners"), m_scanners);
+    form->addRow(tr("Instant"), instant);
     form->addRow(tr("Step, °"), m_step);
     form->addRow(tr("Range, m"), m_range);
     form->addRow(tr("Noise, m"), m_noise);
@@ -91,6 +102,10 @@ ScanSettings ScanDialog::settings() const {
     settings.noise = m_noise->number().value_or(settings.noise);
     settings.seed = static_cast<std::uint64_t>(std::llround(m_seed->number().value_or(1.0)));
     return settings;
+}
+
+std::optional<double> ScanDialog::instant() const {
+    return m_instant->number();
 }
 
 void ScanDialog::setContent(const Content& content) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <optional>
 
 #include "core/base/finding.h"
 #include "core/evidence/clouds/site_scan.h"
@@ -32,6 +33,8 @@ public:
     const Content& content() const { return m_content; }
     /// What the fields say. Scanners are in the system of the case.
     ScanSettings settings() const;
+    /// s, on the clock of the FE file: the instant that is scanned; unset: the end, when all lies at rest.
+    std::optional<double> instant() const;
     ScannerField& scanners() { return *m_scanners; }
 
 signals:
@@ -41,6 +44,7 @@ signals:
 private:
     Content m_content;
     ScannerField* m_scanners;
+    NumberField* m_instant;
     NumberField* m_step;
     NumberField* m_range;
     NumberField* m_noise;

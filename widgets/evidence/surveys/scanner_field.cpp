@@ -10,14 +10,31 @@
 
 namespace rubble::widgets {
 
+namespace {
+
+QString listed(const std::vector<Vec3>& places) {
+    QStringList words;
+    for (const Vec3& place : places) {
+        words << QStringLiteral("%1,%2,%3").arg(place.x(), 0, 'g', 12).arg(place.y(), 0, 'g', 12).arg(place.z(), 0, 'g', 12);
+    }
+    return words.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
 ScannerField::ScannerField(const QString& otherwise, QWidget* parent)
-    : QWidget(parent), m_text(new QLineEdit), m_table(new QPushButton(tr("From a table…"))), m_complaint(new Notice) {
+    : QWidget(parent),
+      m_text(new QLineEdit),
+      m_pick(new QPushButton(tr("Pick…"))),
+      m_table(new QPushButton(tr("From a table…"))),
+      m_complaint(new Notice) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     auto* row = new QHBoxLayout;
-    row->addWidget(m_text, 1);
+    row->addWidget(m_pick);
     row->addWidget(m_table);
+    column->addWidget(m_text);
     column->addLayout(row);
     column->addWidget(m_complaint);
     m_text->setAccessibleName(tr("Places of the scanners"));
@@ -26,8 +43,12 @@ ScannerField::ScannerField(const QString& otherwise, QWidget* parent)
         tr("Easting, northing and height of each scanner in the system of the case, m: 12.5,-3,1.8; 40,7,2.1. Points are held "
            "against what was to be seen from there"));
     m_table->setToolTip(tr("Take them from a table whose heading names easting, northing and height"));
-    m_table->setAutoDefault(false);
+    m_pick->setToolTip(tr("Click them in the model, list them, and change or remove them"));
+    for (QPushButton* button : {m_pick, m_table}) {
+        button->setAutoDefault(false);
+    }
     connect(m_text, &QLineEdit::editingFinished, this, &ScannerField::take);
+    connect(m_pick, &QPushButton::clicked, this, &ScannerField::pickRequested);
     connect(m_table, &QPushButton::clicked, this, &ScannerField::tableRequested);
 }
 
@@ -36,13 +57,15 @@ void ScannerField::setPlaces(const std::vector<Vec3>& places) {
         return;  // what is being typed stays
     }
     m_places = places;
-    QStringList words;
-    for (const Vec3& place : places) {
-        words << QStringLiteral("%1,%2,%3").arg(place.x(), 0, 'g', 12).arg(place.y(), 0, 'g', 12).arg(place.z(), 0, 'g', 12);
-    }
-    m_text->setText(words.join(QStringLiteral("; ")));
+    m_text->setText(listed(places));
     m_text->setCursorPosition(0);
     m_complaint->set(Notice::Kind::Error, {});
+}
+
+void ScannerField::takePlaces(const std::vector<Vec3>& places) {
+    m_text->selectAll();
+    m_text->insert(listed(places));
+    take();
 }
 
 std::optional<std::vector<Vec3>> ScannerField::places() const {

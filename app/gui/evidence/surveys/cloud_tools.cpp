@@ -16,15 +16,17 @@
 #include "core/evidence/scanned_site.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/exports/exports.h"
+#include "io/exports/survey_files.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/run_scan.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/measured_points.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/surveys/scan_dialog.h"
+#include "widgets/evidence/surveys/scanner_dialog.h"
 #include "widgets/evidence/surveys/scanner_field.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 
@@ -34,12 +36,15 @@ QString scanText(const io::RunScan& made, const QString& path) {
     const auto count = [&](SiteThing thing) {
         return figures::countText(static_cast<std::size_t>(made.counts[static_cast<std::size_t>(thing)]));
     };
-    return CloudTools::tr(
+    const QString when = made.instant ? CloudTools::tr("Scanned at %1.").arg(widgets::shownWith(made.shape.time, "s"))
+                                      : CloudTools::tr("Scanned at the end of the run.");
+    return when + QLatin1Char(' ') +
+           CloudTools::tr(
                "%1: %2 points; debris %3, fallen structure %4, standing structure %5, ground %6. Fragments seen: %7 of %8.")
-        .arg(QFileInfo(path).fileName(), figures::countText(made.scan.places.size()), count(SiteThing::Debris),
-             count(SiteThing::FallenStructure), count(SiteThing::Structure), count(SiteThing::Ground),
-             figures::countText(static_cast<std::size_t>(made.debris.seen)),
-             figures::countText(static_cast<std::size_t>(made.debris.seen + made.debris.unseen)));
+               .arg(QFileInfo(path).fileName(), figures::countText(made.scan.places.size()), count(SiteThing::Debris),
+                    count(SiteThing::FallenStructure), count(SiteThing::Structure), count(SiteThing::Ground),
+                    figures::countText(static_cast<std::size_t>(made.debris.seen)),
+                    figures::countText(static_cast<std::size_t>(made.debris.seen + made.debris.unseen)));
 }
 
 }  // namespace
@@ -67,12 +72,35 @@ std::vector<Vec3> scannersOfTable(QWidget* window, Session& session) {
     return places;
 }
 
-CloudTools::CloudTools(Session& session, Actions& actions, QWidget& window, QObject* parent)
+void pickScanners(QWidget* window, Session& session, const widgets::ViewWidget& views, widgets::ScannerField& field) {
+    const std::optional<std::vector<Vec3>> now = field.places();
+    if (!now) {
+        return;  // the field says what is wrong
+    }
+    const Inputs& inputs = session.computation().inputs();
+    if (inputs.fe == nullptr) {
+        session.tell(CloudTools::tr("Places are picked in the model: open the FE result first."));
+        return;
+    }
+    const io::SitePlace place(inputs.frame, session.document().theCase().site);
+    widgets::ScannerDialog dialog(
+        *now, {[&](const Vec3& at) { return place.toWorld(at); }, [&](const Vec3& at) { return place.toLocal(at); }}, window);
+    dialog.resize(window->window()->size().expandedTo({900, 640}).boundedTo({1400, 1000}));
+    render::View view = views.view();
+    view.layout = session.computation().currentRun() != nullptr ? render::Layout::FragmentsOnly : render::Layout::FeOnly;
+    dialog.setModel(views.data(), view);
+    if (dialog.exec() == QDialog::Accepted) {
+        field.takePlaces(dialog.places());
+    }
+}
+
+CloudTools::CloudTools(Session& session, Actions& actions, const widgets::ViewWidget& views, QWidget& window, QObject* parent)
     : QObject(parent),
       m_session(session),
       m_document(session.document()),
       m_computation(session.computation()),
       m_actions(actions),
+      m_views(views),
       m_window(window) {
     connect(&actions[ActionId::ScanRun], &QAction::triggered, this, &CloudTools::scanRun);
     connect(&actions[ActionId::CompareClouds], &QAction::triggered, this, &CloudTools::compareClouds);
@@ -94,9 +122,11 @@ void CloudTools::scanRun() {
     connect(&dialog, &widgets::ScanDialog::cancelRequested, this, [&] { m_worker.cancel(); });
     connect(&dialog.scanners(), &widgets::ScannerField::tableRequested, this, [&] {
         if (const std::vector<Vec3> places = scannersOfTable(&dialog, m_session); !places.empty()) {
-            dialog.scanners().setPlaces(places);
+            dialog.scanners().takePlaces(places);
         }
     });
+    connect(&dialog.scanners(), &widgets::ScannerField::pickRequested, this,
+            [&] { pickScanners(&dialog, m_session, m_views, dialog.scanners()); });
     dialog.exec();
     m_worker.cancel();
 }
@@ -133,10 +163,12 @@ void CloudTools::scanTo(widgets::ScanDialog& dialog, const QString& path) {
     const QPointer<widgets::ScanDialog> shown(&dialog);
     m_worker.start({Worker::Kind::Study,
                     [made, settings, place, path = path.toStdString(), crs = inputs.frame.crs, run = EvidenceRun(inputs, record),
-                     origin = io::provenanceText(*record->reader)](const Execution& execution) {
-                        *made = io::scanRun(scannedSite(run.mapped(), std::nullopt, fallenFrom, execution), settings, execution);
+                     reader = record->reader, instant = dialog.instant()](const Execution& execution) {
+                        *made = io::scanRun(scannedSite(run.mapped(), instant, fallenFrom, execution), settings, execution);
+                        made->instant = instant;
                         io::writeScan(path, *made, place, crs);
-                        io::writeProvenance(path, origin);
+                        io::writeProvenance(path, io::scanProvenance(*reader, *made, place));
+                        io::tellUnsaidInstant(path, *made, made->findings);
                     },
                     [made, shown, path](const std::exception_ptr& thrown) {
                         if (shown == nullptr) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "io/base/file_words.h"
@@ -119,6 +120,15 @@ void takeScanners(const CloudFile& file, LasHead& head) {
     }
 }
 
+/// Which instant of a run a scan of ours shows; nothing where the record is damaged.
+void takeInstant(const CloudFile& file, LasHead& head) {
+    const LasRecord* record = head.record(scannerUser, instantRecord);
+    if (record != nullptr && record->bytes == sizeof(double)) {
+        const double seconds = littleAt<double>(file.bytes(record->start, record->bytes).data());
+        head.instant = std::isfinite(seconds) ? std::optional(seconds) : std::nullopt;
+    }
+}
+
 /// What one descriptor of the extra bytes names.
 constexpr std::size_t extraDescriptor = 192;
 
@@ -175,6 +185,7 @@ LasHead readLasHead(const CloudFile& file, Findings& findings) {
     }
     takeRecords(file, bytes.data(), headBytes, head, findings);
     takeScanners(file, head);
+    takeInstant(file, head);
     return head;
 }
 

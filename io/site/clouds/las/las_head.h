@@ -53,6 +53,7 @@ struct LasHead {
     Aabb stated;
     std::vector<LasRecord> records;
     std::vector<LasScanner> scanners;  ///< of a scan that we wrote; else empty
+    std::optional<double> instant;     ///< s, of the run of such a scan; unset: at rest, or no scan of ours
 
     const LasRecord* record(std::string_view user, std::uint16_t id) const;
 };

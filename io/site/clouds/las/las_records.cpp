@@ -101,6 +101,7 @@ void describeLas(const CloudFile& file, const LasHead& las, CloudHead& head) {
         scan.pose.stated = scan.pose.applied = true;
         head.scans.push_back(std::move(scan));
     }
+    head.instant = las.instant;
     head.unread = lasExtraNames(file, las);
     if (las.layout.format == 8 || las.layout.format == 10) {
         head.unread.emplace_back("near infrared");

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTableWidget>
 #include <filesystem>
 #include <fstream>
 
@@ -21,6 +22,7 @@
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/evidence_table.h"
 #include "widgets/evidence/photo_view.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_place.h"
@@ -29,7 +31,9 @@
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/evidence/surveys/reading_box.h"
 #include "widgets/evidence/surveys/scan_dialog.h"
+#include "widgets/evidence/surveys/scanner_dialog.h"
 #include "widgets/evidence/surveys/scanner_field.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 
@@ -373,6 +377,93 @@ TEST_F(CloudWork, TheRunIsScannedToAFileFromScannersThatAreTyped) {
     const io::WholeCloud cloud = io::readCloud(path);
     EXPECT_GT(cloud.points.size(), 100U);
     ASSERT_EQ(cloud.head.scans.size(), 1U);
+}
+
+TEST_F(CloudWork, ScannersAreClickedInTheModelListedChangedAndUndone) {
+    scanned();
+    bool asked = false;
+    std::vector<Vec3> taken;
+    whenAsked([&](QDialog& opened) {
+        asked = true;
+        auto& dialog = dynamic_cast<widgets::ScannerDialog&>(opened);
+        dialog.model().picture();
+        std::optional<QPoint> there;
+        for (int y = 20; y < dialog.model().height() - 20 && !there; y += 3) {
+            for (int x = 20; x < dialog.model().width() - 20 && !there; x += 3) {
+                there = dialog.model().hitAt(QPointF(x, y)) ? std::optional(QPoint(x, y)) : std::nullopt;
+            }
+        }
+        ASSERT_TRUE(there);
+        const Vec3 hit = dialog.model().hitAt(QPointF(*there))->point;
+        type(dialog.above(), QStringLiteral("2"));
+        QTest::mouseClick(&dialog.model(), Qt::LeftButton, {}, *there);
+        ASSERT_EQ(dialog.places().size(), 1u);
+        EXPECT_LT((dialog.places()[0] - hit - Vec3(0.0, 0.0, 2.0)).norm(), 1e-6);
+        dialog.pick(Vec3(10.0, 20.0, 0.0));
+        auto* table = dialog.findChild<QTableWidget*>();
+        ASSERT_EQ(table->rowCount(), 2);
+        EXPECT_EQ(table->item(1, 1)->text(), QStringLiteral("10.000"));
+        // A number is typed anew; a word is no number.
+        table->item(1, 1)->setText(QStringLiteral("12.5"));
+        EXPECT_EQ(dialog.places()[1], Vec3(12.5, 20.0, 2.0));
+        table->item(1, 2)->setText(QStringLiteral("north"));
+        EXPECT_EQ(dialog.places()[1], Vec3(12.5, 20.0, 2.0));
+        EXPECT_EQ(table->item(1, 2)->text(), QStringLiteral("20.000"));
+        QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier);
+        EXPECT_EQ(dialog.places()[1], Vec3(10.0, 20.0, 2.0));
+        table->selectRow(0);
+        QTest::mouseClick(button(dialog, "Remove scanner"), Qt::LeftButton);
+        ASSERT_EQ(dialog.places().size(), 1u);
+        QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier);
+        ASSERT_EQ(dialog.places().size(), 2u);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        EXPECT_TRUE(dialog.isVisible()) << "what was picked is not lost by Esc";
+        taken = dialog.places();
+        QTest::mouseClick(button(dialog, "Take these places"), Qt::LeftButton);
+    });
+    window->rooms().deck->choose(PanelDeck::Evidence);
+    QTest::mouseClick(button(box().points().scanners(), "Pick…"), Qt::LeftButton);
+    ASSERT_TRUE(asked);
+    ASSERT_EQ(survey().scanners.size(), 2u);
+    EXPECT_LT((survey().scanners[0] - taken[0]).norm(), 1e-6);
+    EXPECT_LT((survey().scanners[1] - taken[1]).norm(), 1e-6);
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_TRUE(survey().scanners.empty());
+}
+
+TEST_F(CloudWork, AScanOfAnInstantIsHeldAgainstThatInstant) {
+    openArch();
+    makeCheap();
+    simulateToEnd();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    const std::string path = m_folder / "falling.las";
+    QString said;
+    whenAsked([&](QDialog& opened) {
+        auto& dialog = dynamic_cast<widgets::ScanDialog&>(opened);
+        EXPECT_FALSE(dialog.instant()) << "unasked it is the end";
+        type(field(dialog, "Instant that is scanned"), QStringLiteral("900"));
+        CloudTools& tools = *window->rooms().cloudTools;
+        const auto scan = [&](const std::string& to) {
+            tools.scanTo(dialog, QString::fromStdString(to));
+            EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.content().scanning; }, patience));
+        };
+        scan(path);
+        EXPECT_FALSE(dialog.content().complaint.isEmpty()) << "the run does not reach so far";
+        type(field(dialog, "Step between rays"), QStringLiteral("1"));
+        type(field(dialog, "Instant that is scanned"), QStringLiteral("2.5"));
+        scan(path);
+        said = dialog.content().said;
+        scan(m_folder / "falling.csv");
+        EXPECT_EQ(dialog.content().findings.count("scan.instant_unsaid"), 1);
+        dialog.reject();
+    });
+    window->actions()[ActionId::ScanRun].trigger();
+    EXPECT_TRUE(said.contains(QStringLiteral("Scanned at 2.50"))) << qPrintable(said);
+    window->rooms().survey->add(QString::fromStdString(path));
+    ASSERT_TRUE(survey().instant) << "the file says it";
+    EXPECT_EQ(*survey().instant, 2.5);
+    const auto& list = window->rooms().deck->evidence().list();
+    EXPECT_TRUE(list.item(0, 1)->text().contains(QStringLiteral("the debris at 2.5"))) << qPrintable(list.item(0, 1)->text());
 }
 
 TEST_F(CloudWork, TwoCloudsAreHeldAgainstEachOtherWithTheirEpochs) {

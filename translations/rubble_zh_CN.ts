@@ -12424,6 +12424,138 @@
         <source>{0} stands on a file that the case does not have now: SHA-256 {1}</source>
         <translation>{0} 所依据的文件，案例现在没有：SHA-256 {1}</translation>
     </message>
+    <message>
+        <source>Give the places along the edge of the debris in their order, or hold them for sections.</source>
+        <translation>请按次序给出堆积物边缘上的各处，或将其用于剖面。</translation>
+    </message>
+    <message>
+        <source>Hold them as an outline if they are the edge of the debris.</source>
+        <translation>如果它们是堆积物的边缘，请将其用作轮廓。</translation>
+    </message>
+    <message>
+        <source>Hold them as an outline or for sections in the list of evidence.</source>
+        <translation>请在证据列表中将其用作轮廓或用于剖面。</translation>
+    </message>
+    <message>
+        <source>Sort them along the edge of the debris, or hold them for sections.</source>
+        <translation>请沿堆积物的边缘排序，或将其用于剖面。</translation>
+    </message>
+    <message>
+        <source>The edge of {0} crosses itself: its places do not follow each other</source>
+        <translation>{0} 的边缘自相交叉：各处没有依次相接</translation>
+    </message>
+    <message>
+        <source>The edge of {0} has more than {1} corners</source>
+        <translation>{0} 的边缘超过 {1} 个角点</translation>
+    </message>
+    <message>
+        <source>The points of {0} are held as control: they show no debris</source>
+        <translation>{0} 的点用作控制：它们不表示堆积物</translation>
+    </message>
+    <message>
+        <source>These are measured points that sections are held against: no overlap</source>
+        <translation>这是供剖面比较的测点：不给出重合度</translation>
+    </message>
+    <message>
+        <source>Thin it, or give it as polygons.</source>
+        <translation>请将其抽稀，或以多边形给出。</translation>
+    </message>
+    <message>
+        <source>a table does not keep which instant it shows: {0}</source>
+        <translation>表格不保存它所示的时刻：{0}</translation>
+    </message>
+    <message>
+        <source>draw the line through them if they are</source>
+        <translation>如果它们属于边缘，请让线经过它们</translation>
+    </message>
+    <message>
+        <source>hold one of the files as control, or rename its points</source>
+        <translation>只将其中一个文件用作控制，或为其点改名</translation>
+    </message>
+    <message>
+        <source>join them to the others, within 5 cm, if they belong to it</source>
+        <translation>如果它们属于边缘，请使其与其他线相接（5 cm 以内）</translation>
+    </message>
+    <message>
+        <source>let the case keep what it holds: add the same file once more</source>
+        <translation>让案例保存它包含什么：再次添加同一文件</translation>
+    </message>
+    <message>
+        <source>lines of fewer than three corners that meet no other were left out of the edge</source>
+        <translation>少于三个角点且不与其他线相接的线未计入边缘</translation>
+    </message>
+    <message>
+        <source>measure the edge all around, or see that the debris ends there</source>
+        <translation>请测量整圈边缘，或确认堆积物止于该处</translation>
+    </message>
+    <message>
+        <source>none is needed unless one was meant to count; rubble-cli cloud tells how many of each kind</source>
+        <translation>一般无需处理，除非其中有应计入的点；rubble-cli cloud 给出各类的个数</translation>
+    </message>
+    <message>
+        <source>places by their names, for pairs of photographs; no debris</source>
+        <translation>按名称给出的位置，供照片的点对使用；不表示堆积物</translation>
+    </message>
+    <message>
+        <source>points beside the lines of the drawing are no part of its edge; they were left out</source>
+        <translation>图中线以外的点不属于边缘，已略去</translation>
+    </message>
+    <message>
+        <source>points have the name of a point of another file; that one counts</source>
+        <translation>有的点与另一文件的点同名；以那一个为准</translation>
+    </message>
+    <message>
+        <source>say another instant if it is of another one</source>
+        <translation>如果它属于另一时刻，请另行给出</translation>
+    </message>
+    <message>
+        <source>say it where the table becomes a survey, or write a LAS or a PLY, which keep it</source>
+        <translation>请在表格成为测绘处给出，或写成能保存时刻的 LAS 或 PLY</translation>
+    </message>
+    <message>
+        <source>section, outline or control</source>
+        <translation>section、outline 或 control</translation>
+    </message>
+    <message>
+        <source>the edge of the debris at rest, from point to point</source>
+        <translation>静止堆积物的边缘，逐点相连</translation>
+    </message>
+    <message>
+        <source>the edge of the debris at {0}, from point to point</source>
+        <translation>{0} 时堆积物的边缘，逐点相连</translation>
+    </message>
+    <message>
+        <source>the ending of its name says otherwise, but this file holds a point cloud</source>
+        <translation>其文件名的结尾与此不符，但该文件包含点云</translation>
+    </message>
+    <message>
+        <source>the ending of its name says otherwise, but this file holds an outline</source>
+        <translation>其文件名的结尾与此不符，但该文件包含轮廓</translation>
+    </message>
+    <message>
+        <source>the ending of its name says otherwise, but this file holds heights</source>
+        <translation>其文件名的结尾与此不符，但该文件包含高程</translation>
+    </message>
+    <message>
+        <source>the ending of its name says otherwise, but this file holds measured points</source>
+        <translation>其文件名的结尾与此不符，但该文件包含测点</translation>
+    </message>
+    <message>
+        <source>the measured edge is open; it was closed by straight lines, the longest over {0}</source>
+        <translation>测得的边缘没有闭合；已用直线闭合，最长的跨越 {0}</translation>
+    </message>
+    <message>
+        <source>the scan says that it shows the run at {0}: the run is taken at that instant</source>
+        <translation>该扫描自称显示计算在 {0} 时的状态：计算取该时刻</translation>
+    </message>
+    <message>
+        <source>{0} has fewer than three places one after another: they enclose nothing</source>
+        <translation>{0} 中依次相接的不足三处：不围成任何范围</translation>
+    </message>
+    <message>
+        <source>{0} of {1} points are left out: they have no echo, no number, or are marked as invalid, withheld or noise</source>
+        <translation>{1} 个点中有 {0} 个被略去：没有回波、不是数值，或标为无效、撤回或噪声</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -13844,6 +13976,18 @@
         <source>Distances</source>
         <translation>距离</translation>
     </message>
+    <message>
+        <source>Scanned at %1.</source>
+        <translation>扫描的时刻为 %1。</translation>
+    </message>
+    <message>
+        <source>Scanned at the end of the run.</source>
+        <translation>在计算结束时扫描。</translation>
+    </message>
+    <message>
+        <source>Places are picked in the model: open the FE result first.</source>
+        <translation>位置在模型中选取：请先打开有限元结果。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Computation</name>
@@ -14105,6 +14249,13 @@
     <message>
         <source>Click points that the photograph and the model both show; once the camera is found, the simulation is seen from there.</source>
         <translation>单击照片和模型都能看到的点；求得相机后即可从该处看模拟。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::EvidenceListDisplay</name>
+    <message>
+        <source>what measured points are held to say</source>
+        <translation>测点用来说明什么</translation>
     </message>
 </context>
 <context>
@@ -15383,6 +15534,10 @@
     <message>
         <source>A drawing without areas stands in every section: compare a survey, and draw a section on its map.</source>
         <translation>没有面域的图出现在每个剖面中：请先比较一个测绘，再在其差异图上绘制剖面。</translation>
+    </message>
+    <message>
+        <source>Points that are held as control show no debris: they name places for pairs of photographs.</source>
+        <translation>用作控制的点不表示堆积物：它们为照片的点对给出有名称的位置。</translation>
     </message>
 </context>
 <context>
@@ -19042,6 +19197,18 @@ What the file fits: %2.</source>
         <source>none</source>
         <translation>无</translation>
     </message>
+    <message>
+        <source>Terrain cells</source>
+        <translation>地形单元</translation>
+    </message>
+    <message>
+        <source>Side of the cells that the heights of the terrain stand for, and how many of those about the structure had no height: these were filled from their neighbours, from the rim inwards</source>
+        <translation>地形的高程所代表的单元的边长，以及结构周围有多少单元没有高程：它们由边缘向内以相邻值填补</translation>
+    </message>
+    <message>
+        <source>%1, %2 filled</source>
+        <translation>%1，填补 %2</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::CasePreview</name>
@@ -20837,6 +21004,42 @@ What the file fits: %2.</source>
     <message>
         <source>Photographs, surveys, clouds, outlines, measured points and control points: what each is held to show, within how many metres its place is known (95 %), and how far the run overlaps with it</source>
         <translation>照片、测绘、点云、轮廓、测点和控制点：各自表示什么、其位置准确到多少米（95 %），以及计算与其重合的程度</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>what it is was told by the ending of its name</source>
+        <translation>它是什么，系按文件名的结尾判断</translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation>剖面</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Heights, which every section shows; unless something else is chosen</source>
+        <translation>高程，每个剖面都显示；未另作选择时即如此</translation>
+    </message>
+    <message>
+        <source>The edge of the debris, from point to point in their order, which is compared</source>
+        <translation>堆积物的边缘，按次序逐点相连，参与比较</translation>
+    </message>
+    <message>
+        <source>Places by their names, for pairs of photographs; they show no debris</source>
+        <translation>按名称给出的位置，供照片的点对使用；不表示堆积物</translation>
+    </message>
+    <message>
+        <source>What the points are held to say</source>
+        <translation>测点用来说明什么</translation>
+    </message>
+    <message>
+        <source>Choose what these points are held to say; kept in the case</source>
+        <translation>选择这些测点用来说明什么；保存在案例中</translation>
     </message>
 </context>
 <context>
@@ -22888,6 +23091,22 @@ What the file fits: %2.</source>
         <source>Go on all the same</source>
         <translation>仍然继续</translation>
     </message>
+    <message>
+        <source>Leave the new case?</source>
+        <translation>放弃新案例？</translation>
+    </message>
+    <message>
+        <source>Nothing of what was chosen in these steps is kept.</source>
+        <translation>这些步骤中的选择都不会保留。</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Go on with the case</source>
+        <translation>继续建立案例</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::Panel</name>
@@ -24642,6 +24861,109 @@ Program: %3</source>
         <source>The site is being scanned.</source>
         <translation>正在扫描现场。</translation>
     </message>
+    <message>
+        <source>Instant that is scanned</source>
+        <translation>扫描的时刻</translation>
+    </message>
+    <message>
+        <source>the end, all at rest</source>
+        <translation>结束时，全部静止</translation>
+    </message>
+    <message>
+        <source>Instant of the run on the clock of the FE result. A LAS or PLY keeps it, so that the cloud is compared with that instant once it is a survey; of a CSV it must be said there</source>
+        <translation>计算的时刻，按有限元结果的时钟。LAS 或 PLY 会保存它，因此点云成为测绘后即与该时刻比较；CSV 须在那里另行给出</translation>
+    </message>
+    <message>
+        <source>Instant</source>
+        <translation>时刻</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ScannerDialog</name>
+    <message>
+        <source>Height of a scanner above the place</source>
+        <translation>扫描仪高出该处的距离</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Remove scanner</source>
+        <translation>移除扫描仪</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>全部移除</translation>
+    </message>
+    <message>
+        <source>Places of the scanners</source>
+        <translation>扫描仪的位置</translation>
+    </message>
+    <message>
+        <source>Model in which scanners are placed</source>
+        <translation>放置扫描仪的模型</translation>
+    </message>
+    <message>
+        <source>Take these places</source>
+        <translation>采用这些位置</translation>
+    </message>
+    <message>
+        <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
+        <translation>该处没有模型：请单击结构、碎块或地面。</translation>
+    </message>
+    <message>
+        <source>scanner</source>
+        <translation>扫描仪</translation>
+    </message>
+    <message>
+        <source>easting, m</source>
+        <translation>东坐标，m</translation>
+    </message>
+    <message>
+        <source>northing, m</source>
+        <translation>北坐标，m</translation>
+    </message>
+    <message>
+        <source>height, m</source>
+        <translation>高程，m</translation>
+    </message>
+    <message>
+        <source>Scanners and where they stand</source>
+        <translation>扫描仪及其位置</translation>
+    </message>
+    <message>
+        <source>In the system of the case; type another number to move a scanner</source>
+        <translation>案例坐标系；键入另一数值即可移动扫描仪</translation>
+    </message>
+    <message>
+        <source>Above the place, m</source>
+        <translation>高出该处，m</translation>
+    </message>
+    <message>
+        <source>How far above the clicked place a scanner stands, m: the height of its tripod, or of a drone</source>
+        <translation>扫描仪高出所点击之处多少，m：三脚架或无人机的高度</translation>
+    </message>
+    <message>
+        <source>Take back the last click or number (Ctrl+Z)</source>
+        <translation>撤回上一次点击或数值（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>That is no coordinate in metres. The scanner stays where it was.</source>
+        <translation>这不是以米计的坐标。扫描仪保持原位。</translation>
+    </message>
+    <message>
+        <source>Cancel leaves without taking these places.</source>
+        <translation>“取消”将离开而不采用这些位置。</translation>
+    </message>
+    <message>
+        <source>Click where a scanner stood: on the ground, the structure or a fragment. Without any, the scanners are as the field says that opened this.</source>
+        <translation>点击扫描仪所在之处：地面、结构或碎块。一台也没有时，以打开此窗口的字段所说为准。</translation>
+    </message>
+    <message>
+        <source>Click where the next scanner stood, or type another number. Scanners: %1.</source>
+        <translation>点击下一台扫描仪所在之处，或键入另一数值。扫描仪：%1 台。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::ScannerField</name>
@@ -24664,6 +24986,14 @@ Program: %3</source>
     <message>
         <source>Write easting, northing and height of each scanner, such as 12.5,-3,1.8; 40,7,2.1</source>
         <translation>请写出每台扫描仪的东坐标、北坐标和高程，例如 12.5,-3,1.8; 40,7,2.1</translation>
+    </message>
+    <message>
+        <source>Pick…</source>
+        <translation>选取…</translation>
+    </message>
+    <message>
+        <source>Click them in the model, list them, and change or remove them</source>
+        <translation>在模型中点击，列出，并可更改或移除</translation>
     </message>
 </context>
 <context>
@@ -25404,6 +25734,10 @@ Program: %3</source>
     <message>
         <source>Classes of a point cloud whose points are the terrain, 0 to 255, parted by commas, such as 2,9. Left empty it is 2, ground; of a cloud without ground all points but vegetation and wires</source>
         <translation>点云中作为地形的点的类别，0 至 255，以逗号分隔，例如 2,9。留空时为 2（地面）；没有地面类别的点云取植被和电线以外的全部点</translation>
+    </message>
+    <message>
+        <source>The terrain as it was read: %1.</source>
+        <translation>地形读取的情况：%1。</translation>
     </message>
 </context>
 <context>

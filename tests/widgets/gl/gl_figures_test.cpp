@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <vector>
 
 #include "core/base/error.h"
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/figures/movie.h"
 #include "widgets/figures/offscreen_view.h"
 #include "widgets/figures/palette.h"
 #include "widgets/render/basics/camera.h"
@@ -60,6 +62,32 @@ protected:
     render::View m_view;
     FigureStyle m_window;
 };
+
+/// Keeps the pictures of a movie.
+class KeptPictures : public MovieTarget {
+public:
+    void add(const QImage& picture) override { pictures.push_back(picture); }
+    void finish() override {}
+    std::string path() const override { return {}; }
+
+    std::vector<QImage> pictures;
+};
+
+TEST_F(GlFigures, AMovieHasItsCautionsOnEveryPicture) {
+    Studio studio(m_data);
+    KeptPictures plain, warned;
+    makeMovie(studio, m_view, m_window, {0.2, 0.4, 10.0, 1.0}, plain, Execution());
+    m_window.cautions = "tainted: 2 limits of health passed, and nobody vouches for the run";
+    makeMovie(studio, m_view, m_window, {0.2, 0.4, 10.0, 1.0}, warned, Execution());
+    ASSERT_EQ(warned.pictures.size(), 3U);
+    const QColor amber = palette(render::Theme::Light).findingTint;
+    for (std::size_t i = 0; i < warned.pictures.size(); ++i) {
+        EXPECT_EQ(warned.pictures[i].size(), plain.pictures[i].size()) << "an encoder takes one size";
+        EXPECT_EQ(warned.pictures[i].pixelColor(1, 398), amber);
+        EXPECT_NE(plain.pictures[i].pixelColor(1, 398), amber);
+        EXPECT_NE(warned.pictures[i].pixelColor(1, 2), amber);
+    }
+}
 
 TEST_F(GlFigures, FragmentsAreVermilionAndOnlyInTheirPane) {
     Studio studio(m_data);

@@ -169,6 +169,7 @@ TEST_F(SteadyWindow, TheWheelChangesNothingInDialogs) {
     window->showPreferences();
     auto* dialog = window->findChild<widgets::PreferencesDialog*>();
     ASSERT_NE(dialog, nullptr);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog, patience));
     const auto boxes = whatTheWheelCouldChange(*dialog);
     EXPECT_GE(boxes.size(), 7U);
     const widgets::Preferences before = session->preferences();

@@ -225,6 +225,12 @@ function sayText(text) {
     return text ? text[speech.chinese ? 'zh' : 'en'] : '';
 }
 
+// What stands in a list elsewhere, as a sentence of its own.
+function saySentence(text) {
+    const words = sayText(text);
+    return words.charAt(0).toUpperCase() + words.slice(1) + (speech.chinese ? '。' : '.');
+}
+
 function sayCount(number) {
     return Math.round(number).toString().replace(/\B(?=(\d{3})+$)/g, ',');
 }

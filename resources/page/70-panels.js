@@ -238,7 +238,7 @@ class Panels {
         for (const photo of photographs) {
             parts.push(make('figure', {}, make('img', { src: photo.source, alt: say('photoAlt', photo.name) }),
                 make('figcaption', {}, `${photo.name}. ${sayText(photo.note)}`,
-                    (photo.cautions || []).map((caution) => make('p', { class: 'caution' }, sayText(caution))))));
+                    (photo.cautions || []).map((caution) => make('p', { class: 'caution' }, saySentence(caution))))));
         }
         return parts;
     }

@@ -208,7 +208,7 @@ class Page {
         // What the page says at more length stands above.
         const said = (key) => ['tainted', 'not_complete'].includes(key) || (key === 'limits_passed' && health.acknowledged);
         lines.push(...cautions.filter((caution) => caution.grade !== 'notice' && !said(caution.key))
-            .map((caution) => sayText(caution.what)));
+            .map((caution) => saySentence(caution.what)));
         document.getElementById('warnings').replaceChildren(...lines.map((line) => make('p', { role: 'note' }, line)));
     }
 

@@ -387,8 +387,8 @@ TEST_F(SmallRun, WhatMovesAtTheEndHasItsSpeedThere) {
         return browser.evaluate("document.getElementById('" + id + "').textContent").get<std::string>();
     };
     // What the window, the report and pictures say of such a run stands here too, beside the score of the photograph as well.
-    EXPECT_THAT(textOfPart("warnings"), HasSubstr("not all at rest"));
-    EXPECT_THAT(textOfPart("panel-evidence"), HasSubstr("the photograph shows all at rest, but"));
+    EXPECT_THAT(textOfPart("warnings"), HasSubstr("Not all at rest"));
+    EXPECT_THAT(textOfPart("panel-evidence"), HasSubstr("The photograph shows all at rest, but"));
     browser.evaluate("document.getElementById('chinese').click()");
     EXPECT_THAT(textOfPart("warnings"), testing::AllOf(HasSubstr("静止"), Not(HasSubstr("at rest"))));
     EXPECT_THAT(textOfPart("panel-evidence"), Not(HasSubstr("shows all at rest")));

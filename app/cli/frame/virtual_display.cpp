@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,44 +68,51 @@ std::string readDisplayNumber(int readEnd) {
     return text.substr(0, text.find('\n'));
 }
 
+/// Xvfb, for as long as this lives.
+class Server {
+public:
+    Server() {
+        std::array<int, 2> ends{};
+        if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+            throw serverError("no pipe could be opened");
+        }
+        const pid_t parent = getpid();
+        m_process = fork();
+        if (m_process == 0) {
+            becomeServer(ends[1], parent);
+        }
+        close(ends[1]);
+        const std::string number = m_process > 0 ? readDisplayNumber(ends[0]) : std::string();
+        close(ends[0]);
+        if (number.empty()) {
+            end();
+            throw serverError("it is missing, or did not get ready in time");
+        }
+        setenv("DISPLAY", (":" + number).c_str(), 1);
+    }
+    ~Server() { end(); }
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+
+private:
+    void end() {
+        if (m_process > 0) {
+            // Xvfb that is just going to sleep notices a signal only when it wakes, minutes later.
+            do {
+                kill(m_process, SIGTERM);
+                poll(nullptr, 0, endPollMs);
+            } while (waitpid(m_process, nullptr, WNOHANG) == 0);
+        }
+    }
+
+    pid_t m_process = 0;
+};
+
 }  // namespace
 
 VirtualDisplay::VirtualDisplay() {
-    if (figures::displayAvailable()) {
-        return;
-    }
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw serverError("no pipe could be opened");
-    }
-    const pid_t parent = getpid();
-    m_server = fork();
-    if (m_server == 0) {
-        becomeServer(ends[1], parent);
-    }
-    close(ends[1]);
-    const std::string number = m_server > 0 ? readDisplayNumber(ends[0]) : std::string();
-    close(ends[0]);
-    if (number.empty()) {
-        end();
-        throw serverError("it is missing, or did not get ready in time");
-    }
-    setenv("DISPLAY", (":" + number).c_str(), 1);
-}
-
-VirtualDisplay::~VirtualDisplay() {
-    end();
-}
-
-void VirtualDisplay::end() {
-    if (m_server > 0) {
-        // Xvfb that is just going to sleep notices a signal only when it wakes, minutes later.
-        do {
-            kill(m_server, SIGTERM);
-            poll(nullptr, 0, endPollMs);
-        } while (waitpid(m_server, nullptr, WNOHANG) == 0);
-        m_server = 0;
-        unsetenv("DISPLAY");
+    if (!figures::displayAvailable()) {
+        static const Server server;
     }
 }
 

@@ -37,7 +37,8 @@ protected:
     Outcome seal(std::vector<std::string> more) {
         std::vector<std::string> words{"seal", m_case, "--runs", m_out, "--key", m_key, "--out", m_bundle};
         words.insert(words.end(), more.begin(), more.end());
-        return cli(words);
+        // Without a display: report and page are drawn on one of their own.
+        return CommandRun().with("DISPLAY", std::nullopt).cli(words);
     }
     std::size_t filesHere() const {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()));

@@ -56,9 +56,9 @@ constexpr QSize roomOfFrame(8, 36);
 struct MainWindow::Kept {
     std::optional<LayoutMemory::Layout> layout;  ///< of an earlier window; unset: this is the first one
     bool keepsLayout = false;                    ///< also from one start of the program to the next
-    std::optional<QPoint> preferencesPlace;  ///< where they stood open
-    bool toldOfCase = false;  ///< the sentence of the status line is about the case that is open
-    QString manualPage;       ///< that was open; empty: none was
+    std::optional<QPoint> preferencesPlace;      ///< where they stood open
+    bool toldOfCase = false;                     ///< the sentence of the status line is about the case that is open
+    QString manualPage;                          ///< that was open; empty: none was
 };
 
 MainWindow::MainWindow(Session& session, QWidget* parent)
@@ -133,8 +133,7 @@ void MainWindow::openAgain() {
 void MainWindow::keepLook() {
     m_kept.layout = m_layout->now();
     const auto* preferences = findChild<widgets::PreferencesDialog*>();
-    m_kept.preferencesPlace =
-        preferences != nullptr && preferences->isVisible() ? std::optional(preferences->pos()) : std::nullopt;
+    m_kept.preferencesPlace = preferences != nullptr && preferences->isVisible() ? std::optional(preferences->pos()) : std::nullopt;
     m_kept.manualPage = m_help->openPage();
 }
 

@@ -18,11 +18,11 @@ inline constexpr int pageGroundPixels = 2048;
 /// the orthophoto that its views lay on the ground.
 struct PagePicture {
     PagePictureKind kind = PagePictureKind::Views;
-    double time = 0.0;  ///< s, of the views
-    std::string name;   ///< of a photograph: its file
-    std::string type;   ///< "image/png"
-    std::string bytes;  ///< of the file
-    Message note;       ///< beside a photograph: how far it agrees, or why it was not compared; empty: nothing to say
+    double time = 0.0;                ///< s, of the views
+    std::string name;                 ///< of a photograph: its file
+    std::string type;                 ///< "image/png"
+    std::string bytes;                ///< of the file
+    Message note;                     ///< beside a photograph: how far it agrees, or why it was not compared; empty: nothing to say
     std::vector<Message> cautions{};  ///< what must be known beside the note
 };
 

@@ -40,7 +40,8 @@ bool WheelGuard::passesBy(const QWidget& widget) const {
     if (!changesByWheel(widget)) {
         return false;
     }
-    return !widget.hasFocus() || widget.window()->property(untouched).toBool() || (m_scrolled.isValid() && m_scrolled.elapsed() < oneScroll);
+    return !widget.hasFocus() || widget.window()->property(untouched).toBool() ||
+           (m_scrolled.isValid() && m_scrolled.elapsed() < oneScroll);
 }
 
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {

@@ -17,6 +17,31 @@ struct Met {
     SiteThing thing = SiteThing::Nothing;
 };
 
+/// Adds up the differences at points.
+struct AgreementSums {
+    std::int64_t points = 0, compared = 0;
+    double sum = 0.0, squares = 0.0;
+
+    void add(const SectionPoint& point) {
+        ++points;
+        if (std::isfinite(point.simulated)) {
+            const double difference = point.simulated - point.place.z();
+            ++compared;
+            sum += difference;
+            squares += difference * difference;
+        }
+    }
+
+    SectionAgreement agreement() const {
+        SectionAgreement made{points, compared};
+        if (compared > 0) {
+            made.mean = sum / static_cast<double>(compared);
+            made.rms = std::sqrt(squares / static_cast<double>(compared));
+        }
+        return made;
+    }
+};
+
 class SectionCut {
 public:
     SectionCut(const SiteShape& site, const SurfaceTree& tree, const SiteSurface& ground, const SectionLine& line)
@@ -37,13 +62,16 @@ public:
         }
     }
 
+    /// The points that follow are of this set.
+    void begin(const std::string& name) { m_made.sources.push_back({name, {}}); }
+
     void take(const Vec3& place) {
         const Eigen::Vector2d at = m_made.line.onLine(place.head<2>());
         if (!place.allFinite() || at.x() < 0.0 || at.x() > m_made.line.length() || std::abs(at.y()) > 0.5 * m_made.line.width) {
             return;
         }
         const Met met = below(place.head<2>());
-        m_made.points.push_back({place, at.x(), at.y(), met.height, met.thing});
+        m_made.points.push_back({place, at.x(), at.y(), met.height, met.thing, m_made.sources.size() - 1});
     }
 
     SiteSection conclude() {
@@ -53,8 +81,8 @@ public:
             double measured = 0.0, simulated = 0.0, both = 0.0;
         };
         std::vector<Sums> sums(m_made.steps.size());
-        double mean = 0.0;
-        double squares = 0.0;
+        AgreementSums all;
+        std::vector<AgreementSums> bySource(m_made.sources.size());
         for (const SectionPoint& point : m_made.points) {
             const std::size_t k = std::min(sums.size() - 1, static_cast<std::size_t>(point.along / m_side));
             sums[k].measured += point.place.z();
@@ -62,17 +90,16 @@ public:
             if (std::isfinite(point.simulated)) {
                 sums[k].simulated += point.simulated;
                 sums[k].both += 1.0;
-                ++m_made.compared;
-                mean += point.simulated - point.place.z();
-                squares += (point.simulated - point.place.z()) * (point.simulated - point.place.z());
             }
+            all.add(point);
+            bySource[point.source].add(point);
         }
         for (std::size_t k = 0; k < sums.size(); ++k) {
             addStep(m_made.steps[k], sums[k].measured, sums[k].simulated, sums[k].both);
         }
-        if (m_made.compared > 0) {
-            m_made.mean = mean / static_cast<double>(m_made.compared);
-            m_made.rms = std::sqrt(squares / static_cast<double>(m_made.compared));
+        m_made.agreement = all.agreement();
+        for (std::size_t k = 0; k < bySource.size(); ++k) {
+            m_made.sources[k].agreement = bySource[k].agreement();
         }
         return std::move(m_made);
     }
@@ -117,7 +144,7 @@ Eigen::Vector2d SectionLine::onLine(const Eigen::Vector2d& place) const {
 }
 
 SiteSection siteSection(const SiteShape& site, const SurfaceTree& tree, const SiteSurface& ground, const SectionLine& line,
-                        std::span<const Vec3> measured, const Execution& execution) {
+                        std::span<const MeasuredSet> measured, const Execution& execution) {
     const bool sound = line.length() > 0.0 && line.width > 0.0 && line.step > 0.0 && std::isfinite(line.length() + line.width);
     if (!sound || line.length() / line.step > stepsMost) {
         throw UsageError({"section.no_line", "A section needs a line with a length, a width, and at most {0} steps", {stepsMost}},
@@ -125,11 +152,14 @@ SiteSection siteSection(const SiteShape& site, const SurfaceTree& tree, const Si
     }
     SectionCut cut(site, tree, ground, line);
     std::size_t taken = 0;
-    for (const Vec3& place : measured) {
-        if (taken++ % 4096 == 0) {
-            execution.check();
+    for (const MeasuredSet& set : measured) {
+        cut.begin(set.name);
+        for (const Vec3& place : set.places) {
+            if (taken++ % 4096 == 0) {
+                execution.check();
+            }
+            cut.take(place);
         }
-        cut.take(place);
     }
     return cut.conclude();
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/execution.h"
@@ -36,6 +37,26 @@ struct SectionStep {
     double simulatedAtPoints = unknown;    ///< m, the mean of the simulated surface where they lie
 };
 
+/// Heights of one survey, cloud or set of measured points.
+struct MeasuredSet {
+    std::string name;          ///< for people
+    std::vector<Vec3> places;  ///< m, local
+};
+
+/// How measured and simulated heights agree at points of a section.
+struct SectionAgreement {
+    std::int64_t points = 0;
+    std::int64_t compared = 0;  ///< of them, where the simulation has a surface
+    double mean = unknown;      ///< m, simulated less measured height at them
+    double rms = unknown;       ///< m
+};
+
+/// What one set has in a section.
+struct SectionSource {
+    std::string name;
+    SectionAgreement agreement;
+};
+
 /// A measured point beside the line, with what the simulation has there.
 struct SectionPoint {
     Vec3 place = Vec3::Zero();  ///< m
@@ -43,27 +64,26 @@ struct SectionPoint {
     double across = 0.0;         ///< m, to the left of the line
     double simulated = unknown;  ///< m, highest surface at its own place; NaN: nothing is met
     SiteThing thing = SiteThing::Nothing;
+    std::size_t source = 0;  ///< index into SiteSection::sources
 };
 
 /// A section through the simulated site and what was measured of the real one.
 struct SiteSection {
     SectionLine line;
     std::vector<SectionStep> steps;
-    std::vector<SectionPoint> points;  ///< along the line
-    std::int64_t compared = 0;         ///< points where the simulation has a surface
-    double mean = unknown;             ///< m, simulated less measured height at them
-    double rms = unknown;              ///< m
-    double covered = 0.0;              ///< m of the line with measured points
+    std::vector<SectionPoint> points;    ///< along the line
+    std::vector<SectionSource> sources;  ///< [set] as given, also those without a point beside the line
+    SectionAgreement agreement;          ///< of all points
+    double covered = 0.0;                ///< m of the line with measured points
     double measuredArea = 0.0;  ///< m2 between ground and measured heights, where there are any; below the ground it counts against
     double simulatedArea = 0.0;  ///< m2, the same of the simulated surface at the same points
 };
 
 /// Cuts the site from above: a ray straight down for each step and each point.
 /// @param site      with ground; @param tree  of it
-/// @param measured  m, local
 /// Throws UsageError (no length, width or step, more steps than 100,000), Cancelled.
 SiteSection siteSection(const SiteShape& site, const SurfaceTree& tree, const SiteSurface& ground, const SectionLine& line,
-                        std::span<const Vec3> measured, const Execution& execution);
+                        std::span<const MeasuredSet> measured, const Execution& execution);
 
 /// Heights of a survey within the width of a line, as measured points, m, local. Those above the ground are set upon it.
 std::vector<Vec3> heightsBeside(const SurveyHeights& heights, const SiteSurface& ground, const SectionLine& line);

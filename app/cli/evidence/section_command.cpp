@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <utility>
@@ -53,7 +54,7 @@ SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
 
 /// What was measured, and when by the case.
 struct MeasuredSite {
-    std::vector<Vec3> places;  ///< m, local
+    std::vector<MeasuredSet> sets;  ///< by file
     std::optional<double> instant;
 };
 
@@ -87,8 +88,7 @@ MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject,
             }
         }
         takeCloudRequest(arguments, request.read);
-        const std::vector<Vec3> places = io::readMeasuredPoints(request, findings, execution);
-        all.places.insert(all.places.end(), places.begin(), places.end());
+        all.sets.push_back({std::filesystem::path(path).filename().string(), io::readMeasuredPoints(request, findings, execution)});
     }
     if (instants.size() > 1 && !arguments.has("--time")) {
         throw UsageError(
@@ -108,7 +108,7 @@ io::RunSection makeSection(const Arguments& arguments, const MapSubject& subject
     ScannedSite site =
         scannedSite(*subject.run, subject.inputs, arguments.has("--time") ? instantFrom(arguments) : measured.instant,
                     parseLength(arguments, "--live-threshold", 1.0, true), execution);
-    io::RunSection made = io::cutRun(std::move(site.shape), site.ground, line, measured.places, execution);
+    io::RunSection made = io::cutRun(std::move(site.shape), site.ground, line, measured.sets, execution);
     findings.append(made.findings);
     made.findings = std::move(findings);
     made.zero = place.transform().height;
@@ -149,6 +149,14 @@ Json sectionNumber(double number) {
 
 Json sectionJson(const io::RunSection& made, const io::SitePlace& place) {
     const SiteSection& section = made.section;
+    Json sources = Json::array();
+    for (const SectionSource& source : section.sources) {
+        sources.push_back({{"name", source.name},
+                           {"points", source.agreement.points},
+                           {"points_compared", source.agreement.compared},
+                           {"difference_mean_m", sectionNumber(source.agreement.mean)},
+                           {"difference_rms_m", sectionNumber(source.agreement.rms)}});
+    }
     const Eigen::Vector2d from = place.planToWorld(section.line.from);
     const Eigen::Vector2d to = place.planToWorld(section.line.to);
     return {{"time_s", made.time},
@@ -156,13 +164,23 @@ Json sectionJson(const io::RunSection& made, const io::SitePlace& place) {
             {"length_m", section.line.length()},
             {"width_m", section.line.width},
             {"step_m", section.line.step},
-            {"points", section.points.size()},
-            {"points_compared", section.compared},
-            {"difference_mean_m", sectionNumber(section.mean)},
-            {"difference_rms_m", sectionNumber(section.rms)},
+            {"points", section.agreement.points},
+            {"points_compared", section.agreement.compared},
+            {"difference_mean_m", sectionNumber(section.agreement.mean)},
+            {"difference_rms_m", sectionNumber(section.agreement.rms)},
+            {"sources", std::move(sources)},
             {"covered_m", section.covered},
             {"measured_area_m2", sectionNumber(section.covered > 0.0 ? section.measuredArea : unknown)},
             {"simulated_area_m2", sectionNumber(section.covered > 0.0 ? section.simulatedArea : unknown)}};
+}
+
+void addAgreement(FactList& facts, const std::string& of, const SectionAgreement& agreement) {
+    facts.add(of + "measured points", englishInteger(agreement.points) + ", " + englishInteger(agreement.compared) +
+                                          " of them where the simulation has a surface");
+    if (agreement.compared > 0) {
+        facts.add(of + "simulated less measured",
+                  englishNumber(agreement.mean) + " m in the mean, " + englishNumber(agreement.rms) + " m RMS");
+    }
 }
 
 void printSection(std::ostream& out, const io::RunSection& made) {
@@ -171,13 +189,14 @@ void printSection(std::ostream& out, const io::RunSection& made) {
     facts.add("time", englishNumber(made.time) + " s");
     facts.add("section", englishNumber(section.line.length()) + " m long, " + englishNumber(section.line.width) +
                              " m wide, steps of " + englishNumber(section.line.step) + " m");
-    facts.add("measured points", englishInteger(static_cast<std::int64_t>(section.points.size())) + ", " +
-                                     englishInteger(section.compared) + " of them where the simulation has a surface");
-    if (section.compared > 0) {
-        facts.add("simulated less measured",
-                  englishNumber(section.mean) + " m in the mean, " + englishNumber(section.rms) + " m RMS");
+    addAgreement(facts, "", section.agreement);
+    if (section.agreement.compared > 0) {
         facts.add("area above ground", englishNumber(section.measuredArea) + " measured, " + englishNumber(section.simulatedArea) +
                                            " simulated m2, over " + englishNumber(section.covered) + " m with points");
+    }
+    // One set is all of them.
+    for (const SectionSource& source : section.sources.size() > 1 ? section.sources : std::vector<SectionSource>()) {
+        addAgreement(facts, source.name + ": ", source.agreement);
     }
     printHeading(out, "Section through the simulated site and what was measured");
     facts.print(out);

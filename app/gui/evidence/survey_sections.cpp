@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <filesystem>
 #include <utility>
 
 #include "app/gui/session/session.h"
@@ -96,48 +97,48 @@ void SurveySections::cutAgain() {
     const Case& theCase = m_document.theCase();
     const SurveyScope scope = scopeWhenTaken(theCase, m_order->survey, said);
     const std::vector<CaseInput> points = measuredPoints(said);
-    m_order->points.clear();
-    for (const CaseInput& input : points) {
-        m_order->points << QFileInfo(QString::fromStdString(input.path)).fileName();
-    }
-    m_worker.start({Worker::Kind::Study,
-                    [outcome, order = *m_order, scope, said, points, run = EvidenceRun(m_computation.inputs(), record),
-                     site = m_document.theCase().site, frame = m_computation.inputs().frame,
-                     path = io::inputPath(m_document.base().toStdString(), m_order->survey)](const Execution& execution) mutable {
-                        MappedRun mapped = run.mapped();
-                        const SiteSurface ground = groundOf(mapped);
-                        // The ground is added where the line goes, with all of its nodes.
-                        mapped.terrain = nullptr;
-                        SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
-                        const Survey& survey = order.made->input.survey;
-                        Findings findings = said;
-                        std::vector<Vec3> measured;
-                        if (!survey.isFootprint && io::holdsCloud(path, order.survey.read)) {
-                            measured = io::readMeasuredPoints(
-                                {path, order.survey.read, frame, site, order.survey.registration, scope}, findings, execution);
-                        } else if (!survey.isFootprint) {
-                            measured = heightsBeside(survey.heights, ground, order.line);
-                            takeStep(order.line, survey.heights, findings);
-                            io::addBeyond(findings, path,
-                                          std::erase_if(measured, [&](const Vec3& at) { return !covers(scope, at.head<2>()); }));
-                        }
-                        for (const CaseInput& input : points) {
-                            const std::vector<Vec3> more = io::readMeasuredPoints(
-                                {input.path, input.read, frame, site, input.registration, input.scope}, findings, execution);
-                            measured.insert(measured.end(), more.begin(), more.end());
-                        }
-                        *outcome = io::cutRun(std::move(shape), ground, order.line, measured, execution);
-                        findings.append(outcome->findings);
-                        outcome->findings = std::move(findings);
-                        outcome->zero = io::SitePlace(frame, site).transform().height;
-                    },
-                    [this, outcome](const std::exception_ptr& thrown) {
-                        if (thrown == nullptr) {
-                            m_section = outcome;
-                        }
-                        const auto failure = failureOf(thrown);
-                        show(failure ? failure->inOneLine() : QString());
-                    }});
+    m_worker.start(
+        {Worker::Kind::Study,
+         [outcome, order = *m_order, scope, said, points, run = EvidenceRun(m_computation.inputs(), record),
+          site = m_document.theCase().site, frame = m_computation.inputs().frame,
+          path = io::inputPath(m_document.base().toStdString(), m_order->survey)](const Execution& execution) mutable {
+             MappedRun mapped = run.mapped();
+             const SiteSurface ground = groundOf(mapped);
+             // The ground is added where the line goes, with all of its nodes.
+             mapped.terrain = nullptr;
+             SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
+             const Survey& survey = order.made->input.survey;
+             Findings findings = said;
+             std::vector<MeasuredSet> measured;
+             if (!survey.isFootprint) {
+                 measured.push_back({std::filesystem::path(path).filename().string(), {}});
+             }
+             if (!survey.isFootprint && io::holdsCloud(path, order.survey.read)) {
+                 measured[0].places = io::readMeasuredPoints(
+                     {path, order.survey.read, frame, site, order.survey.registration, scope}, findings, execution);
+             } else if (!survey.isFootprint) {
+                 measured[0].places = heightsBeside(survey.heights, ground, order.line);
+                 takeStep(order.line, survey.heights, findings);
+                 io::addBeyond(findings, path,
+                               std::erase_if(measured[0].places, [&](const Vec3& at) { return !covers(scope, at.head<2>()); }));
+             }
+             for (const CaseInput& input : points) {
+                 measured.push_back({std::filesystem::path(input.path).filename().string(),
+                                     io::readMeasuredPoints({input.path, input.read, frame, site, input.registration, input.scope},
+                                                            findings, execution)});
+             }
+             *outcome = io::cutRun(std::move(shape), ground, order.line, measured, execution);
+             findings.append(outcome->findings);
+             outcome->findings = std::move(findings);
+             outcome->zero = io::SitePlace(frame, site).transform().height;
+         },
+         [this, outcome](const std::exception_ptr& thrown) {
+             if (thrown == nullptr) {
+                 m_section = outcome;
+             }
+             const auto failure = failureOf(thrown);
+             show(failure ? failure->inOneLine() : QString());
+         }});
     show();
 }
 
@@ -156,13 +157,6 @@ void SurveySections::show(const QString& complaint) {
             content.time = m_section->time;
             content.zero = m_section->zero;
             content.findings = m_section->findings;
-        }
-        if (m_order) {
-            QStringList names = m_order->points;
-            if (!m_order->made->input.survey.isFootprint) {
-                names.prepend(QFileInfo(QString::fromStdString(m_order->survey.path)).fileName());
-            }
-            content.survey = names.join(QStringLiteral(", "));
         }
         content.complaint = complaint;
         content.cutting = m_order && m_section == nullptr && complaint.isEmpty();

@@ -42,7 +42,6 @@ private:
         SectionLine line;
         CaseInput survey;
         std::shared_ptr<const SurveyWork::Made> made;
-        QStringList points = {};  ///< names of the measured points that stand in it too
     };
     /// Measured points of the case that stand in the section too, by full path and with what of them counts.
     std::vector<CaseInput> measuredPoints(Findings& said) const;

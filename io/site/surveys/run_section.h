@@ -17,9 +17,9 @@ struct RunSection {
     Findings findings;  ///< terrain taken coarser, points without a surface or beside the line
 };
 
-/// Adds the ground about a line to a site and cuts both. @param site  without ground; @param measured  m, local
+/// Adds the ground about a line to a site and cuts both. @param site  without ground
 /// Throws as siteSection().
-RunSection cutRun(SiteShape site, const SiteSurface& ground, const SectionLine& line, std::span<const Vec3> measured,
+RunSection cutRun(SiteShape site, const SiteSurface& ground, const SectionLine& line, std::span<const MeasuredSet> measured,
                   const Execution& execution);
 
 }  // namespace rubble::io

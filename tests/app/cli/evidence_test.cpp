@@ -234,6 +234,14 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     const nlohmann::json level = cut({"--points", station});
     EXPECT_EQ(level["points"], 3) << "one lies beside the section";
     EXPECT_NEAR(level["difference_mean_m"], -0.1, 1e-6);
+    // Both in one section: each agrees by itself, and both are in the mean of all.
+    const nlohmann::json both = cut({"--points", station, "--points", m_folder / "scan.csv", "--width", "1"});
+    ASSERT_EQ(both["sources"].size(), 2u);
+    EXPECT_EQ(both["sources"][0]["name"], "station.csv");
+    EXPECT_NEAR(both["sources"][0]["difference_mean_m"], -0.1, 1e-6);
+    EXPECT_EQ(both["sources"][1]["points"], made["points"]);
+    EXPECT_NEAR(both["sources"][1]["difference_mean_m"], made["difference_mean_m"], 1e-12);
+    EXPECT_EQ(both["points"].get<int>(), 3 + made["points"].get<int>());
     EXPECT_TRUE(cut({})["difference_mean_m"].is_null());
     EXPECT_TRUE(cut({})["measured_area_m2"].is_null()) << "no point tells of it";
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,3"}).exitCode, 2);

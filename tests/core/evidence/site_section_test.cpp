@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -31,7 +32,7 @@ SiteSurface groundAtOne() {
 SiteSection cutRamp(const SectionLine& line, const std::vector<Vec3>& measured) {
     const SiteShape site = rampOnGround();
     const SurfaceTree tree(site.points, site.triangles);
-    return siteSection(site, tree, groundAtOne(), line, measured, Execution());
+    return siteSection(site, tree, groundAtOne(), line, std::vector<MeasuredSet>{{"survey", measured}}, Execution());
 }
 
 /// Points every 5 cm along x at a height above the ramp.
@@ -58,19 +59,19 @@ TEST(SiteSection, ProfileIsTheHighestSurface) {
     EXPECT_EQ(middle.thing, SiteThing::Debris);
     EXPECT_NEAR(middle.ground, 1.0, 1e-12);
     EXPECT_TRUE(std::isnan(middle.measured));
-    EXPECT_TRUE(std::isnan(made.mean)) << "nothing was measured, which is no difference of 0";
+    EXPECT_TRUE(std::isnan(made.agreement.mean)) << "nothing was measured, which is no difference of 0";
 }
 
 TEST(SiteSection, AreaIsThatOfTheTriangleOnPaper) {
     const SiteSection made = cutRamp(sectionAlongX, pointsAlong(0.0));
-    EXPECT_EQ(made.compared, 400);
-    EXPECT_NEAR(made.rms, 0.0, 1e-9);
+    EXPECT_EQ(made.agreement.compared, 400);
+    EXPECT_NEAR(made.agreement.rms, 0.0, 1e-9);
     EXPECT_NEAR(made.simulatedArea, 0.5 * 10.0 * 3.0, 1e-6);
     EXPECT_NEAR(made.measuredArea, made.simulatedArea, 1e-9);
     EXPECT_NEAR(made.covered, 20.0, 1e-9);
     const SiteSection lifted = cutRamp(sectionAlongX, pointsAlong(0.2));
-    EXPECT_NEAR(lifted.mean, -0.2, 1e-9) << "the simulation lies below what was measured";
-    EXPECT_NEAR(lifted.rms, 0.2, 1e-9);
+    EXPECT_NEAR(lifted.agreement.mean, -0.2, 1e-9) << "the simulation lies below what was measured";
+    EXPECT_NEAR(lifted.agreement.rms, 0.2, 1e-9);
     EXPECT_NEAR(lifted.measuredArea - lifted.simulatedArea, 0.2 * 20.0, 1e-6);
 }
 
@@ -84,9 +85,29 @@ TEST(SiteSection, OnlyWhatLiesWithinTheWidthCounts) {
     far.from.x() = -40.0;
     const SiteSection made = cutRamp(far, {Vec3(-30.0, 0.0, 1.0), Vec3(-10.0, 0.0, 1.5)});
     EXPECT_EQ(made.points.size(), 2u);
-    EXPECT_EQ(made.compared, 1);
-    EXPECT_NEAR(made.mean, -0.5, 1e-9);
+    EXPECT_EQ(made.agreement.compared, 1);
+    EXPECT_NEAR(made.agreement.mean, -0.5, 1e-9);
     EXPECT_NEAR(made.measuredArea, 0.5 * 0.5, 1e-6) << "both areas are of the same places";
+}
+
+TEST(SiteSection, EachSetAgreesByItself) {
+    const SiteShape site = rampOnGround();
+    const SurfaceTree tree(site.points, site.triangles);
+    const std::vector<MeasuredSet> sets{
+        {"cloud", pointsAlong(0.2)}, {"beside", {Vec3(0.0, 9.0, 1.0)}}, {"station", {Vec3(-1.0, 0.0, 0.9), Vec3(-2.0, 0.0, 0.9)}}};
+    const SiteSection made = siteSection(site, tree, groundAtOne(), sectionAlongX, sets, Execution());
+    ASSERT_EQ(made.sources.size(), 3u);
+    EXPECT_EQ(made.sources[0].name, "cloud");
+    EXPECT_NEAR(made.sources[0].agreement.mean, -0.2, 1e-9);
+    EXPECT_EQ(made.sources[1].agreement.points, 0);
+    EXPECT_TRUE(std::isnan(made.sources[1].agreement.mean));
+    EXPECT_EQ(made.sources[2].agreement.compared, 2);
+    EXPECT_NEAR(made.sources[2].agreement.mean, 0.1, 1e-9);
+    EXPECT_EQ(made.agreement.points, 402);
+    EXPECT_NEAR(made.agreement.mean, (400.0 * -0.2 + 2.0 * 0.1) / 402.0, 1e-9);
+    // Each point says whose it is, though all stand along the line.
+    const auto station = std::count_if(made.points.begin(), made.points.end(), [](const SectionPoint& p) { return p.source == 2; });
+    EXPECT_EQ(station, 2);
 }
 
 TEST(SiteSection, ALineOfNoLengthIsRefused) {

@@ -119,6 +119,17 @@ void SectionDialog::setContent(const Content& content) {
     m_save->setEnabled(content.section != nullptr && !content.cutting && !content.stale);
 }
 
+QString SectionDialog::ofSource(const QString& name, const SectionAgreement& agreement) {
+    QString words = tr("%1: %2 heights on it, %3 of them where the simulation has a surface.")
+                        .arg(name, shownCount(agreement.points), shownCount(agreement.compared));
+    if (agreement.compared > 0) {
+        words +=
+            QLatin1Char(' ') +
+            tr("Simulated less surveyed: %1 m in the mean, %2 m RMS.").arg(shownNumber(agreement.mean), shownNumber(agreement.rms));
+    }
+    return words;
+}
+
 QString SectionDialog::measures() const {
     if (m_content.cutting || m_content.section == nullptr) {
         return m_content.cutting ? tr("Cutting…") : QString();
@@ -127,20 +138,20 @@ QString SectionDialog::measures() const {
     QStringList words{
         tr("At %1 s; %2 m long, %3 m wide.")
             .arg(shownNumber(m_content.time, 4), shownNumber(section.line.length()), shownNumber(section.line.width))};
-    if (m_content.survey.isEmpty()) {
+    if (section.sources.empty()) {
         words << tr("An outline has no heights: only what was simulated is cut.");
-    } else {
-        words << tr("%1: %2 heights on it, %3 of them where the simulation has a surface.")
-                     .arg(m_content.survey, shownCount(static_cast<std::int64_t>(section.points.size())),
-                          shownCount(section.compared));
     }
-    if (section.compared > 0) {
-        words
-            << tr("Simulated less surveyed: %1 m in the mean, %2 m RMS.").arg(shownNumber(section.mean), shownNumber(section.rms));
+    for (const SectionSource& source : section.sources) {
+        words << ofSource(QString::fromStdString(source.name), source.agreement);
+    }
+    if (section.sources.size() > 1) {
+        words << ofSource(tr("All"), section.agreement);
+    }
+    if (section.agreement.compared > 0) {
         words << tr("Area above the ground over %1 m with heights: %2 m² surveyed, %3 m² simulated.")
                      .arg(shownNumber(section.covered), shownNumber(section.measuredArea), shownNumber(section.simulatedArea));
     }
-    return words.join(QLatin1Char(' '));
+    return words.join(QLatin1Char('\n'));
 }
 
 }  // namespace rubble::widgets

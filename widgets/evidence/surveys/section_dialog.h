@@ -29,7 +29,6 @@ public:
         std::shared_ptr<const SiteSection> section;  ///< null: none yet
         double time = 0.0;                           ///< s
         double zero = 0.0;                           ///< m, height of the local zero
-        QString survey;                              ///< what was measured, for people
         Findings findings;
         QString complaint;  ///< what went wrong with the last one
         bool cutting = false;
@@ -48,6 +47,8 @@ signals:
     void saveRequested();
 
 private:
+    /// How one set of heights agrees, in words.
+    static QString ofSource(const QString& name, const SectionAgreement& agreement);
     QString measures() const;
 
     Content m_content;

@@ -148,9 +148,7 @@ private:
         for (const ChartSeries::Point& point : series.points) {
             const QPointF place = at(point.x, point.y);
             if (!series.line) {
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(series.colour);
-                painter.drawEllipse(place, 0.35 * m_text, 0.35 * m_text);
+                paintMark(painter, series.mark, series.colour, place, 0.35 * m_text);
             }
             if (!point.label.isEmpty()) {
                 painter.setPen(m_palette.text);
@@ -176,6 +174,24 @@ private:
 };
 
 }  // namespace
+
+void paintMark(QPainter& painter, ChartMark mark, const QColor& colour, const QPointF& place, double radius) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    if (mark == ChartMark::Dot) {
+        painter.drawEllipse(place, radius, radius);
+        return;
+    }
+    const int corners = mark == ChartMark::Triangle ? 3 : 4;
+    // A square stands on its side, the others on or below a corner that points up.
+    const double first = mark == ChartMark::Square ? 0.25 * M_PI : 0.5 * M_PI;
+    QPolygonF outline;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = first + 2.0 * M_PI * k / corners;
+        outline << place + 1.2 * radius * QPointF(std::cos(angle), -std::sin(angle));
+    }
+    painter.drawPolygon(outline);
+}
 
 void ReportChart::paint(QPainter& painter, const QRectF& area, double textHeight) const {
     painter.save();

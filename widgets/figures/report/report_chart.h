@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QString>
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -11,9 +12,15 @@
 #include "widgets/render/basics/view.h"
 
 class QPainter;
+class QPointF;
 class QRectF;
 
 namespace rubble::figures {
+
+/// The mark of a point that no line joins.
+enum class ChartMark : std::uint8_t { Dot, Square, Triangle, Diamond };
+/// Draws a mark filled in a colour. @param radius  pixels, of a circle about it
+void paintMark(QPainter& painter, ChartMark mark, const QColor& colour, const QPointF& place, double radius);
 
 /// A row of points of a chart, joined by a line or not.
 struct ChartSeries {
@@ -26,6 +33,7 @@ struct ChartSeries {
     QColor colour;
     bool line = true;
     bool dashed = false;
+    ChartMark mark = ChartMark::Dot;  ///< where there is no line
     std::vector<Point> points;
 };
 

@@ -1,14 +1,19 @@
 #include "widgets/figures/report/section_picture.h"
 
-#include <QFont>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "widgets/figures/palette.h"
 #include "widgets/figures/report/report_chart.h"
+#include "widgets/figures/sheets/sheet_text.h"
 #include "widgets/figures/translated.h"
 
 namespace rubble::figures {
@@ -37,6 +42,49 @@ void addProfile(std::vector<ChartSeries>& series, const QColor& colour, bool das
     }
 }
 
+/// What a line or a mark stands for.
+struct KeyEntry {
+    QString name;
+    QColor colour;
+    std::optional<ChartMark> mark;  ///< unset: a line
+};
+
+/// Writes the key from left to right, in as many rows as it takes. @returns pixels, where it ends below
+double paintKey(QPainter& painter, const std::vector<KeyEntry>& key, double width, double text) {
+    painter.setFont(sheetFont(text));
+    const QFontMetricsF metrics(painter.font());
+    const double left = 2.0 * text;
+    const double longest = 0.5 * width - left;
+    double x = left;
+    double y = 2.0 * text;
+    for (const KeyEntry& entry : key) {
+        const QString name = metrics.elidedText(entry.name, Qt::ElideMiddle, longest);
+        const double wide = metrics.horizontalAdvance(name) + (entry.mark ? text : 0.0);
+        if (x > left && x + wide > width - text) {
+            x = left;
+            y += 1.5 * text;
+        }
+        double at = x;
+        if (entry.mark) {
+            paintMark(painter, *entry.mark, entry.colour, QPointF(x + 0.3 * text, y - 0.35 * text), 0.35 * text);
+            at += text;
+        }
+        painter.setPen(entry.colour);
+        painter.drawText(QPointF(at, y), name);
+        x += wide + 1.5 * text;
+    }
+    return y + 0.5 * text;
+}
+
+/// Mark and colour of a set, in turn: the first in grey, and none in the colour of what is simulated.
+std::pair<ChartMark, QColor> markOf(std::size_t source, const Palette& colours) {
+    static constexpr std::array marks{ChartMark::Dot, ChartMark::Triangle, ChartMark::Square, ChartMark::Diamond};
+    std::vector<QColor> tones{colours.muted};
+    std::copy_if(colours.categories.begin(), colours.categories.end(), std::back_inserter(tones),
+                 [&](const QColor& tone) { return tone != colours.fragment; });
+    return {marks[source % marks.size()], tones[source % tones.size()]};
+}
+
 }  // namespace
 
 QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& style) {
@@ -47,34 +95,37 @@ QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& sty
     chart.yTitle = tr("height [m]");
     chart.fromZero = false;
     // What was measured lies below the lines, which it would hide.
-    ChartSeries measured;
-    measured.colour = colours.muted;
-    measured.line = false;
     const std::size_t stride = section.points.size() / pointsDrawn + 1;
-    for (std::size_t p = 0; p < section.points.size(); p += stride) {
-        measured.points.push_back({section.points[p].along, section.points[p].place.z() + style.zero, {}});
-    }
-    if (!measured.points.empty()) {
-        chart.series.push_back(std::move(measured));
+    for (std::size_t source = 0; source < section.sources.size(); ++source) {
+        ChartSeries measured;
+        std::tie(measured.mark, measured.colour) = markOf(source, colours);
+        measured.line = false;
+        std::size_t met = 0;
+        for (const SectionPoint& point : section.points) {
+            // A sparse set keeps all of its points beside a dense one.
+            const bool dense = static_cast<std::size_t>(section.sources[source].agreement.points) > pointsDrawn / 4;
+            if (point.source == source && (!dense || met++ % stride == 0)) {
+                measured.points.push_back({point.along, point.place.z() + style.zero, {}});
+            }
+        }
+        if (!measured.points.empty()) {
+            chart.series.push_back(std::move(measured));
+        }
     }
     addProfile(chart.series, colours.text, true, section, style.zero, &SectionStep::ground);
     addProfile(chart.series, colours.fragment, false, section, style.zero, &SectionStep::simulated);
+    std::vector<KeyEntry> key{{tr("simulated"), colours.fragment, {}}, {tr("ground (dashed)"), colours.text, {}}};
+    for (std::size_t source = 0; source < section.sources.size(); ++source) {
+        const auto& [mark, colour] = markOf(source, colours);
+        key.push_back({QString::fromStdString(section.sources[source].name), colour, mark});
+    }
     QImage image(style.pixels, QImage::Format_RGB32);
     image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : colours.panel);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     const double text = style.textPixels;
-    chart.paint(painter, QRectF(text, 2.5 * text, style.pixels.width() - 2.0 * text, style.pixels.height() - 3.5 * text), text);
-    QFont font = painter.font();
-    font.setPixelSize(static_cast<int>(text));
-    painter.setFont(font);
-    double at = 6.0 * text;
-    for (const auto& [name, colour] : {std::pair(tr("simulated"), colours.fragment), std::pair(tr("measured"), colours.muted),
-                                       std::pair(tr("ground (dashed)"), colours.text)}) {
-        painter.setPen(colour);
-        painter.drawText(QPointF(at, 2.0 * text), name);
-        at += QFontMetricsF(font).horizontalAdvance(name) + 2.0 * text;
-    }
+    const double top = paintKey(painter, key, style.pixels.width(), text);
+    chart.paint(painter, QRectF(text, top, style.pixels.width() - 2.0 * text, style.pixels.height() - top - text), text);
     return image;
 }
 

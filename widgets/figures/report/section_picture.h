@@ -16,8 +16,8 @@ struct SectionPictureStyle {
     double zero = 0.0;  ///< m, height of the local zero in the system of the case
 };
 
-/// Heights along a section: measured points below, the ground dashed, the simulated surface in full, with a key. Lines end where
-/// there is no height. Call ensureGuiApplication() first.
+/// Heights along a section: measured points below, each set in a mark of its own, the ground dashed, the simulated surface in
+/// full, with a key. Lines end where there is no height. Call ensureGuiApplication() first.
 QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& style);
 
 }  // namespace rubble::figures

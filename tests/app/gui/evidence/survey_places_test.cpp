@@ -266,7 +266,16 @@ TEST_F(SurveyPlaces, ASectionLeavesOutWhatIsMaskedAndHoldsMeasuredPointsToo) {
         return sections.section()->section.points;
     };
     const std::size_t all = cut().size();
-    EXPECT_TRUE(surveys().sections().dialog()->content().survey.contains(QStringLiteral("after.asc, station.csv")));
+    const std::vector<SectionSource>& sources = surveys().sections().section()->section.sources;
+    ASSERT_EQ(sources.size(), 2u);
+    EXPECT_EQ(sources[0].name, "after.asc");
+    EXPECT_EQ(sources[1].name, "station.csv");
+    EXPECT_EQ(sources[1].agreement.points, 3);
+    const auto& labels = surveys().sections().dialog()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text().contains(QStringLiteral("station.csv: 3 heights on it")) &&
+               label->text().contains(QStringLiteral("All: "));
+    })) << "how each agrees is told";
     surveys().sections().dialog()->reject();
     // The heights at the right end are left out; the points of the station have a scope of their own.
     const Outline right{{{{{0.0, -9.0}, {20.0, -9.0}, {20.0, 9.0}, {0.0, 9.0}}}}};

@@ -33,8 +33,8 @@ struct ChartSeries {
     QColor colour;
     bool line = true;
     bool dashed = false;
-    ChartMark mark = ChartMark::Dot;  ///< where there is no line
     std::vector<Point> points;
+    ChartMark mark = ChartMark::Dot;  ///< where there is no line
 };
 
 /// A plain chart, for print unless a theme is given: axes with units, direct labels, a band.

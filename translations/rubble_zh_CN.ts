@@ -15872,10 +15872,6 @@
         <translation>高程 [m]</translation>
     </message>
     <message>
-        <source>measured</source>
-        <translation>实测</translation>
-    </message>
-    <message>
         <source>ground (dashed)</source>
         <translation>地面（虚线）</translation>
     </message>
@@ -25417,6 +25413,10 @@ Program: %3</source>
     <message>
         <source>Area above the ground over %1 m with heights: %2 m² surveyed, %3 m² simulated.</source>
         <translation>有高程的 %1 m 上地面以上的面积：测绘 %2 m²，模拟 %3 m²。</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
     </message>
 </context>
 <context>

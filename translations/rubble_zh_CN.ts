@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Cautions</name>
+    <message>
+        <source>Below the picture: %1</source>
+        <translation>图片下方：%1</translation>
+    </message>
+</context>
+<context>
     <name>BundleWords</name>
     <message>
         <source>container</source>
@@ -12556,6 +12563,14 @@
         <source>{0} of {1} points are left out: they have no echo, no number, or are marked as invalid, withheld or noise</source>
         <translation>{1} 个点中有 {0} 个被略去：没有回波、不是数值，或标为无效、撤回或噪声</translation>
     </message>
+    <message>
+        <source>the coordinate system &quot;{0}&quot; is named, but the model has no place in it: axes and coordinates are the model&apos;s, north is not known until Site… has two control points, or the frame an origin</source>
+        <translation>指定了坐标系“{0}”，但模型在其中没有位置：坐标轴和坐标为模型自身的，在“场地…”有两个控制点或坐标框架有原点之前，北方未知</translation>
+    </message>
+    <message>
+        <source>metres, z up, axes of the model: it has no place in the coordinate system that the case names</source>
+        <translation>米，z 向上，模型自身的坐标轴：模型在案例指定的坐标系中没有位置</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -15401,6 +15416,10 @@
         <source>%1 waiting</source>
         <translation>%1 项等待中</translation>
     </message>
+    <message>
+        <source>The amber boxes of all panels. Limits of health that a run passed are counted apart.</source>
+        <translation>所有面板中的琥珀色框。计算超过的健康限值另行计数。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::StudyWork</name>
@@ -17585,6 +17604,10 @@
     <message>
         <source>found on the site</source>
         <translation>现场所见</translation>
+    </message>
+    <message>
+        <source>This layer is empty here: no cell has a value</source>
+        <translation>此图层在这里是空的：没有单元有值</translation>
     </message>
 </context>
 <context>
@@ -22510,10 +22533,6 @@ What the file fits: %2.</source>
         <translation>保存动画…</translation>
     </message>
     <message>
-        <source>%1 pictures, %2 s to watch</source>
-        <translation>%1 张图片，播放 %2 s</translation>
-    </message>
-    <message>
         <source>The end must come after the beginning, with at most 100,000 pictures between them.</source>
         <translation>结束必须在开始之后，其间最多 100,000 张图片。</translation>
     </message>
@@ -22530,8 +22549,12 @@ What the file fits: %2.</source>
         <translation>影片的起点，按有限元结果的时间</translation>
     </message>
     <message>
-        <source>Where it ends; the run may go on after the FE result</source>
-        <translation>影片的终点；计算可在有限元结果之后继续</translation>
+        <source>%1 pictures, %2 s to watch; there is something to show up to %3</source>
+        <translation>%1 张图片，播放 %2 s；可显示的内容到 %3 为止</translation>
+    </message>
+    <message>
+        <source>Where it ends, at the latest where the run ends; that may be after the FE result, or before its end</source>
+        <translation>动画在何处结束，最晚到计算结束；这可能在有限元结果之后，也可能在其结束之前</translation>
     </message>
 </context>
 <context>
@@ -24452,10 +24475,6 @@ Program: %3</source>
         <translation>单元 [%1]</translation>
     </message>
     <message>
-        <source>Side of a cell of the map</source>
-        <translation>图中单元的边长</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>无</translation>
     </message>
@@ -24510,6 +24529,22 @@ Program: %3</source>
     <message>
         <source>mapping anew …</source>
         <translation>正在重新绘制 …</translation>
+    </message>
+    <message>
+        <source>Side of a cell of the map. Left empty it is 0.25 m, or less where the fragments are smaller</source>
+        <translation>图的单元边长。留空时为 0.25 m，碎块更小时取更小的值</translation>
+    </message>
+    <message>
+        <source>auto: %1</source>
+        <translation>自动：%1</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>cells of %1 by a typical fragment of %2</source>
+        <translation>单元 %1，依据典型碎块尺寸 %2</translation>
     </message>
 </context>
 <context>

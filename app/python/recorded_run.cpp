@@ -87,7 +87,7 @@ void RecordedRun::write(const std::string& kind, const std::string& path, const 
     }
 }
 
-std::shared_ptr<const RecordedMap> RecordedRun::map(double cell, std::optional<double> time, bool live,
+std::shared_ptr<const RecordedMap> RecordedRun::map(std::optional<double> cell, std::optional<double> time, bool live,
                                                     const std::optional<std::string>& fe, const Execution& execution) {
     const Inputs& of = inputs(fe, execution);
     const MappedRun run{of.fe.get(), m_reader.get(), fragments(), m_reader->result(), of.terrain, m_reader->origin().scenario};

@@ -34,8 +34,8 @@ public:
 
     /// Writes a file as rubble-cli export does. Throws UsageError for an unknown kind, and what the exporters throw.
     void write(const std::string& kind, const std::string& path, const std::optional<std::string>& fe, const Execution& execution);
-    std::shared_ptr<const RecordedMap> map(double cell, std::optional<double> time, bool live, const std::optional<std::string>& fe,
-                                           const Execution& execution);
+    std::shared_ptr<const RecordedMap> map(std::optional<double> cell, std::optional<double> time, bool live,
+                                           const std::optional<std::string>& fe, const Execution& execution);
 
 private:
     std::shared_ptr<io::RunReader> m_reader;

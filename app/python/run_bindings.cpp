@@ -246,14 +246,15 @@ void addRecordedRun(py::module_& module) {
             "Writes 'fragments' (CSV), 'series' and 'vtkhdf' (ParaView), 'bodies' (XDMF) or 'gltf'")
         .def(
             "debris_map",
-            [](RecordedRun& run, double cell, std::optional<double> time, bool live, const std::optional<std::string>& fe,
-               py::object progress) {
+            [](RecordedRun& run, std::optional<double> cell, std::optional<double> time, bool live,
+               const std::optional<std::string>& fe, py::object progress) {
                 return watched(std::move(progress), [&](const Execution& execution) {
                     return std::const_pointer_cast<RecordedMap>(run.map(cell, time, live, fe, execution));
                 });
             },
-            py::arg("cell") = 0.25, py::arg("time") = py::none(), py::kw_only(), py::arg("live") = true, py::arg("fe") = py::none(),
-            py::arg("progress") = py::none(), "Debris by cells of a side in m, at the end or at a time in s")
+            py::arg("cell") = py::none(), py::arg("time") = py::none(), py::kw_only(), py::arg("live") = true,
+            py::arg("fe") = py::none(), py::arg("progress") = py::none(),
+            "Debris by cells of a side in m (0.25, less where fragments are smaller), at the end or at a time in s")
         .def("__len__", [](const RecordedRun& run) { return run.reader().frameCount(); })
         .def("__repr__", [](const RecordedRun& run) {
             return "<rubble.Run " + run.reader().path() + ": " + std::to_string(run.reader().frameCount()) + " frames>";

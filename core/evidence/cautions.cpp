@@ -31,6 +31,16 @@ void addLimits(std::vector<Caution>& list, const RunStanding& run) {
 
 }  // namespace
 
+Caution noPlaceCaution(const std::string& system) {
+    return {
+        "no_place",
+        HealthGrade::Finding,
+        {"caution.no_place",
+         "the coordinate system \"{0}\" is named, but the model has no place in it: axes and coordinates are the model's, north "
+         "is not known until Site… has two control points, or the frame an origin",
+         {system}}};
+}
+
 Caution singleRunCaution() {
     return {
         "single_run",
@@ -65,6 +75,9 @@ std::vector<Caution> runCautions(const RunStanding& run) {
                         {"caution.still_moving",
                          "not all at rest: at {0}, the last instant, {1} of {2} bodies still moved",
                          {{run.reached, "s"}, run.moving, run.bodies}}});
+    }
+    if (!run.unplaced.empty()) {
+        list.push_back(noPlaceCaution(run.unplaced));
     }
     list.push_back(singleRunCaution());
     if (run.bodies > 0) {

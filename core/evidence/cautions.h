@@ -15,14 +15,18 @@ namespace rubble {
 
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
-    std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "single_run", "bodies", "poor_camera",
-                           ///< "not_at_rest", "stated_camera"
+    std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "no_place", "single_run", "bodies",
+                           ///< "poor_camera", "not_at_rest", "stated_camera"
     HealthGrade grade{};
     Message what;
 
     /// Pictures show what is graver than a notice, and that they are of a single run.
     bool inPictures() const { return grade != HealthGrade::Notice || key == "single_run"; }
 };
+
+/// Beside whatever is written of a model that has no place in the coordinate system that its case names: its axes are its own.
+/// @param system  that is named
+Caution noPlaceCaution(const std::string& system);
 
 /// Beside figures of one run, of one set of values.
 Caution singleRunCaution();
@@ -36,6 +40,7 @@ struct RunStanding {
     std::int64_t moving = 0;     ///< of these, awake at `reached`
     std::vector<HealthBreach> breaches;
     bool acknowledged = false;  ///< someone vouches for it in spite of its breaches
+    std::string unplaced{};     ///< coordinate system that the case names without a place of the model in it; empty: none
 };
 
 /// Of a run that is complete.

@@ -5,6 +5,7 @@
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
 #include "io/json/ensemble_json.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_json.h"
 #include "io/site/map_place.h"
 
@@ -59,12 +60,18 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
                        {"members", map.members},
                        {"hypotheses", map.hypotheses},
                        {"thresholds_m", map.thresholds}};
+    std::vector<Caution> cautions;
+    if (const std::string named = unplacedSystem(frame, site); !named.empty()) {
+        cautions.push_back(noPlaceCaution(named));
+    }
+    document["cautions"] = cautionsJson(cautions);
     origin.provenance = jsonText(document);
     origin.facts = {{"RUBBLE_CLASS", ensembleClass(report)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},
                     {"RUBBLE_CRS", crs},
                     {"RUBBLE_MEMBERS", std::to_string(map.members)},
                     {"RUBBLE_DEBRIS", counted},
+                    {"RUBBLE_CAUTIONS", cautions.empty() ? "none" : pictureCautions(cautions)},
                     {"RUBBLE_BUILD", std::string(buildText())}};
     for (std::size_t t = 0; t < map.thresholds.size(); ++t) {
         origin.facts.emplace_back("RUBBLE_HEIGHT_" + std::to_string(t + 1) + "_M", exactNumber(map.thresholds[t]));

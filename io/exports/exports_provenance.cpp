@@ -10,15 +10,6 @@ namespace rubble::io {
 
 namespace {
 
-/// List of {key, grade, text}.
-nlohmann::json cautionsJson(const std::vector<Caution>& cautions) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const Caution& caution : cautions) {
-        list.push_back({{"key", caution.key}, {"grade", healthGradeName(caution.grade)}, {"text", englishText(caution.what)}});
-    }
-    return list;
-}
-
 nlohmann::json healthText(const RunReader& run) {
     const Taint taint = taintOf(run);
     nlohmann::json text = {{"breaches", taint.limits}, {"grade", nullptr}, {"tainted", taint.tainted()}, {"acknowledged", nullptr}};

@@ -1,16 +1,30 @@
 #include "io/run/run_cautions.h"
 
+#include "core/base/error.h"
 #include "io/run/acknowledgements.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
+
+std::string unplacedSystem(const Frame& frame, const Site& site) {
+    try {
+        return SitePlace(frame, site).system().empty() ? frame.crs : std::string();
+    } catch (const UsageError&) {
+        return frame.crs;  // control points that place nothing
+    }
+}
 
 RunStanding standingOf(const RunReader& run) {
     const auto fragments = run.fragments();
     const std::size_t count = fragments ? fragments->size() : 0;
-    if (const auto result = run.result()) {
-        return standingOf(*result, count, taintOf(run).acknowledgement.has_value());
-    }
     RunStanding standing;
+    if (const auto result = run.result()) {
+        standing = standingOf(*result, count, taintOf(run).acknowledgement.has_value());
+    }
+    standing.unplaced = unplacedSystem(run.origin().frame, run.origin().site);
+    if (run.result()) {
+        return standing;
+    }
     standing.complete = false;
     standing.breaches = run.breaches();
     standing.fragments = static_cast<std::int64_t>(count);

@@ -5,6 +5,9 @@
 
 namespace rubble::io {
 
+/// The coordinate system that a case names without a place of the model in it; empty: it names none, or the model has one.
+std::string unplacedSystem(const Frame& frame, const Site& site);
+
 /// How far a recorded run has come and what it is worth. Throws what reading its last frame throws.
 RunStanding standingOf(const RunReader& run);
 

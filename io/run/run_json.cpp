@@ -268,4 +268,12 @@ RunOrigin originFromJson(const JsonCursor& object) {
     return origin;
 }
 
+nlohmann::json cautionsJson(const std::vector<Caution>& cautions) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Caution& caution : cautions) {
+        list.push_back({{"key", caution.key}, {"grade", healthGradeName(caution.grade)}, {"text", englishText(caution.what)}});
+    }
+    return list;
+}
+
 }  // namespace rubble::io

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "core/evidence/cautions.h"
 #include "core/scenario/case.h"
 #include "io/json/findings_json.h"
 #include "io/json/json_cursor.h"
@@ -32,5 +33,8 @@ Digest digestFromJson(const JsonCursor& cursor);
 
 nlohmann::json originJson(const RunOrigin& origin);
 RunOrigin originFromJson(const JsonCursor& object);
+
+/// List of {key, grade, text}.
+nlohmann::json cautionsJson(const std::vector<Caution>& cautions);
 
 }  // namespace rubble::io

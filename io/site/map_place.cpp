@@ -13,9 +13,7 @@ namespace rubble::io {
 MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), m_system(std::make_unique<OGRSpatialReference>()) {
     const GdalSession session;
     if (frame.crs.empty()) {
-        m_name = m_site.upright() ? "local, metres" : "that of the control points, metres";
-        m_system->SetLocalCS(m_site.upright() ? "Local frame of the case" : "Frame of the control points");
-        m_system->SetLinearUnits(SRS_UL_METER, 1.0);
+        setLocal();
         return;
     }
     if (!setFromText(*m_system, frame.crs)) {
@@ -27,6 +25,11 @@ MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), 
             {"map.crs_in_degrees", "The coordinate system \"{0}\" of the case is not one of eastings and northings.", {frame.crs}},
             {"map.crs_in_degrees.remedy", "Give the case a projected system, such as the UTM zone of the site.", {}});
     }
+    if (m_site.system().empty()) {
+        m_system->Clear();
+        setLocal();
+        return;
+    }
     m_system->StripVertical();
     m_system->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     m_metresPerUnit = m_system->GetLinearUnits();
@@ -35,6 +38,12 @@ MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), 
 }
 
 MapPlace::~MapPlace() = default;
+
+void MapPlace::setLocal() {
+    m_name = m_site.upright() ? "local, metres" : "that of the control points, metres";
+    m_system->SetLocalCS(m_site.upright() ? "Local frame of the case" : "Frame of the control points");
+    m_system->SetLinearUnits(SRS_UL_METER, 1.0);
+}
 
 std::array<double, 6> MapPlace::pixels(const Eigen::Vector2d& corner, double side) const {
     const SiteFit& site = m_site.transform();

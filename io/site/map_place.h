@@ -19,7 +19,7 @@ public:
     MapPlace(const MapPlace&) = delete;
     MapPlace& operator=(const MapPlace&) = delete;
 
-    /// The system of the case; without one a local system in metres.
+    /// The system of the case; without one, or without a place of the model in it, a local system in metres.
     const OGRSpatialReference& system() const { return *m_system; }
     /// Easting and northing in units of the system from local metres.
     Eigen::Vector2d operator()(const Eigen::Vector2d& local) const { return m_site.planToWorld(local) / m_metresPerUnit; }
@@ -35,6 +35,8 @@ public:
     const std::string& name() const { return m_name; }
 
 private:
+    void setLocal();
+
     SitePlace m_site;
     std::unique_ptr<OGRSpatialReference> m_system;
     double m_metresPerUnit = 1.0;

@@ -106,7 +106,7 @@ private:
             return 1.0;
         }
         system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-        if (m_place.upright() && m_frame.origin.isZero()) {
+        if (m_place.system().empty()) {
             find({"site.untied",
                   "the case names the coordinate system \"{0}\", but nothing says where in it the model stands",
                   {m_frame.crs}},

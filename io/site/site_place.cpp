@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fe/north.h"
+
 namespace rubble::io {
 
 double SiteWindow::margin() const {
@@ -33,9 +35,14 @@ SitePlace::SitePlace(const Frame& frame, const Site& site) {
         m_transform.shift = zero.head<2>();
         m_transform.height = zero.z();
     }
+    m_system = placedSystem(m_transform, frame.crs);
+    m_unplaced = m_system.empty() && !frame.crs.empty();
 }
 
 std::string_view SitePlace::words() const {
+    if (m_unplaced) {
+        return "metres, z up, axes of the model: it has no place in the coordinate system that the case names";
+    }
     return upright() ? "metres, z up, origin of the frame added"
                      : "metres, z up, easting, northing and height by the control points of the site";
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/fe/frame_transform.h"
@@ -43,11 +44,15 @@ public:
     /// The two frames only differ by a shift.
     bool upright() const { return m_transform.used == 0; }
     std::optional<SiteFit> fit() const { return upright() ? std::nullopt : std::optional(m_transform); }
+    /// The coordinate system that places are in, as placedSystem().
+    const std::string& system() const { return m_system; }
     /// How places came to be, for people: "metres, z up, origin of the frame added".
     std::string_view words() const;
 
 private:
     SiteFit m_transform;
+    std::string m_system;
+    bool m_unplaced = false;  ///< the case names a system without a place in it
 };
 
 }  // namespace rubble::io

@@ -197,6 +197,7 @@ const words = {
     pageBuild: ['build that wrote the page', '生成页面的版本'],
     fingerprint: ['fingerprint of the run', '计算指纹'],
     trajectory: ['hash of the trajectory', '轨迹散列'],
+    group: [',', ','],
     coordinates: ['coordinates', '坐标'],
     files: ['Files with their SHA-256', '文件及其 SHA-256'],
     role: ['role', '用途'],
@@ -231,14 +232,23 @@ function saySentence(text) {
     return words.charAt(0).toUpperCase() + words.slice(1) + (speech.chinese ? '。' : '.');
 }
 
+// Every number of the page: thousands are grouped as the language does.
+function sayGrouped(text) {
+    const [, sign, whole, rest] = /^(-?)(\d*)(.*)$/.exec(text);
+    return rest.includes('e') ? text : sign + whole.replace(/\B(?=(\d{3})+$)/g, say('group')) + rest;
+}
+
 function sayCount(number) {
-    return Math.round(number).toString().replace(/\B(?=(\d{3})+$)/g, ',');
+    return sayGrouped(Math.round(number).toString());
+}
+
+function sayFixed(number, decimals) {
+    return sayGrouped(number.toFixed(decimals));
 }
 
 function sayNumber(number, digits = 3) {
     if (number === null || number === undefined || !isFinite(number)) {
         return '–';
     }
-    const text = Number(number.toPrecision(digits)).toString();
-    return /^-?\d{5,}$/.test(text) ? text.replace(/\B(?=(\d{3})+$)/g, ',') : text;
+    return sayGrouped(Number(number.toPrecision(digits)).toString());
 }

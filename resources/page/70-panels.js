@@ -358,7 +358,7 @@ class Panels {
         let text = '';
         if (marks.length === 2) {
             const [dx, dy, dz] = add3(marks[1], marks[0], -1);
-            const lengths = [Math.hypot(dx, dy, dz), Math.hypot(dx, dy), dz].map((x) => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2));
+            const lengths = [Math.hypot(dx, dy, dz), Math.hypot(dx, dy), dz].map((x) => sayFixed(Math.abs(x) < 0.005 ? 0 : x, 2));
             text = say('measured', ...lengths);
         }
         document.getElementById('measured').textContent = text;

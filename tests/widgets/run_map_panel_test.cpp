@@ -103,7 +103,7 @@ TEST_F(RunMapPanelTest, OtherCellsOrAnotherInstantAskForAnotherMap) {
     QTest::keyClicks(cell, QStringLiteral("1.5"));
     QTest::keyClick(cell, Qt::Key_Return);
     EXPECT_EQ(asked, 1);
-    EXPECT_DOUBLE_EQ(panel.choice().cell, 1.5);
+    EXPECT_EQ(panel.choice().cell, 1.5);
     auto* when = child<QComboBox>("mapWhen");
     when->setFocus();
     QTest::keyClick(when, Qt::Key_Down);
@@ -112,6 +112,32 @@ TEST_F(RunMapPanelTest, OtherCellsOrAnotherInstantAskForAnotherMap) {
     click("mapLive");
     EXPECT_EQ(asked, 3);
     EXPECT_FALSE(panel.choice().live);
+}
+
+TEST_F(RunMapPanelTest, CellsThatNobodyChoseAreShownWithTheirSizeAndComeBack) {
+    RunMapPanel::Content sized = content();
+    auto made = std::make_shared<RunMap>(*sized.map);
+    made->map.cell = 0.025;
+    made->cellFrom = 0.03;
+    sized.map = made;
+    panel.setContent(sized);
+    auto* cell = child<QLineEdit>("mapCell");
+    EXPECT_TRUE(cell->text().isEmpty());
+    EXPECT_EQ(cell->placeholderText(), QStringLiteral("auto: 0.025"));
+    bool told = false;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        told = told || label->text().contains(QStringLiteral("cells of 0.025 m by a typical fragment of 0.03 m"));
+    }
+    EXPECT_TRUE(told);
+    cell->setFocus();
+    QTest::keyClicks(cell, QStringLiteral("0.002"));
+    QTest::keyClick(cell, Qt::Key_Return);
+    EXPECT_EQ(panel.choice().cell, 0.002) << "small models have small cells";
+    cell->selectAll();
+    QTest::keyClick(cell, Qt::Key_Backspace);
+    QTest::keyClick(cell, Qt::Key_Return);
+    EXPECT_EQ(panel.choice().cell, std::nullopt);
+    EXPECT_EQ(asked, 2);
 }
 
 TEST_F(RunMapPanelTest, ALayerIsKeptWhereTheNextMapHasIt) {

@@ -102,7 +102,19 @@ void FindingList::set(const Findings& findings) {
             }
         }
     }
+    m_count = static_cast<std::int64_t>(findings.list().size());
     setVisible(!findings.empty());
+}
+
+/// Those that a panel shows, or would if it were in front.
+std::vector<FindingList*> findingLists(const QWidget& panel) {
+    std::vector<FindingList*> shown;
+    for (FindingList* list : panel.findChildren<FindingList*>()) {
+        if (list->count() > 0 && list->isVisibleTo(&panel)) {
+            shown.push_back(list);
+        }
+    }
+    return shown;
 }
 
 PanelGroup::PanelGroup(const QString& heading, QWidget* parent) : QWidget(parent), m_grid(new QGridLayout) {

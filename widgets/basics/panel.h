@@ -52,11 +52,17 @@ public:
     /// Of findings that are set from now on.
     void setDoings(std::vector<Doing> doings) { m_doings = std::move(doings); }
     void set(const Findings& findings);
+    /// How many boxes there are: one for each kind of finding.
+    std::int64_t count() const { return m_count; }
 
 private:
     QVBoxLayout* m_column;
     std::vector<Doing> m_doings;
+    std::int64_t m_count = 0;
 };
+
+/// The lists that have something to say in a panel, in front or not.
+std::vector<FindingList*> findingLists(const QWidget& panel);
 
 /// A group of a panel: small heading, then rows of label, value and unit.
 class PanelGroup : public QWidget {

@@ -13,6 +13,8 @@
 #include <algorithm>
 
 #include "widgets/basics/form_row.h"
+#include "widgets/basics/panel.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble::widgets {
 
@@ -42,6 +44,7 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
       m_dpi(spin("figureDpi", 50, 1200, choice.dpi, tr(" dpi"))),
       m_selection(new QCheckBox(tr("Show what is selected"))),
       m_print(new QLabel),
+      m_cautions(new Notice),
       m_preview(new QLabel) {
     setWindowTitle(tr("Figure for print"));
     setObjectName(QStringLiteral("figureDialog"));
@@ -74,6 +77,8 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     column->addLayout(form);
     m_print->setObjectName(QStringLiteral("muted"));
     column->addWidget(m_print);
+    column->addWidget(m_cautions);
+    setCautions({});
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto* save = buttons->addButton(tr("Save figure…"), QDialogButtonBox::AcceptRole);
     save->setObjectName(QStringLiteral("primary"));
@@ -102,6 +107,10 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     }
     connect(m_selection, &QCheckBox::toggled, this, changed);
     showSize();
+}
+
+void FigureDialog::setCautions(const QString& cautions) {
+    showCautions(*m_cautions, cautions);
 }
 
 FigureChoice FigureDialog::choice() const {

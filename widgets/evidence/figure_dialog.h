@@ -15,6 +15,8 @@ class QSpinBox;
 
 namespace rubble::widgets {
 
+class Notice;
+
 /// What a figure is to be.
 struct FigureChoice {
     std::optional<figures::FigurePreset> preset;  ///< unset: as the views are
@@ -33,6 +35,8 @@ public:
     explicit FigureDialog(const FigureChoice& choice, QWidget* parent = nullptr);
 
     FigureChoice choice() const;
+    /// Of the run: they stand below the picture and in an amber line here. @param cautions  as cautionWords()
+    void setCautions(const QString& cautions);
     /// Shows how it will look; a null picture says why not.
     void setPreview(const QImage& picture, const QString& problem = {});
 
@@ -52,6 +56,7 @@ private:
     QSpinBox* m_dpi;
     QCheckBox* m_selection;
     QLabel* m_print;
+    Notice* m_cautions;
     QLabel* m_preview;
     QTimer m_rest;
 };

@@ -10,10 +10,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "widgets/basics/form_row.h"
+#include "widgets/basics/panel.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble::widgets {
 
@@ -25,7 +28,8 @@ QDoubleSpinBox* instantBox(const char* name, double low, double high, double val
     auto* box = new QDoubleSpinBox;
     box->setObjectName(QLatin1String(name));
     box->setDecimals(3);
-    box->setRange(low * unit.perSi, high * unit.perSi);
+    // What is shown lies within the span, not a thousandth beyond it.
+    box->setRange(std::ceil(low * unit.perSi * 1000.0 - 1e-6) / 1000.0, std::floor(high * unit.perSi * 1000.0 + 1e-6) / 1000.0);
     box->setSingleStep(unit.perSi > 1.0 ? 1.0 : 0.1);
     box->setValue(value * unit.perSi);
     box->setSuffix(u' ' + unit.name);
@@ -50,7 +54,10 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
       m_format(new QComboBox),
       m_along(new QCheckBox),
       m_cameras(choice.settings.cameras),
-      m_length(new QLabel) {
+      m_length(new QLabel),
+      m_cautions(new Notice),
+      m_first(choice.settings.from),
+      m_last(choice.settings.to) {
     setWindowTitle(tr("Movie"));
     setObjectName(QStringLiteral("movieDialog"));
     m_pace->setObjectName(QStringLiteral("moviePace"));
@@ -81,7 +88,8 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
     auto* column = dialogColumn(*this);
     auto* form = dialogForm();
     addRow(*form, tr("From"), m_from, tr("Where the movie begins, on the clock of the FE result"));
-    addRow(*form, tr("To"), m_to, tr("Where it ends; the run may go on after the FE result"));
+    addRow(*form, tr("To"), m_to,
+           tr("Where it ends, at the latest where the run ends; that may be after the FE result, or before its end"));
     addRow(*form, tr("Pace"), m_pace, tr("How fast the collapse runs in the movie; other paces than real time are printed on it"));
     addRow(*form, tr("Pictures per second"), m_fps, tr("1 to 120; 25 is usual"));
     addRow(*form, tr("Size"), m_size, tr("Width and height in pixels"));
@@ -98,6 +106,8 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
     m_length->setObjectName(QStringLiteral("muted"));
     m_length->setWordWrap(true);
     column->addWidget(m_length);
+    column->addWidget(m_cautions);
+    setCautions({});
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto* save = buttons->addButton(tr("Save movie…"), QDialogButtonBox::AcceptRole);
     save->setObjectName(QStringLiteral("primary"));
@@ -111,11 +121,20 @@ MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* paren
     showLength();
 }
 
+void MovieDialog::setCautions(const QString& cautions) {
+    showCautions(*m_cautions, cautions);
+}
+
 MovieChoice MovieDialog::choice() const {
     MovieChoice choice;
     const double perSi = figures::timeUnit().perSi;
-    choice.settings = {m_from->value() / perSi, m_to->value() / perSi, static_cast<double>(m_fps->value()),
-                       m_pace->currentData().toDouble(), m_along->isChecked() ? m_cameras : std::vector<CameraKey>()};
+    // At its ends exactly as far as there is something.
+    const auto instant = [&](const QDoubleSpinBox& box) {
+        const double time = box.value() <= box.minimum() ? m_first : box.value() >= box.maximum() ? m_last : box.value() / perSi;
+        return std::clamp(time, m_first, m_last);
+    };
+    choice.settings = {instant(*m_from), instant(*m_to), static_cast<double>(m_fps->value()), m_pace->currentData().toDouble(),
+                       m_along->isChecked() ? m_cameras : std::vector<CameraKey>()};
     choice.pixels = m_size->currentData().toSize();
     choice.encoded = m_format->currentData().toBool();
     return choice;
@@ -126,9 +145,10 @@ void MovieDialog::showLength() {
     try {
         const MovieChoice now = choice();
         const std::size_t pictures = figures::movieLength(now.settings);
-        m_length->setText(tr("%1 pictures, %2 s to watch")
+        m_length->setText(tr("%1 pictures, %2 s to watch; there is something to show up to %3")
                               .arg(QLocale().toString(static_cast<qulonglong>(pictures)),
-                                   QLocale().toString(static_cast<double>(pictures) / now.settings.fps, 'f', 1)));
+                                   QLocale().toString(static_cast<double>(pictures) / now.settings.fps, 'f', 1),
+                                   figures::timeText(m_last)));
         save->setEnabled(true);
     } catch (const Error&) {
         m_length->setText(tr("The end must come after the beginning, with at most 100,000 pictures between them."));

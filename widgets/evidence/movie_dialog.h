@@ -13,6 +13,8 @@ class QSpinBox;
 
 namespace rubble::widgets {
 
+class Notice;
+
 /// What a movie is to be.
 struct MovieChoice {
     figures::MovieSettings settings;
@@ -31,6 +33,8 @@ public:
     MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent = nullptr);
 
     MovieChoice choice() const;
+    /// Of the run: they stand below the picture and in an amber line here. @param cautions  as cautionWords()
+    void setCautions(const QString& cautions);
 
 private:
     void showLength();
@@ -44,6 +48,9 @@ private:
     QCheckBox* m_along;
     std::vector<CameraKey> m_cameras;
     QLabel* m_length;
+    Notice* m_cautions;
+    double m_first;  ///< s, of all that can be shown
+    double m_last;   ///< s
 };
 
 }  // namespace rubble::widgets

@@ -1,11 +1,13 @@
 #include "widgets/evidence/run_map_panel.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,7 +25,7 @@ namespace rubble::widgets {
 namespace {
 
 constexpr std::array contourSteps{0.0, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0};  // m
-constexpr double smallestCell = 0.01;                                   // m
+constexpr double smallestCell = 1e-4;                                   // m
 constexpr double largestCell = 100.0;                                   // m
 
 QHBoxLayout* rowOf(QWidget& row) {
@@ -119,8 +121,9 @@ QWidget* RunMapPanel::buildTimeRow() {
     m_cell->setObjectName(QStringLiteral("mapCell"));
     m_cell->setUnit("m");
     m_cell->setRange(smallestCell, largestCell);
-    m_cell->setMinimumWidth(56);
-    addNamed(*row, tr("Cells [%1]").arg(figures::shownUnit("m").name), m_cell, tr("Side of a cell of the map"));
+    m_cell->setMinimumWidth(84);
+    addNamed(*row, tr("Cells [%1]").arg(figures::shownUnit("m").name), m_cell,
+             tr("Side of a cell of the map. Left empty it is 0.25 m, or less where the fragments are smaller"));
     m_contours->setObjectName(QStringLiteral("mapContours"));
     for (const double step : contourSteps) {
         m_contours->addItem(step == 0.0 ? tr("none") : shownLength(step, 2), step);
@@ -132,10 +135,8 @@ QWidget* RunMapPanel::buildTimeRow() {
         emit mapRequested();
     });
     connect(m_cell, &NumberField::edited, this, [this](std::optional<double> cell) {
-        if (cell) {
-            m_choice.cell = *cell;
-            emit mapRequested();
-        }
+        m_choice.cell = cell;
+        emit mapRequested();
     });
     connect(m_contours, &QComboBox::activated, this, [this] {
         m_choice.contours = m_contours->currentData().toDouble();
@@ -205,6 +206,9 @@ void RunMapPanel::setContent(const Content& content) {
     }
     m_map->setVisible(mapped);
     m_notice->set(Notice::Kind::Note, content.making && !mapped ? tr("Mapping the debris …") : content.why);
+    const bool usual = mapped && content.map->cellFrom > 0.0;
+    m_cell->setEmptyMeans(usual ? tr("auto: %1").arg(shownNumber(content.map->map.cell * figures::shownUnit("m").perSi))
+                                : tr("auto"));
     fillLayers();
     draw();
     showLedger();
@@ -224,6 +228,9 @@ void RunMapPanel::fillLayers() {
         m_layer->addItem(worded(mapLayerTitle(map, each)), static_cast<int>(each));
         m_layer->setItemData(m_layer->count() - 1, said("messages", mapLayerRow(each).help), Qt::ToolTipRole);
     }
+    // The list is as wide as its longest name, however narrow the panel.
+    m_layer->view()->setMinimumWidth(m_layer->view()->sizeHintForColumn(0) + 2 * m_layer->view()->frameWidth() +
+                                     m_layer->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     m_layer->setCurrentIndex(std::max(0, m_layer->findData(static_cast<int>(m_choice.layer))));
     if (m_layer->count() > 0) {
         m_choice.layer = static_cast<MapLayer>(m_layer->currentData().toInt());
@@ -254,6 +261,10 @@ void RunMapPanel::showLedger() {
                       shownWith(ledger.volume, "m3"), tr("on %1").arg(shownWith(ledger.footprintArea, "m2"))};
     if (m_content.map->map.live && ledger.liveElements > 0) {
         parts << tr("fallen live structure beside them: %1").arg(shownWith(ledger.liveMass / 1000.0, "t"));
+    }
+    if (m_content.map->cellFrom > 0.0) {
+        parts << tr("cells of %1 by a typical fragment of %2")
+                     .arg(shownLength(m_content.map->map.cell, 2), shownLength(m_content.map->cellFrom, 2));
     }
     if (m_content.making) {
         parts << tr("mapping anew …");

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "core/evidence/maps/run_map.h"
 #include "widgets/figures/map_picture.h"
@@ -21,13 +22,13 @@ class NumberField;
 /// What the map of a run is to show.
 struct RunMapChoice {
     MapLayer layer = MapLayer::Height;
-    bool atEnd = true;      ///< false: at the instant that is shown
-    double cell = 0.25;     ///< m
-    double contours = 0.0;  ///< m, between lines of equal height; 0: none
-    bool live = true;       ///< fallen live structure in grey
-    bool structure = true;  ///< outline of what stood there
-    bool evidence = true;   ///< outlines of surveys and of what is compared of them
-    bool onGround = false;  ///< it lies on the ground of the views
+    bool atEnd = true;             ///< false: at the instant that is shown
+    std::optional<double> cell{};  ///< m; unset: as usualMapCell()
+    double contours = 0.0;         ///< m, between lines of equal height; 0: none
+    bool live = true;              ///< fallen live structure in grey
+    bool structure = true;         ///< outline of what stood there
+    bool evidence = true;          ///< outlines of surveys and of what is compared of them
+    bool onGround = false;         ///< it lies on the ground of the views
 
     friend bool operator==(const RunMapChoice&, const RunMapChoice&) = default;
 };

@@ -93,6 +93,7 @@ public:
           m_palette(palette(style.theme)),
           m_window(windowOf(map, style.outlines)),
           m_range(rangeOf(map.layer(layer), layer)),
+          m_valued(std::any_of(map.layer(layer).begin(), map.layer(layer).end(), [](double v) { return std::isfinite(v); })),
           m_image(style.pixels, QImage::Format_RGB32),
           m_text(mapTextPoints / 72.0 * style.dpi),
           m_small(smallPoints / 72.0 * style.dpi) {
@@ -117,6 +118,9 @@ public:
             drawEdges(painter);
             drawRing(painter);
             drawScaleBar(painter);
+            if (!m_valued) {
+                write(painter, m_field, tr("This layer is empty here: no cell has a value"), Qt::AlignCenter, m_text);
+            }
         }
         drawNorth(painter);
         drawLegend(painter);
@@ -290,10 +294,7 @@ private:
             painter.setPen(pen);
             const double middle = y + 0.5 * m_line;
             painter.drawLine(QPointF(m_legend.left(), middle), QPointF(m_legend.left() + 1.4 * m_line, middle));
-            const double room = m_legend.width() - 1.8 * m_line;
-            const double size = m_text * std::clamp(room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text), 0.6, 1.0);
-            write(painter, QRectF(m_legend.left() + 1.8 * m_line, y, room, m_line), text,
-                  static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), size);
+            writeEntry(painter, QRectF(m_legend.left() + 1.8 * m_line, y, m_legend.width() - 1.8 * m_line, m_line), text);
             y += entryPitch * m_line;
         };
         if (showsContours()) {
@@ -377,7 +378,9 @@ private:
             drawEntry(painter, y, colourAt(m_layer, 0.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[1])));
             y += 0.5 * m_line;
         }
-        y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
+        if (m_valued) {
+            y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
+        }
         if (showsLive()) {
             drawEntry(painter, y, liveColour(), tr("fallen live structure"));
         }
@@ -404,11 +407,15 @@ private:
         painter.setPen(Qt::NoPen);
         painter.setBrush(colour);
         painter.drawRect(QRectF(m_legend.left(), y + 0.2 * m_line, 0.6 * m_line, 0.6 * m_line));
-        const double room = m_legend.width() - m_line;
-        write(painter, QRectF(m_legend.left() + m_line, y, room, m_line),
-              QFontMetricsF(sheetFont(m_text)).elidedText(text, Qt::ElideRight, room),
-              static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
+        writeEntry(painter, QRectF(m_legend.left() + m_line, y, m_legend.width() - m_line, m_line), text);
         y += entryPitch * m_line;
+    }
+
+    /// Set smaller where it is long; what is longer still is cut with an ellipsis.
+    void writeEntry(QPainter& painter, const QRectF& box, const QString& text) const {
+        const double size = m_text * std::clamp(box.width() / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text), 0.6, 1.0);
+        write(painter, box, QFontMetricsF(sheetFont(size)).elidedText(text, Qt::ElideRight, box.width()),
+              static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), size);
     }
 
     /// Components that debris comes from, those with most cells first; what the legend has no room for is of one grey.
@@ -498,7 +505,8 @@ private:
         painter.setPen(m_palette.muted);
         const double line = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
         const QRectF foot(0.0, line, m_style.pixels.width(), 2.0 * m_small);
-        const QString system = m_style.system.empty() ? tr("local coordinates in metres") : QString::fromStdString(m_style.system);
+        const std::string placed = placedSystem(m_style.place, m_style.system);
+        const QString system = placed.empty() ? tr("local coordinates in metres") : QString::fromStdString(placed);
         painter.drawText(
             foot, static_cast<int>(Qt::AlignCenter),
             painter.fontMetrics().elidedText(system + QStringLiteral(" · ") + QString::fromStdString(m_style.provenance),
@@ -511,6 +519,7 @@ private:
     const Palette& m_palette;
     MapWindow m_window;
     MapRange m_range;
+    bool m_valued;  ///< some cell has a value of the layer
     QImage m_image;
     double m_text;
     double m_small;

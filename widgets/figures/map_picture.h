@@ -35,7 +35,7 @@ struct MapPictureStyle {
     QSize pixels{1600, 1000};
     double dpi = 200.0;               ///< decides the size of text: 9 pt
     SiteFit place;                    ///< of the local frame: gives the coordinates along the edges and north
-    std::string system;               ///< coordinate system, for people; empty: local, whose y need not be north
+    std::string system;               ///< coordinate system that the case names; empty: none. Counts as placedSystem() says
     std::string shown = "simulated";  ///< class of what is shown
     std::string provenance;           ///< one line in 6 pt at the foot, empty for none
     std::string cautions{};           ///< what must be known beside it, above that; empty for none

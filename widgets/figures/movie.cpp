@@ -310,6 +310,12 @@ QImage withCautions(const QImage& picture, const QSize& pixels, const FigureStyl
 
 }  // namespace
 
+std::pair<double, double> movieSpan(const FeResult& fe, const TrajectoryReader* run) {
+    const double first = fe.times().front();
+    const bool ran = run != nullptr && run->frameCount() > 0;
+    return {first, ran ? std::max(first, run->frameTime(run->frameCount() - 1)) : fe.times().back()};
+}
+
 std::size_t movieLength(const MovieSettings& settings) {
     const bool sound = settings.fps >= 1.0 && settings.fps <= 120.0 && settings.pace >= 1e-8 && settings.pace <= 1e3 &&
                        std::isfinite(settings.from) && settings.to > settings.from;

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/execution.h"
@@ -21,6 +22,10 @@ struct MovieSettings {
     double pace = 1.0;  ///< seconds of the collapse in a second of the movie: 1 is real time, 0.25 four times slower
     std::vector<CameraKey> cameras = {};  ///< along which it looks; empty: the cameras of the view
 };
+
+/// First and last instant that a movie may show, s: as far as the run has come, without one as far as the FE result goes.
+/// @param run  null: none, or its fragments are not shown
+std::pair<double, double> movieSpan(const FeResult& fe, const TrajectoryReader* run);
 
 /// How many pictures it has: the first at `from`, the last at `to` or less than a picture before it.
 /// Throws UsageError for a rate or pace out of range, an empty span, and for more than 100,000 pictures.

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/fe/north.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/number_text.h"
@@ -379,8 +380,8 @@ private:
                           QString::fromStdString(m_style.cautions), m_text, m_style.theme);
         }
         if (!m_style.provenance.empty()) {
-            const QString system =
-                m_style.system.empty() ? tr("local coordinates in metres") : QString::fromStdString(m_style.system);
+            const std::string placed = placedSystem(m_style.place, m_style.system);
+            const QString system = placed.empty() ? tr("local coordinates in metres") : QString::fromStdString(placed);
             painter.setFont(sheetFont(m_small));
             painter.setPen(m_palette.muted);
             const QRectF foot(0.0, m_foot.bottom() - 2.3 * m_small, m_foot.width(), 2.0 * m_small);

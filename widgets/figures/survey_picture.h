@@ -20,7 +20,7 @@ struct SurveyPictureStyle {
     double textPixels = 25.0;  ///< height of the text
     render::Theme theme = render::Theme::Print;
     SiteFit place;           ///< of the local frame: gives the coordinates along the edges and north
-    std::string system;      ///< coordinate system, for people; empty: local
+    std::string system;      ///< coordinate system that the case names; empty: none. Counts as placedSystem() says
     std::string provenance;  ///< one line at the foot, empty for none
     std::string cautions{};  ///< what must be known beside it, above that; empty for none
     bool caption = true;

@@ -29,4 +29,10 @@ QString cautionWords(const std::vector<Caution>& cautions) {
     return inOneLine(parts);
 }
 
+void showCautions(Notice& line, const QString& cautions) {
+    line.setObjectName(QStringLiteral("pictureCautions"));
+    line.set(Notice::Kind::Finding,
+             cautions.isEmpty() ? QString() : QCoreApplication::translate("Cautions", "Below the picture: %1").arg(cautions));
+}
+
 }  // namespace rubble::widgets

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/evidence/cautions.h"
+#include "widgets/basics/panel.h"
 
 namespace rubble::widgets {
 
@@ -12,5 +13,9 @@ QString gradeWords(HealthGrade grade);
 
 /// What pictures and panels show of cautions, in one line; empty: none.
 QString cautionWords(const std::vector<Caution>& cautions);
+
+/// The amber line of a dialog that makes pictures: what will stand below them. Hides itself where there is nothing to say.
+/// @param cautions  as cautionWords()
+void showCautions(Notice& line, const QString& cautions);
 
 }  // namespace rubble::widgets

@@ -14,7 +14,6 @@
 #include <cmath>
 
 #include "widgets/figures/draw.h"
-#include "widgets/figures/overlay/overlay.h"
 #include "widgets/figures/palette.h"
 
 namespace rubble::widgets {
@@ -182,11 +181,13 @@ void ViewWidget::setData(const render::SceneData& scene) {
         m_resolution = {};
     }
     m_scene.setData(scene);
+    refit();  // another ground, or another legend
     update();
 }
 
 void ViewWidget::setOther(const render::SceneData& scene, const std::string& scenario) {
     m_scene.setOther(scene, scenario);
+    refit();
     update();
 }
 
@@ -197,12 +198,13 @@ void ViewWidget::setView(const render::View& view) {
     const bool reselected = view.selection != m_view.selection;
     // A length that was begun lives here alone.
     m_measuring = m_measuring && view.measurements == m_view.measurements;
-    const bool fitted = m_fitted && !m_flight.isActive() && m_view.cameras == *m_fitted && view.cameras == *m_fitted;
     const bool reworded = view.colourBy != m_view.colourBy || view.style != m_view.style || view.legends != m_view.legends ||
                           view.captions != m_view.captions;
+    const bool rearranged = view.layout != m_view.layout || view.camerasLinked != m_view.camerasLinked;
+    takeMoved(view.cameras);
     m_view = view;
-    if (fitted && reworded) {
-        keepFitted();  // another legend leaves another room
+    if (reworded || rearranged) {
+        refit();  // another legend leaves another room, and so do other panes
     }
     update();
     if (reselected) {
@@ -227,114 +229,6 @@ std::vector<ElementIndex> ViewWidget::elementsWhere(const std::function<bool(con
     return m_scene.elementsWhere(feOnly ? render::PaneContent::Fe : render::PaneContent::Fragments, inside);
 }
 
-void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
-    m_flight.stop();
-    noteMove();
-    m_view.cameras[index] = camera;
-    update();
-    emit viewChanged(m_view);
-}
-
-double ViewWidget::heightShare(const render::Pane& pane) const {
-    const double room =
-        figures::overlayRoom(figures::longestOverlay(m_view, m_scene, pane), pane.width, 13.0 * devicePixelRatioF());
-    return pane.height > 0 ? std::max(0.5, 1.0 - 2.0 * room / pane.height) : 1.0;
-}
-
-ViewWidget::Cameras ViewWidget::fittedCameras() const {
-    const QSize size = devicePixels();
-    Cameras cameras = m_view.cameras;
-    for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
-        const std::size_t index = render::cameraIndex(m_view, pane.content);
-        cameras[index] = render::refit(m_view.cameras[index], m_scene.bounds(), pane.aspect(), heightShare(pane));
-    }
-    return cameras;
-}
-
-void ViewWidget::fit() {
-    m_fitted = fittedCameras();
-    flyTo(*m_fitted);
-}
-
-void ViewWidget::keepFitted() {
-    m_fitted = m_view.cameras = fittedCameras();
-    update();
-}
-
-void ViewWidget::resizeEvent(QResizeEvent* event) {
-    QOpenGLWidget::resizeEvent(event);
-    const bool flies = m_flight.isActive();
-    if (m_fitted && (flies ? m_flightTo : m_view.cameras) == *m_fitted) {
-        m_flight.stop();
-        m_fitted = m_view.cameras = fittedCameras();
-        emit viewChanged(m_view);
-    }
-}
-
-void ViewWidget::look(render::Preset preset) {
-    const QSize size = devicePixels();
-    Cameras cameras = m_view.cameras;
-    for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
-        if (pane.content != render::PaneContent::Plan) {
-            render::Camera& camera = cameras[render::cameraIndex(m_view, pane.content)];
-            const bool parallel = camera.parallel;
-            camera = render::withProjection(render::fitCamera(m_scene.bounds(), pane.aspect(), preset), parallel);
-            camera = render::refit(camera, m_scene.bounds(), pane.aspect(), heightShare(pane));
-        }
-    }
-    m_fitted = cameras;
-    flyTo(cameras);
-}
-
-void ViewWidget::centreOn(const Vec3& point) {
-    Cameras cameras = m_view.cameras;
-    for (render::Camera& camera : cameras) {
-        camera = render::centreOn(camera, point);
-    }
-    flyTo(cameras);
-}
-
-void ViewWidget::centreNow(const Vec3& point) {
-    m_flight.stop();
-    noteMove();
-    for (render::Camera& camera : m_view.cameras) {
-        camera = render::centreOn(camera, point);
-    }
-    update();
-    emit viewChanged(m_view);
-}
-
-void ViewWidget::setParallel(bool parallel) {
-    m_flight.stop();
-    const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
-    for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
-        if (i != plan) {
-            m_view.cameras[i] = render::withProjection(m_view.cameras[i], parallel);
-        }
-    }
-    update();
-    emit viewChanged(m_view);
-}
-
-void ViewWidget::turn(double yaw, double pitch) {
-    Cameras cameras = m_view.cameras;
-    const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        if (i != plan) {
-            cameras[i] = render::orbit(cameras[i], yaw, pitch);
-        }
-    }
-    flyTo(cameras);
-}
-
-void ViewWidget::zoomBy(double factor) {
-    Cameras cameras = m_view.cameras;
-    for (render::Camera& camera : cameras) {
-        camera = render::zoom(camera, factor, 0.5, 0.5, 1.0);
-    }
-    flyTo(cameras);
-}
-
 void ViewWidget::setTool(Tool tool) {
     dropMeasurement();
     m_tool = tool;
@@ -351,33 +245,6 @@ bool ViewWidget::dropMeasurement() {
     update();
     emit measured();
     return true;
-}
-
-void ViewWidget::flyTo(const Cameras& cameras) {
-    m_flightFrom = m_view.cameras;
-    m_flightTo = cameras;
-    m_flightClock.start();
-    if (m_animated) {
-        m_flight.start();
-    } else {
-        noteMove();
-        m_view.cameras = cameras;
-        update();
-        emit viewChanged(m_view);
-    }
-}
-
-void ViewWidget::stepFlight() {
-    const double t = std::min(1.0, static_cast<double>(m_flightClock.elapsed()) / 200.0);
-    for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
-        m_view.cameras[i] = t < 1.0 ? render::between(m_flightFrom[i], m_flightTo[i], t) : m_flightTo[i];
-    }
-    if (t >= 1.0) {
-        m_flight.stop();
-    }
-    noteMove();
-    update();
-    emit viewChanged(m_view);
 }
 
 std::optional<ViewWidget::Cursor> ViewWidget::cursorAt(const QPointF& position) const {
@@ -557,6 +424,7 @@ void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
         Cameras cameras = m_view.cameras;
         const std::size_t index = render::cameraIndex(m_view, cursor->pane.content);
         cameras[index] = render::centreOn(cameras[index], *point);
+        m_moved[index] = true;
         flyTo(cameras);
     }
 }

@@ -45,11 +45,16 @@ public:
     void setTime(double time);
     /// What is shown may look different by now, though nobody did anything: draws once no input waits.
     void refresh() { m_turn.ask(); }
-    /// Fits the cameras of all panes to the model, keeping their directions.
+    /// Fits the cameras of all panes to the model, keeping their directions. From then on they are fitted anew, at once, wherever
+    /// their panes change their shape, until somebody moves them.
     void fit();
-    /// Takes the cameras of now for fitted: like those of fit() they are fitted anew where the widget changes its size, until
-    /// somebody moves them.
+    /// The same at once, without a flight.
     void keepFitted();
+    /// Which cameras somebody has moved or set: these are never fitted of themselves.
+    using Moved = std::array<bool, render::paneCameras>;
+    const Moved& moved() const { return m_moved; }
+    /// Fits those that nobody has moved.
+    void setMoved(const Moved& moved);
     /// Looks from a standard direction at the whole model.
     void look(render::Preset preset);
     /// Moves the cameras so that a point [m] lies in the middle, at the distance and in the direction they have.
@@ -139,9 +144,12 @@ private:
     void setSelection(std::vector<ElementIndex> selection);
     void setCamera(std::size_t index, const render::Camera& camera);
     using Cameras = std::array<render::Camera, render::paneCameras>;
+    static constexpr Moved everyCamera{true, true, true, true};
     void flyTo(const Cameras& cameras);
     double heightShare(const render::Pane& pane) const;
-    Cameras fittedCameras() const;
+    Cameras fitted(const Cameras& from) const;
+    void refit();
+    void takeMoved(const Cameras& cameras);
     void stepFlight();
     void releaseGraphics();
     void noteMove();
@@ -166,7 +174,7 @@ private:
     std::optional<render::Pane> m_pane;
     QTimer m_flight;
     QElapsedTimer m_flightClock;
-    std::optional<Cameras> m_fitted;  ///< as the last fit left them
+    Moved m_moved = everyCamera;
     Cameras m_flightFrom;
     Cameras m_flightTo;
 };

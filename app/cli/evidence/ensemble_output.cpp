@@ -11,6 +11,7 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
@@ -225,6 +226,9 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
         style.provenance = io::inputsLine(origin);
+        if (const std::string named = io::unplacedSystem(origin.frame, origin.site); !named.empty()) {
+            style.cautions = pictureCautions({noPlaceCaution(named)});
+        }
         figures::writePng(path, figures::mapPicture(map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {

@@ -103,7 +103,7 @@ ExitCode scan(const Arguments& arguments, Session& session) {
     const io::RunScan made = scanOf(arguments, subject, place, session.execution());
     Findings findings = subject.findings;
     for (const std::string& path : files) {
-        io::writeScan(path, made, place, subject.inputs.frame.crs);
+        io::writeScan(path, made, place);
         io::writeProvenance(path, io::scanProvenance(*subject.run, made, place));
         io::tellUnsaidInstant(path, made, findings);
     }

@@ -91,8 +91,8 @@ void printMap(std::ostream& out, const RunMap& made, const std::vector<MapLayer>
     FactList facts;
     facts.add("time", englishNumber(made.map.time) + " s" +
                           (made.shown == FrameKind::Interpolated ? ", between two recorded instants" : ""));
-    facts.add("cells",
-              englishInteger(static_cast<std::int64_t>(made.map.cells.size())) + " of " + englishNumber(made.map.cell) + " m");
+    facts.add("cells", englishInteger(static_cast<std::int64_t>(made.map.cells.size())) + " of " + englishNumber(made.map.cell) +
+                           " m" + (made.cellFrom > 0.0 ? ", by a typical fragment of " + englishNumber(made.cellFrom) + " m" : ""));
     facts.add("fragments", englishInteger(ledger.fragments) + ", " + tonnesText(ledger.mass) + ", " + englishNumber(ledger.volume) +
                                " m3 on " + englishNumber(ledger.footprintArea) + " m2");
     if (made.map.impacts) {

@@ -41,7 +41,7 @@ std::vector<MapLayer> parseLayers(const std::string& text, bool ensemble) {
 
 std::vector<Option> MapRequest::options() {
     return {
-        {"--cell", "M", false, "side of the cells of a debris map, m (default: 0.25)"},
+        {"--cell", "M", false, "side of the cells of a debris map, m (default: 0.25, less where fragments are smaller)"},
         {"--layers", "A,B", false, "layers of a debris map, by the names in the manual (default: all); a picture shows the first"},
         {"--live", "on|off", false, "fallen live structure as layers of its own in a debris map (default: on)"},
         {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
@@ -58,7 +58,9 @@ MapRequest::MapRequest(const Arguments& arguments) {
         }
         m_time = seconds;
     }
-    m_settings.cell = parseLength(arguments, "--cell", m_settings.cell);
+    if (arguments.has("--cell")) {
+        m_settings.cell = parseLength(arguments, "--cell", 0.0);
+    }
     m_settings.liveThreshold = parseLength(arguments, "--live-threshold", m_settings.liveThreshold, true);
     m_contours = parseLength(arguments, "--contours", m_contours);
     m_drawnContours = arguments.has("--contours") ? m_contours : 0.0;

@@ -34,7 +34,7 @@ double numberOf(const Arguments& arguments, std::string_view option, double byDe
 }
 
 figures::MovieSettings settingsOf(const Arguments& arguments, const io::RunReader& run, const FeResult& fe) {
-    const auto [first, last] = spanOfRun(run, fe);
+    const auto [first, last] = figures::movieSpan(fe, &run);
     figures::MovieSettings settings;
     settings.from = numberOf(arguments, "--from", first, "seconds");
     settings.to = numberOf(arguments, "--to", last, "seconds");

@@ -8,6 +8,7 @@
 #include "app/cli/run/effects_output.h"
 #include "core/analysis/accuracy/loose_beside.h"
 #include "core/base/message.h"
+#include "io/run/run_cautions.h"
 
 namespace rubble::cli {
 
@@ -405,6 +406,12 @@ std::optional<Finding> RunReport::beside() const {
     return looseBesideCaution(results.sizing->fpsTarget, *results.simulation, subject.inputs.fe->mesh().elementCount());
 }
 
+std::vector<Caution> RunReport::cautions() const {
+    RunStanding standing = standingOf(*results.simulation, results.fragments->size(), taint.acknowledgement.has_value());
+    standing.unplaced = io::unplacedSystem(subject.inputs.frame, subject.theCase.site);
+    return runCautions(standing);
+}
+
 Json RunReport::json() const {
     const SimulationResult& run = *results.simulation;
     Json object;
@@ -423,7 +430,7 @@ Json RunReport::json() const {
     object["ledger"] = ledgerJson(run, ledger);
     object["health"] = healthJson(run);
     object["tainted"] = taint.tainted();
-    object["cautions"] = cautionsJson(runCautions(standingOf(run, results.fragments->size(), taint.acknowledgement.has_value())));
+    object["cautions"] = cautionsJson(cautions());
     object["acknowledged"] = acknowledgedJson(taint);
     object["warnings"] = findingsJson(findings, beside());
     object["trajectory_hash"] = run.trajectoryHash.hex();

@@ -8,6 +8,7 @@
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/text_table.h"
 #include "app/cli/run/run_sinks.h"
+#include "core/evidence/cautions.h"
 #include "core/pipeline/pipeline.h"
 #include "core/trajectory/trajectory.h"
 #include "io/run/acknowledgements.h"
@@ -30,6 +31,7 @@ struct RunReport {
     void print(std::ostream& out) const;
 
 private:
+    std::vector<Caution> cautions() const;
     /// What the bodies and the frame rate of its sizing leave out.
     std::optional<Finding> beside() const;
 };

@@ -559,6 +559,7 @@ void EvidenceDisplay::showPage() {
             render::View view = render::defaultView(scene, 640, 480, render::Layout::FragmentsOnly);
             view.time = m_playback.clock().time();
             m_page.model().setView(view);
+            m_page.model().keepFitted();
         }
     }
     render::View view = m_page.model().view();

@@ -159,7 +159,7 @@ MapDisplay::~MapDisplay() {
 }
 
 bool MapDisplay::wanted() const {
-    return !m_dock->isHidden() || m_panel->choice().onGround;
+    return !m_dock->isHidden();
 }
 
 std::optional<MapWork::Order> MapDisplay::orderNow() const {
@@ -223,7 +223,8 @@ void MapDisplay::show() {
 void MapDisplay::showGround() {
     const std::shared_ptr<const MapWork::Made>& made = m_work.answer.result();
     const widgets::RunMapChoice& choice = m_panel->choice();
-    const bool shown = choice.onGround && made != nullptr && made->map.map.has(choice.layer);
+    // Without the panel no legend would say what the colours on the ground mean.
+    const bool shown = choice.onGround && wanted() && made != nullptr && made->map.map.has(choice.layer);
     if (!shown && m_ground == nullptr) {
         return;
     }

@@ -37,7 +37,7 @@ public:
         std::size_t frames = 0;
         bool complete = false;
         std::optional<double> time;  ///< s; unset: the end
-        double cell = 0.25;          ///< m
+        std::optional<double> cell;  ///< m; unset: as usualMapCell()
         bool live = true;
         std::vector<CaseInput> surveys = {};
         bool operator==(const Order&) const = default;

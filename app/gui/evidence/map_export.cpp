@@ -2,8 +2,10 @@
 
 #include <QFileInfo>
 
+#include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble {
 
@@ -13,6 +15,9 @@ figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin) {
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;
     style.provenance = io::inputsLine(origin);
+    if (const std::string named = io::unplacedSystem(origin.frame, origin.site); !named.empty()) {
+        style.cautions = widgets::cautionWords({noPlaceCaution(named)}).toStdString();
+    }
     return style;
 }
 

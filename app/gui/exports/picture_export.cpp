@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
+#include <tuple>
 
 #include "app/gui/exports/export_source.h"
 #include "app/gui/exports/folder_choice.h"
@@ -184,6 +185,7 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
     const Made made = madeNow(data);
     const render::View shown = view;
     widgets::FigureDialog dialog(m_session.part<LastFigure>().choice, &m_window);
+    dialog.setCautions(made.cautions);
     connect(&dialog, &widgets::FigureDialog::previewRequested, &dialog, [&](const widgets::FigureChoice& choice) {
         try {
             // Smaller, with text as large for the picture as it will be.
@@ -240,10 +242,11 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
     const Made made = madeNow(data);
     const render::View shown = view;
     widgets::MovieChoice choice;
-    choice.settings.from = data.fe->times().front();
-    choice.settings.to = lastInstant(data);
+    const bool fragments = shown.layout != render::Layout::FeOnly;
+    std::tie(choice.settings.from, choice.settings.to) = figures::movieSpan(*data.fe, fragments ? data.trajectory.get() : nullptr);
     choice.settings.cameras = m_document.theCase().cameraKeys;
     widgets::MovieDialog dialog(choice, figures::ffmpegInstalled(), &m_window);
+    dialog.setCautions(made.cautions);
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }

@@ -1,5 +1,6 @@
 #include "app/gui/stage/panel_deck.h"
 
+#include <algorithm>
 #include <array>
 
 #include "app/gui/session/regrouping_edit.h"
@@ -30,10 +31,6 @@ StageState worst(StageState a, StageState b) {
         }
     }
     return StageState::UpToDate;
-}
-
-std::int64_t kinds(const Findings& findings) {
-    return static_cast<std::int64_t>(findings.list().size());
 }
 
 /// The names in quotes of a remedy that lists what a file holds.
@@ -128,6 +125,22 @@ std::vector<widgets::Panel*> PanelDeck::panels() const {
     return {m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy, m_evidence, m_ensemble, m_causes, m_report};
 }
 
+std::int64_t PanelDeck::findingsIn(const QWidget& panel) {
+    std::int64_t found = 0;
+    for (const widgets::FindingList* list : widgets::findingLists(panel)) {
+        found += list->count();
+    }
+    return found;
+}
+
+std::int64_t PanelDeck::findings() const {
+    std::int64_t found = 0;
+    for (const widgets::Panel* panel : panels()) {
+        found += findingsIn(*panel);
+    }
+    return found;
+}
+
 void PanelDeck::choose(Entry entry) {
     m_rail->setCurrent(entry);
     m_stack->setCurrentIndex(entry);
@@ -142,6 +155,15 @@ QWidget* PanelDeck::shownPanel() const {
 void PanelDeck::chooseEvidence(EvidencePage page) {
     choose(Evidence);
     m_evidenceTabs->setCurrent(page);
+}
+
+void PanelDeck::choosePanel(const widgets::Panel& panel) {
+    const std::array<const widgets::Panel*, 3> pages{m_evidence, m_ensemble, m_causes};
+    if (const auto page = std::find(pages.begin(), pages.end(), &panel); page != pages.end()) {
+        chooseEvidence(static_cast<EvidencePage>(page - pages.begin()));
+    } else {
+        choose(static_cast<Entry>(m_stack->indexOf(&panel)));
+    }
 }
 
 void PanelDeck::choosePage(int page) {
@@ -197,6 +219,7 @@ void PanelDeck::showResults() {
             {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
     }
     showEffects(true);
+    showRail();
 }
 
 // A result that does not say what is dead opens all the same: what could be its flag is there to choose.
@@ -236,25 +259,19 @@ void PanelDeck::showScenario() {
 
 void PanelDeck::showRail() {
     const Scenario& scenario = m_document.scenario();
-    const Results& results = m_computation.results();
-    const auto& fe = m_computation.inputs().fe;
     const auto of = [&](Stage stage) { return m_computation.state(stage, scenario); };
     const auto fraction = [&](Stage a, Stage b) { return std::max(m_computation.fraction(a), m_computation.fraction(b)); };
-    std::int64_t found = fe != nullptr ? kinds(fe->contents().findings) : 0;
-    found += results.components != nullptr ? kinds(results.components->findings) : 0;
-    found += kinds(io::openingFindings(m_computation.content()));
-    m_rail->setState(Case, worst(of(Stage::Import), of(Stage::Components)), found, fraction(Stage::Import, Stage::Components));
-    m_rail->setState(Fragments, of(Stage::Fragments), results.fragments != nullptr ? kinds(results.fragments->findings) : 0,
-                     m_computation.fraction(Stage::Fragments));
-    found = results.sizing != nullptr ? kinds(results.sizing->findings) : 0;
-    found += results.clustering != nullptr ? kinds(results.clustering->findings) : 0;
-    m_rail->setState(Grid, worst(of(Stage::Sizing), of(Stage::Clusters)), found, fraction(Stage::Sizing, Stage::Clusters));
+    m_rail->setState(Case, worst(of(Stage::Import), of(Stage::Components)), findingsIn(*m_case),
+                     fraction(Stage::Import, Stage::Components));
+    m_rail->setState(Fragments, of(Stage::Fragments), findingsIn(*m_fragments), m_computation.fraction(Stage::Fragments));
+    m_rail->setState(Grid, worst(of(Stage::Sizing), of(Stage::Clusters)), findingsIn(*m_grid),
+                     fraction(Stage::Sizing, Stage::Clusters));
     m_rail->setState(Effects, m_computation.decisions() == nullptr     ? StageState::NotYet
                               : m_computation.decisionsStale(scenario) ? StageState::Stale
                                                                        : StageState::UpToDate);
     const RunRecord* record = m_computation.currentRun();
-    found = record != nullptr && record->outcome != nullptr ? kinds(record->outcome->findings) : 0;
-    found += record != nullptr && !record->acknowledged ? widgets::limitsIn(record->health()) : 0;
+    const std::int64_t limits = record != nullptr && !record->acknowledged ? widgets::limitsIn(record->health()) : 0;
+    const std::int64_t found = findingsIn(*m_run) + limits;
     m_rail->setState(Run, of(Stage::Simulation), found, m_computation.fraction(Stage::Simulation));
 }
 
@@ -295,6 +312,7 @@ void PanelDeck::showState() {
 void PanelDeck::showOutcome(const widgets::RunPanel::Outcome& outcome) {
     m_kept.outcome = outcome;
     m_run->setOutcome(outcome);
+    showRail();
 }
 
 void PanelDeck::showFailure(const Failure& failure) {

@@ -54,8 +54,13 @@ public:
     /// The panel in use: for evidence that of its page.
     QWidget* shownPanel() const;
     std::vector<widgets::Panel*> panels() const;
+    /// Findings in the boxes of a panel, and of all: what rail and status line count.
+    static std::int64_t findingsIn(const QWidget& panel);
+    std::int64_t findings() const;
     void choose(Entry entry);
     void chooseEvidence(EvidencePage page);
+    /// Brings one of panels() to the front.
+    void choosePanel(const widgets::Panel& panel);
     /// An entry by its number, or behind the last one a page of the entry Evidence: the ensemble, the causes.
     void choosePage(int page);
     /// Results have changed: shows them.

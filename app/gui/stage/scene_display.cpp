@@ -46,6 +46,7 @@ SceneDisplay::SceneDisplay(Session& session, Playback& playback, ViewArea& area,
 
 SceneDisplay::~SceneDisplay() {
     m_kept.view = m_area.views().view();
+    m_kept.moved = m_area.views().moved();
 }
 
 void SceneDisplay::connectActions() {
@@ -104,6 +105,9 @@ void SceneDisplay::goOn() {
     render::View view = m_kept.view.value_or(first);
     view.theme = widgets::currentTheme();
     setView(view);
+    if (m_kept.view) {
+        m_area.views().setMoved(m_kept.moved);
+    }
 }
 
 void SceneDisplay::setView(const render::View& view) {
@@ -122,7 +126,6 @@ void SceneDisplay::setLayout(render::Layout layout) {
     render::View view = m_area.views().view();
     view.layout = layout;
     setView(view);
-    m_area.views().fit();
 }
 
 void SceneDisplay::look(render::View view) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -61,6 +62,7 @@ private:
     /// What outlives the window.
     struct Kept {
         std::optional<render::View> view;
+        std::array<bool, render::paneCameras> moved{};  ///< as ViewWidget::moved()
     };
     void connectActions();
     void setLayout(render::Layout layout);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/gui/session/session.h"
+#include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/playback.h"
 #include "widgets/basics/wording.h"
 #include "widgets/run/caution_words.h"
@@ -25,12 +26,13 @@ std::int64_t residentMemory() {
     return file >> total >> resident ? resident * sysconf(_SC_PAGESIZE) : 0;
 }
 
-StatusFeed::StatusFeed(Session& session, Playback& playback, widgets::StatusLine& line, QObject* parent)
+StatusFeed::StatusFeed(Session& session, Playback& playback, const PanelDeck& deck, widgets::StatusLine& line, QObject* parent)
     : QObject(parent),
       m_session(session),
       m_document(session.document()),
       m_computation(session.computation()),
       m_playback(playback),
+      m_deck(deck),
       m_line(line),
       m_kept(session.part<Kept>()) {
     m_timer.setInterval(250);
@@ -116,9 +118,10 @@ void StatusFeed::showBodies() {
 }
 
 void StatusFeed::showFindings() {
-    const std::size_t kinds = m_computation.findings().list().size();
-    m_line.setFigure(Figure::Findings, tr("Findings"),
-                     kinds > 0 ? widgets::shownCount(static_cast<std::int64_t>(kinds)) : QString());
+    const std::int64_t found = m_deck.findings();
+    m_line.setFigure(Figure::Findings, tr("Findings"), found > 0 ? widgets::shownCount(found) : QString());
+    m_line.setFigureTip(Figure::Findings,
+                        tr("The amber boxes of all panels. Limits of health that a run passed are counted apart."));
 }
 
 void StatusFeed::showHealth() {

@@ -13,6 +13,7 @@ namespace rubble {
 class Computation;
 class Document;
 class Session;
+class PanelDeck;
 class Playback;
 namespace widgets {
 class StatusLine;
@@ -23,7 +24,7 @@ class StatusFeed : public QObject {
     Q_OBJECT
 
 public:
-    StatusFeed(Session& session, Playback& playback, widgets::StatusLine& line, QObject* parent = nullptr);
+    StatusFeed(Session& session, Playback& playback, const PanelDeck& deck, widgets::StatusLine& line, QObject* parent = nullptr);
 
     double liveMean() const { return m_kept.live.mean(); }
     double liveWorst() const { return m_kept.live.worstSecond(); }
@@ -56,6 +57,7 @@ private:
     Document& m_document;
     Computation& m_computation;
     Playback& m_playback;
+    const PanelDeck& m_deck;
     widgets::StatusLine& m_line;
     Kept& m_kept;
     QTimer m_timer;

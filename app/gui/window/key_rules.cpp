@@ -77,15 +77,17 @@ bool isEscape(const QKeyEvent& key) {
     return key.key() == Qt::Key_Escape && key.modifiers() == Qt::NoModifier;
 }
 
-/// The dock in front that Esc closes: one that floats, or the one with the focus.
+/// The dock that floats in front, the one with the focus first: Esc closes it. One that is docked is a panel, and stays.
 QDockWidget* dockInFront(const QWidget& window) {
     const QWidget* focus = QApplication::focusWidget();
+    QDockWidget* front = nullptr;
     for (auto* dock : window.findChildren<QDockWidget*>()) {
-        if (dock->isVisible() && (dock->isFloating() || (focus != nullptr && dock->isAncestorOf(focus)))) {
-            return dock;
+        if (dock->isVisible() && dock->isFloating()) {
+            const bool focused = focus != nullptr && dock->isAncestorOf(focus);
+            front = front == nullptr || focused ? dock : front;
         }
     }
-    return nullptr;
+    return front;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ public:
         bool tool = false;  ///< what is done with it, a click or a key, may end it
     };
     /// @param forms      hold fields
-    /// @param closables  the front one first; docks that float or have the focus need not be named
+    /// @param closables  the front one first; docks that float need not be named
     KeyRules(QWidget& window, std::vector<const QWidget*> forms, std::vector<Closable> closables);
 
     /// Gives the keys back to the window, so that no field takes what was not meant for it.

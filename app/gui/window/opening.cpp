@@ -238,6 +238,7 @@ void Opening::takeOpened(const Opened& opened) {
     const bool refreshed = again && before != nullptr && before == m_computation.inputs().fe && opened.fe != nullptr;
     const bool around = again && !refreshed && !m_kept.simulateWhenReady && sameToSee(m_computation.inputs().fe, opened.fe);
     const render::View viewBefore = m_shown.area.views().view();
+    const widgets::ViewWidget::Moved moved = m_shown.area.views().moved();
     const double timeBefore = m_shown.playback.clock().time();
     m_computation.take(opened, m_document.scenario());
     tellTimes();
@@ -256,6 +257,9 @@ void Opening::takeOpened(const Opened& opened) {
     } else if (around) {
         m_shown.scene.setView(viewBefore);
         m_shown.playback.scrub(timeBefore);
+    }
+    if (refreshed || around) {
+        m_shown.area.views().setMoved(moved);
     } else {
         m_shown.deck.choose(opened.fe != nullptr && !opened.path.isEmpty() ? PanelDeck::Grid : PanelDeck::Case);
     }

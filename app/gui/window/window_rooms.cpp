@@ -2,6 +2,7 @@
 
 #include <QStackedWidget>
 #include <QTimer>
+#include <algorithm>
 #include <vector>
 
 #include "app/gui/case/kept_runs_display.h"
@@ -58,14 +59,14 @@ bool shows(const widgets::Panel& panel, const QWidget& part) {
 
 /// The next panel that has findings, from the one shown on.
 void showFindings(PanelDeck& deck) {
-    QStackedWidget& stack = deck.stack();
-    for (int step = 1; step <= stack.count(); ++step) {
-        const int entry = (stack.currentIndex() + step) % stack.count();
-        auto* panel = qobject_cast<widgets::Panel*>(stack.widget(entry));
-        auto* list = panel != nullptr ? panel->findChild<widgets::FindingList*>() : nullptr;
-        if (list != nullptr && shows(*panel, *list)) {
-            deck.choose(static_cast<PanelDeck::Entry>(entry));
-            reach(*panel, *list);
+    const std::vector<widgets::Panel*> panels = deck.panels();
+    const auto shown = static_cast<std::size_t>(std::find(panels.begin(), panels.end(), deck.shownPanel()) - panels.begin());
+    for (std::size_t step = 1; step <= panels.size(); ++step) {
+        widgets::Panel& panel = *panels[(shown + step) % panels.size()];
+        const std::vector<widgets::FindingList*> lists = widgets::findingLists(panel);
+        if (!lists.empty()) {
+            deck.choosePanel(panel);
+            reach(panel, *lists.front());
             return;
         }
     }
@@ -109,7 +110,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       forecast(std::make_unique<ForecastDisplay>(session, *grid, calibration->work(), *deck)),
       accuracy(std::make_unique<AccuracyDisplay>(session, *deck, parts.accuracyPage)),
       health(std::make_unique<HealthDisplay>(session, *deck, *playback, parts.area, parts.timeline)),
-      feed(std::make_unique<StatusFeed>(session, *playback, parts.status)),
+      feed(std::make_unique<StatusFeed>(session, *playback, *deck, parts.status)),
       opening(std::make_unique<Opening>(session, Opening::Shown{*deck, parts.area, *playback, *scene, *health, *inspection, *files},
                                         parts.actions, parts.window)),
       runs(std::make_unique<RunControl>(

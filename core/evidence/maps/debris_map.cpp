@@ -135,26 +135,27 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
 DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impactsKnown, const LiveStructure* live,
                         std::vector<std::string> components, const SiteSurface& ground, const MapSettings& settings,
                         const Execution& execution) {
-    const PieceRaster debris = rasterOf(pieces, settings.cell, ground, execution);
+    const double cell = settings.cell.value_or(0.0);
+    const PieceRaster debris = rasterOf(pieces, cell, ground, execution);
     PieceRaster fallen;
     DebrisMap map;
     map.time = time;
-    map.cell = settings.cell;
+    map.cell = cell;
     map.impacts = impactsKnown;
     map.live = live != nullptr;
     map.liveThreshold = settings.liveThreshold;
     map.arrivalDistance = settings.arrivalDistance;
     map.components = std::move(components);
     if (live) {
-        fallen = rasterOf(live->pieces, settings.cell, ground, execution);
+        fallen = rasterOf(live->pieces, cell, ground, execution);
         map.ledger.liveElements = static_cast<std::int64_t>(live->pieces.size());
         map.ledger.liveMass = live->mass;
         map.ledger.liveVolume = live->volume;
-        map.ledger.liveFootprintArea = areaOf(fallen, settings.cell);
+        map.ledger.liveFootprintArea = areaOf(fallen, cell);
     }
     std::set_union(debris.cells.begin(), debris.cells.end(), fallen.cells.begin(), fallen.cells.end(),
                    std::back_inserter(map.cells));
-    const double area = settings.cell * settings.cell;
+    const double area = cell * cell;
     place(map, MapLayer::Height, debris, debris.height);
     place(map, MapLayer::Volume, debris, debris.volume, area);
     place(map, MapLayer::Mass, debris, debris.mass, area);
@@ -171,7 +172,7 @@ DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impa
         place(map, MapLayer::LiveMass, fallen, fallen.mass, area);
     }
     map.ledger.fragments = static_cast<std::int64_t>(pieces.size());
-    map.ledger.footprintArea = areaOf(debris, settings.cell);
+    map.ledger.footprintArea = areaOf(debris, cell);
     for (const MapPiece& piece : pieces) {
         map.ledger.mass += piece.mass;
         map.ledger.volume += piece.volume;

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/evidence/maps/fragment_history.h"
+#include "core/evidence/maps/map_cell.h"
 
 namespace rubble {
 
@@ -120,9 +121,19 @@ RunMap mapOfRun(const MappedRun& run, std::optional<double> time, const MapSetti
         made.live = displacedStructure(*run.fe, components, run.scenario.fragments, *run.fragments, made.debris, *run.trajectory,
                                        settings.liveThreshold, execution);
     }
+    MapSettings sized = settings;
+    if (!settings.cell) {
+        Aabb structure;
+        for (const Vec3& node : run.fe->mesh().nodes) {
+            structure.extend(node);
+        }
+        const UsualCell usual = usualMapCell(*run.fragments, structure.sizes().head<2>().maxCoeff());
+        sized.cell = usual.side;
+        made.cellFrom = usual.fragment;
+    }
     const std::vector<MapPiece> pieces = mapPieces(*run.fragments, made.debris, made.arrivals, made.energies);
     made.map = makeDebrisMap(when, pieces, !made.energies.empty(), made.live ? &*made.live : nullptr, namesOf(components),
-                             groundOf(run), settings, execution);
+                             groundOf(run), sized, execution);
     return made;
 }
 

@@ -30,6 +30,7 @@ struct RunMap {
     std::vector<double> energies;       ///< J, [fragments]; empty: not known
     std::optional<LiveStructure> live;  ///< unset: left out
     FrameKind shown = FrameKind::Simulated;
+    double cellFrom = 0.0;  ///< m, size of a typical fragment that the cells were derived from; 0: their side was given
     Findings findings;
 };
 

@@ -91,7 +91,7 @@ bool namesScan(const std::string& path) {
     return namesWrittenCloud(path) || hasEnding(path, ".csv");
 }
 
-void writeScan(const std::string& path, const RunScan& made, const SitePlace& place, const std::string& crs) {
+void writeScan(const std::string& path, const RunScan& made, const SitePlace& place) {
     const SiteScan& scan = made.scan;
     const auto lookOf = [&](std::size_t k) { return looks[static_cast<std::size_t>(made.shape.things[scan.triangles[k]])]; };
     if (!namesWrittenCloud(path)) {
@@ -107,7 +107,7 @@ void writeScan(const std::string& path, const RunScan& made, const SitePlace& pl
     }
     WrittenCloud cloud;
     cloud.points = scan.places.size();
-    cloud.crs = crs;
+    cloud.crs = place.system();
     cloud.classes = true;
     cloud.instant = made.instant;
     for (std::size_t s = 0; s < made.settings.scanners.size(); ++s) {

@@ -37,7 +37,7 @@ bool namesScan(const std::string& path);
 
 /// Writes a scan in the system of the case with the class of each point; a LAS says where its scanners stood, a LAS and a PLY also
 /// which instant they show. Throws WorldError.
-void writeScan(const std::string& path, const RunScan& made, const SitePlace& place, const std::string& crs);
+void writeScan(const std::string& path, const RunScan& made, const SitePlace& place);
 
 /// That a table does not keep which instant a scan shows; nothing of a scan at rest, a LAS or a PLY.
 void tellUnsaidInstant(const std::string& path, const RunScan& made, Findings& findings);

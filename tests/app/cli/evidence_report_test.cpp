@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -71,6 +72,31 @@ TEST_F(ShownEvidence, TheReportHoldsPhotographAndSurveyAgainstTheDebris) {
         ++pictures;
     }
     EXPECT_EQ(pictures, 6u);
+}
+
+TEST_F(ShownEvidence, AnAnswerThatRestsOnAPoorCameraSaysSoBesideIt) {
+    // Points that no camera explains.
+    double way = 1.0;
+    for (PointPair& pair : m_case.photographs[0].pairs) {
+        pair.picture += Eigen::Vector2d(9.0 * way, -7.0 * way);
+        way = -way;
+    }
+    const std::string path = save();
+    const nlohmann::json photo = cli({"photo", path, "--run", m_out, "--json"}).json()["photographs"][0];
+    const auto poor = std::find_if(photo["cautions"].begin(), photo["cautions"].end(),
+                                   [](const nlohmann::json& each) { return each["key"] == "poor_camera"; });
+    ASSERT_NE(poor, photo["cautions"].end()) << photo;
+    ASSERT_FALSE(photo["comparison"].is_null()) << photo;
+    const Outcome outcome = report(path);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string page = textOf(m_folder / "report/report.html");
+    const std::size_t asked = page.find("The evidence was asked");
+    const std::size_t said = page.find((*poor)["text"].get<std::string>());
+    ASSERT_NE(asked, std::string::npos);
+    ASSERT_NE(said, std::string::npos);
+    EXPECT_GT(said, asked);
+    EXPECT_LT(said, page.find("were deactivated and became fragments", asked)) << "before the figures of the answer";
+    EXPECT_NE(page.find((*poor)["text"].get<std::string>(), said + 1), std::string::npos) << "and beside the photograph";
 }
 
 TEST_F(ShownEvidence, APhotographThatIsAnotherFileNowIsStale) {

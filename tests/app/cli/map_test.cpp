@@ -151,6 +151,28 @@ TEST_F(Map, LiesWhereControlPointsPutTheCase) {
     EXPECT_EQ(said["site"]["control_points"].size(), 3u);
 }
 
+TEST_F(Map, ASystemWithoutAPlaceOfTheModelIsNamedByNobodyAndToldByAll) {
+    Case theCase = io::caseForFe(m_path, m_folder / "named.rubble");
+    theCase.frame.crs = "EPSG:25832";
+    io::saveCase(m_folder / "named.rubble", theCase);
+    const std::string named = m_folder / "named.run.h5";
+    const Outcome made = cli({"run", m_folder / "named.rubble", "--out", named, "--set", "settle_time=1", "--json"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    const auto tells = [](const nlohmann::json& cautions) {
+        return std::any_of(cautions.begin(), cautions.end(), [](const auto& each) { return each["key"] == "no_place"; });
+    };
+    EXPECT_TRUE(tells(made.json()["cautions"])) << made.out;
+    const std::string map = m_folder / "named-map.csv";
+    const Outcome written = cli({"map", named, "--out", map, "--out", m_folder / "named-map.tif", "--json"});
+    ASSERT_EQ(written.exitCode, 0) << written.err;
+    EXPECT_TRUE(tells(written.json()["cautions"])) << written.out;
+    const nlohmann::json said = nlohmann::json::parse(textOf(map + ".provenance.json"));
+    EXPECT_EQ(said["map"]["crs"], "local, metres");
+    EXPECT_THAT(said["coordinates"].get<std::string>(), HasSubstr("axes of the model"));
+    EXPECT_TRUE(tells(said["cautions"])) << said;
+    EXPECT_THAT(cli({"map", named}).out, HasSubstr("has no place in it"));
+}
+
 TEST_F(Map, APlaceThatCannotBeRightIsToldByEveryDoor) {
     // Easting and northing are changed for each other.
     Case theCase = io::caseForFe(m_path, m_folder / "odd.rubble");

@@ -233,6 +233,24 @@ TEST_F(PageInBrowser, ChaptersPhotographsMapAndBothLanguages) {
     EXPECT_EQ(said("Object.entries(words).filter(([key, pair]) => key !== 'roles' && pair[0] === pair[1]).length"), 0);
 }
 
+TEST_F(PageInBrowser, ThousandsAreGroupedInEveryNumber) {
+    if (!m_browser) {
+        return;
+    }
+    EXPECT_EQ(said("sayNumber(6790, 4)"), "6,790") << "as beside it 65,870 t";
+    EXPECT_EQ(said("sayNumber(65870.4, 4)"), "65,870");
+    EXPECT_EQ(said("sayNumber(-1234.56, 6)"), "-1,234.56");
+    EXPECT_EQ(said("sayNumber(999, 4)"), "999");
+    EXPECT_EQ(said("sayNumber(0.00001234)"), "0.0000123");
+    EXPECT_EQ(said("sayCount(6790)"), "6,790");
+    EXPECT_EQ(said("sayFixed(12345.678, 2)"), "12,345.68");
+    // The line of the map is written by them.
+    EXPECT_EQ(said("say('mapLine', sayCount(1204), sayNumber(65870, 4), sayNumber(6790, 4), '0.25', '0', '0', '1')")
+                  .get<std::string>()
+                  .rfind("1,204 fragments of 65,870 t on 6,790 m\u00b2", 0),
+              0U);
+}
+
 TEST_F(PageInBrowser, WithoutWebGlThePicturesStandThere) {
     if (!m_browser) {
         return;

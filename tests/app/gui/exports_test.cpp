@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -15,6 +16,7 @@
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/language.h"
+#include "widgets/basics/panel.h"
 #include "widgets/evidence/figure_dialog.h"
 #include "widgets/evidence/movie_dialog.h"
 #include "widgets/evidence/report_panel.h"
@@ -170,6 +172,28 @@ TEST(FigureDialog, TakesTheSizeOfTheArrangementUntilOneIsChosen) {
     dialog.findChild<QSpinBox*>(QStringLiteral("figureHeight"))->setValue(900);
     choose(static_cast<int>(figures::FigurePreset::Pairs));
     EXPECT_EQ(dialog.choice().pixels, QSize(1600, 900));
+}
+
+TEST(MovieDialog, OffersNothingBeyondTheEndAndSaysWhereThatIs) {
+    widgets::MovieChoice choice;
+    choice.settings.from = 0.0;
+    choice.settings.to = 3.2167;
+    widgets::MovieDialog dialog(choice, false);
+    auto* to = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieTo"));
+    EXPECT_LE(to->maximum(), 3.2167) << "not a thousandth beyond it";
+    EXPECT_EQ(dialog.choice().settings.to, 3.2167) << "as far as there is something";
+    to->setValue(99.0);
+    EXPECT_EQ(dialog.choice().settings.to, 3.2167);
+    const QList<QLabel*> labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel* label) { return label->text().contains(QStringLiteral("up to 3.22 s")); }));
+    auto* line = dialog.findChild<widgets::Notice*>(QStringLiteral("pictureCautions"));
+    ASSERT_NE(line, nullptr);
+    EXPECT_TRUE(line->isHidden());
+    dialog.setCautions(QStringLiteral("12 of 40 bodies still move"));
+    EXPECT_FALSE(line->isHidden());
+    EXPECT_TRUE(line->text().contains(QStringLiteral("12 of 40 bodies still move")));
+    EXPECT_EQ(line->property("kind"), QStringLiteral("finding")) << "amber";
 }
 
 TEST(MovieDialog, RefusesASpanWithoutLength) {

@@ -1,10 +1,16 @@
 #include <QCheckBox>
+#include <QDockWidget>
+#include <QScreen>
 #include <QSettings>
 #include <QTest>
 #include <cstdlib>
+#include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "app/gui/session/settings.h"
+#include "app/gui/stage/dock_area.h"
 #include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/case/preferences_dialog.h"
@@ -128,6 +134,74 @@ bool seenWhole(const widgets::ViewWidget& views) {
         }
     }
     return true;
+}
+
+/// What the screen shows where the views are, whoever drew it last.
+QImage onScreen(widgets::ViewWidget& views) {
+    const QPoint at = views.mapTo(views.window(), QPoint(0, 0));
+    return views.screen()
+        ->grabWindow(views.window()->winId(), at.x(), at.y(), views.width(), views.height())
+        .toImage()
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+/// Fitting once more changes nothing: they are fitted already.
+void expectFitted(widgets::ViewWidget& views, const char* after) {
+    const render::View before = views.view();
+    views.keepFitted();
+    EXPECT_EQ(views.view(), before) << after;
+}
+
+TEST_F(ViewDetail, EachPanelThatComesGoesOrChangesItsSizeFitsTheViewsAtOnce) {
+    widgets::ViewWidget::simplifyAbove(std::numeric_limits<double>::infinity());
+    auto* area = window->findChild<DockArea*>();
+    auto* map = &window->rooms().map->dock();
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers with) { QTest::keyClick(window, key, with); };
+    const std::vector<std::pair<const char*, std::function<void()>>> steps{
+        {"Ctrl+M opens the map", [&] { press(Qt::Key_M, Qt::ControlModifier); }},
+        {"the map is narrower", [&] { area->resizeDocks({map}, {map->width() - 60}, Qt::Horizontal); }},
+        {"the map floats", [&] { map->setFloating(true); }},
+        {"it is docked again", [&] { map->setFloating(false); }},
+        {"Ctrl+M closes it", [&] { press(Qt::Key_M, Qt::ControlModifier); }},
+        {"a list opens", [&] { window->actions()[ActionId::Components].trigger(); }},
+        {"a list closes", [&] { window->actions()[ActionId::Components].trigger(); }},
+        {"a bar comes", [&] { window->actions()[ActionId::Clip].trigger(); }},
+        {"a bar goes", [&] { window->actions()[ActionId::Clip].trigger(); }},
+        {"parallel", [&] { window->actions()[ActionId::Parallel].trigger(); }},
+        {"perspective", [&] { window->actions()[ActionId::Parallel].trigger(); }},
+        {"cameras of their own", [&] { window->actions()[ActionId::Link].trigger(); }},
+        {"cameras linked", [&] { window->actions()[ActionId::Link].trigger(); }},
+        {"four views", [&] { window->actions()[ActionId::Four].trigger(); }},
+        {"two views", [&] { window->actions()[ActionId::Beside].trigger(); }},
+        {"another window", [&] { window->resize(1500, 900); }}};
+    for (const auto& [what, step] : steps) {
+        step();
+        QTest::qWait(150);
+        expectFitted(views(), what);
+        const QImage shown = onScreen(views());
+        const QImage drawn = views().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+        ASSERT_EQ(shown.size(), drawn.size()) << what;
+        EXPECT_LT(meanDifference(shown, drawn), 1.0) << what << ": the screen shows what the cameras see now";
+    }
+}
+
+TEST_F(ViewDetail, ACameraThatWasMovedByHandStaysThroughAllOfThem) {
+    const QPoint middle = views().rect().center() / 2;
+    QTest::mousePress(&views(), Qt::LeftButton, {}, middle);
+    QTest::mouseMove(&views(), middle + QPoint(60, 10));
+    QTest::mouseRelease(&views(), Qt::LeftButton, {}, middle + QPoint(60, 10));
+    ASSERT_TRUE(views().moved()[0]);
+    const render::Camera moved = views().view().cameras[0];
+    for (const ActionId id : {ActionId::DebrisMap, ActionId::Components, ActionId::Clip, ActionId::Stacked, ActionId::Four,
+                              ActionId::Beside, ActionId::DebrisMap, ActionId::Components, ActionId::Clip}) {
+        window->actions()[id].trigger();
+        QTest::qWait(50);
+        EXPECT_EQ(views().view().cameras[0], moved) << static_cast<int>(id);
+    }
+    EXPECT_FALSE(views().moved()[static_cast<std::size_t>(render::PaneContent::Plan)]) << "nobody moved that";
+    window->actions()[ActionId::Fit].trigger();
+    expectFitted(views(), "F fits again");
+    EXPECT_EQ(views().moved(), widgets::ViewWidget::Moved{});
 }
 
 TEST_F(ViewDetail, WhatIsFittedStaysSoBesideADockUntilTheCameraIsMoved) {

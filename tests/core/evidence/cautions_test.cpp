@@ -56,6 +56,18 @@ TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what), "1 limit of health passed, acknowledged");
 }
 
+TEST(Cautions, ASystemWithoutAPlaceInItIsToldInPictures) {
+    RunStanding run = rested();
+    EXPECT_EQ(find(runCautions(run), "no_place"), nullptr);
+    run.unplaced = "EPSG:25832";
+    const std::vector<Caution> list = runCautions(run);
+    ASSERT_NE(find(list, "no_place"), nullptr);
+    EXPECT_TRUE(find(list, "no_place")->inPictures());
+    EXPECT_NE(pictureCautions(list).find("the coordinate system \"EPSG:25832\" is named, but the model has no place in it"),
+              std::string::npos)
+        << pictureCautions(list);
+}
+
 TEST(Cautions, APhotographAtRestIsNotHeldAgainstMovingDebrisWithoutAWord) {
     RunStanding run = rested();
     Photograph photograph;

@@ -9,6 +9,7 @@
 #include "core/analysis/accuracy/settled_world.h"
 #include "core/analysis/debris/debris.h"
 #include "core/base/error.h"
+#include "core/evidence/maps/map_cell.h"
 #include "core/evidence/photographs/site_picture.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/scenes/fe_scenes.h"
@@ -60,6 +61,30 @@ TEST_F(MapOfARun, AgreesWithTheLedger) {
         EXPECT_NEAR(made.map.ledger.impactEnergy, energy, 1e-9 * energy);
         EXPECT_NEAR(sumOf(made.map, MapLayer::ImpactEnergy), energy, 1e-9 * energy);
     }
+}
+
+TEST_F(MapOfARun, CellsThatNobodyChoseFitTheFragments) {
+    EXPECT_EQ(mapAt(std::nullopt).map.cell, 0.25) << "fragments of a metre";
+    EXPECT_NEAR(mapAt(std::nullopt).cellFrom, 1.0, 1e-9);
+    settings.cell = 0.5;
+    EXPECT_EQ(mapAt(std::nullopt).map.cell, 0.5);
+    EXPECT_EQ(mapAt(std::nullopt).cellFrom, 0.0) << "the side was given";
+    FragmentSet set;
+    set.list.resize(3);
+    const auto sideOf = [&](double size, double length) {
+        for (Fragment& fragment : set.list) {
+            fragment.box.halfExtents = Vec3::Constant(0.5 * size);
+        }
+        return usualMapCell(set, length).side;
+    };
+    for (const auto& [size, side] : {std::pair(0.24, 0.1), {0.1, 0.1}, {0.099, 0.05}, {0.03, 0.025}, {0.002, 0.001}, {7.0, 0.25}}) {
+        EXPECT_NEAR(sideOf(size, 1.0), side, 1e-12) << size;
+        EXPECT_LE(sideOf(size, 1.0), size) << "a fragment is not lost in its cell";
+    }
+    EXPECT_NEAR(sideOf(0.002, 100.0), 0.005, 1e-12) << "no more than 20,000 cells along";
+    set.list.clear();
+    EXPECT_EQ(usualMapCell(set, 10.0).side, 0.25);
+    EXPECT_EQ(usualMapCell(set, 10.0).fragment, 0.0);
 }
 
 TEST_F(MapOfARun, APhotographOfNoInstantOfTheRunIsRefused) {

@@ -79,7 +79,14 @@ TEST(ControlPoints, TooFewOrOnePlaceAreRefused) {
 TEST(ControlPoints, NorthIsKnownFromASystemOrATurn) {
     SiteFit place;
     EXPECT_EQ(northOf(place, ""), std::nullopt);
+    EXPECT_EQ(northOf(place, "EPSG:25832"), std::nullopt) << "a system that is only named says nothing of the model";
+    EXPECT_EQ(placedSystem(place, "EPSG:25832"), "");
+    place.height = 100.0;
+    EXPECT_FALSE(hasPlace(place)) << "a height is no place in plan";
+    place.shift = {356500.0, 5699500.0};
     EXPECT_EQ(northOf(place, "EPSG:25832"), 0.0);
+    EXPECT_EQ(placedSystem(place, "EPSG:25832"), "EPSG:25832");
+    EXPECT_EQ(northOf(place, ""), std::nullopt) << "an origin in no system";
     // A quarter turn counter-clockwise takes local x to north.
     place = fitControlPoints(turned(1.0, 0.5 * std::numbers::pi));
     const double north = northOf(place, "").value();

@@ -18,6 +18,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/run/run_cautions.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
@@ -181,6 +182,32 @@ TEST_F(MapFiles, ALocalCaseHasALocalSystemInMetres) {
     ASSERT_NE(file->GetSpatialRef(), nullptr);
     EXPECT_TRUE(file->GetSpatialRef()->IsLocal());
     EXPECT_EQ(file->GetSpatialRef()->GetLinearUnits(), 1.0);
+}
+
+TEST_F(MapFiles, ASystemThatTheModelHasNoPlaceInIsNotClaimed) {
+    m_origin.frame.origin.setZero();
+    writeTiff();
+    writePackage();
+    const GDALDatasetUniquePtr file = open(m_tiff, GDAL_OF_RASTER);
+    ASSERT_TRUE(file);
+    ASSERT_NE(file->GetSpatialRef(), nullptr);
+    EXPECT_TRUE(file->GetSpatialRef()->IsLocal());
+    const GDALDatasetUniquePtr package = open(m_package, GDAL_OF_VECTOR);
+    ASSERT_TRUE(package);
+    const OGRSpatialReference* system = package->GetLayerByName("footprint")->GetSpatialRef();
+    EXPECT_TRUE(system == nullptr || system->GetAuthorityCode(nullptr) == nullptr ||
+                std::string_view(system->GetAuthorityCode(nullptr)) != "25832");
+    EXPECT_EQ(unplacedSystem(m_origin.frame, m_origin.site), "EPSG:25832");
+    m_origin.frame.origin = {500000, 5700000, 100};
+    EXPECT_EQ(unplacedSystem(m_origin.frame, m_origin.site), "");
+    m_origin.frame.origin.setZero();
+    for (const double x : {0.0, 10.0}) {
+        m_origin.site.controlPoints.push_back({"P", Vec3(x, 0, 0), Vec3(500000.0 + x, 5700000.0, 0), true});
+    }
+    EXPECT_EQ(unplacedSystem(m_origin.frame, m_origin.site), "");
+    m_origin.site.controlPoints[1].world = m_origin.site.controlPoints[0].world;
+    m_origin.site.controlPoints[1].local = m_origin.site.controlPoints[0].local;
+    EXPECT_EQ(unplacedSystem(m_origin.frame, m_origin.site), "EPSG:25832") << "points in one place are none";
 }
 
 TEST_F(MapFiles, ASystemInFeetGetsItsCoordinatesInFeet) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -113,6 +114,43 @@ TEST_F(MapPicture, EveryLayerIsDrawnOnWhite) {
             << mapLayerRow(layer).key << " looks like another layer";
     }
     EXPECT_EQ(pictures.size(), 11u);
+}
+
+TEST_F(MapPicture, ASystemWithoutAPlaceOfTheModelIsNotClaimed) {
+    const QImage local = mapPicture(map, MapLayer::Mass, style);
+    style.system = "EPSG:25832";
+    EXPECT_EQ(mapPicture(map, MapLayer::Mass, style), local) << "no north, no name of the system";
+    style.place.shift = {500.0, 700.0};
+    const QImage placed = mapPicture(map, MapLayer::Mass, style);
+    EXPECT_NE(placed, local);
+    style.system.clear();
+    EXPECT_NE(mapPicture(map, MapLayer::Mass, style), placed) << "without a system y is not north";
+}
+
+TEST_F(MapPicture, AnEmptyLayerHasNoScale) {
+    DebrisMap empty = map;
+    for (double& value : empty.layers[static_cast<std::size_t>(MapLayer::Arrival)]) {
+        value = std::numeric_limits<double>::quiet_NaN();
+    }
+    const QImage picture = mapPicture(empty, MapLayer::Arrival, style);
+    const QImage full = mapPicture(map, MapLayer::Arrival, style);
+    // The ramp is the only thing there with more than a few colours.
+    const auto coloursOfLegend = [&](const QImage& drawn) {
+        std::set<QRgb> colours;
+        for (int y = 0; y < drawn.height(); ++y) {
+            for (int x = 3 * drawn.width() / 4; x < drawn.width(); ++x) {
+                const QColor colour = drawn.pixelColor(x, y);
+                if (colour.hslSaturation() > 60) {
+                    colours.insert(colour.rgb());
+                }
+            }
+        }
+        return colours.size();
+    };
+    EXPECT_GT(coloursOfLegend(full), 30U);
+    EXPECT_LT(coloursOfLegend(picture), 5U);
+    // The same map with nothing said in its middle.
+    EXPECT_NE(picture.copy(0, 0, 500, 400), mapPicture(empty, MapLayer::ImpactEnergy, style).copy(0, 0, 500, 400));
 }
 
 TEST_F(MapPicture, AnEnsembleHasPicturesOfItsProbabilities) {

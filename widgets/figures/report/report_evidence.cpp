@@ -110,14 +110,19 @@ void ReportSections::addPhotographs() {
     }
 }
 
+/// What speaks against resting a conclusion on it: beside its figures, and beside the answer that it stands behind.
+void ReportSections::addPhotographCautions(const ReportPhoto& photo) {
+    for (const Caution& caution : photo.cautions) {
+        notice(tr("%1: %2").arg(escaped(photo.name), said(caution.what)));
+    }
+}
+
 void ReportSections::addPhotograph(const ReportPhoto& photo, const QImage& picture) {
     const QString name = escaped(photo.name);
     if (!photo.problem.empty()) {
         text(tr("%1: %2").arg(name, said(photo.problem)));
     }
-    for (const Caution& caution : photo.cautions) {
-        notice(tr("%1: %2").arg(name, said(caution.what)));
-    }
+    addPhotographCautions(photo);
     if (picture.isNull()) {
         return;
     }

@@ -123,6 +123,11 @@ void ReportSections::addSummary() {
         text(tr("The evidence was asked: photographs held against this run: %1, surveys: %2 (see section Evidence).")
                  .arg(photographs)
                  .arg(surveys));
+        for (const ReportPhoto& photo : m_facts.photographs) {
+            if (photo.comparison) {
+                addPhotographCautions(photo);
+            }
+        }
     }
     if (!m_facts.scenarioNote.empty()) {
         text(tr("Scenario <i>%1</i>: %2").arg(escaped(m_facts.scenarioName), escaped(m_facts.scenarioNote)));

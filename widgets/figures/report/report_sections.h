@@ -47,6 +47,7 @@ private:
     void addFiles();
     void addPhotographs();
     void addPhotograph(const ReportPhoto& photo, const QImage& picture);
+    void addPhotographCautions(const ReportPhoto& photo);
     void addSurveys();
     void addSurveyRows(ReportTable& table, const QString& name, const SurveyComparison& made) const;
     void addFragmentMethod();

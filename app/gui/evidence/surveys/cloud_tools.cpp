@@ -162,11 +162,11 @@ void CloudTools::scanTo(widgets::ScanDialog& dialog, const QString& path) {
     dialog.setContent({true, {}, {}, {}});
     const QPointer<widgets::ScanDialog> shown(&dialog);
     m_worker.start({Worker::Kind::Study,
-                    [made, settings, place, path = path.toStdString(), crs = inputs.frame.crs, run = EvidenceRun(inputs, record),
-                     reader = record->reader, instant = dialog.instant()](const Execution& execution) {
+                    [made, settings, place, path = path.toStdString(), run = EvidenceRun(inputs, record), reader = record->reader,
+                     instant = dialog.instant()](const Execution& execution) {
                         *made = io::scanRun(scannedSite(run.mapped(), instant, fallenFrom, execution), settings, execution);
                         made->instant = instant;
-                        io::writeScan(path, *made, place, crs);
+                        io::writeScan(path, *made, place);
                         io::writeProvenance(path, io::scanProvenance(*reader, *made, place));
                         io::tellUnsaidInstant(path, *made, made->findings);
                     },

@@ -60,7 +60,7 @@ protected:
             }
         }
         const std::string path = m_folder / "scan.las";
-        io::writeScan(path, scan, io::SitePlace(computation.inputs().frame, {}), {});
+        io::writeScan(path, scan, io::SitePlace(computation.inputs().frame, {}));
         window->rooms().survey->add(QString::fromStdString(path));
     }
     widgets::SurveyBox& box() { return window->rooms().deck->evidence().survey(); }

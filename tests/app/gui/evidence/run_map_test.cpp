@@ -31,6 +31,8 @@ protected:
     void liesOnTheGround();
     void isSavedInEachFormat();
     void asksForAFile();
+    void staysWhereItIsDocked();
+    void saysThatTheModelHasNoPlace();
 };
 
 void RunMapTest::showsTheInstantOfTheViews() {
@@ -48,6 +50,12 @@ void RunMapTest::liesOnTheGround() {
     QTest::mouseClick(button, Qt::LeftButton);
     ASSERT_NE(window->area().views().data().orthophoto, nullptr);
     EXPECT_GT(window->area().views().data().orthophoto->width, 0);
+    // Without the panel no legend says what the colours mean.
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    ASSERT_FALSE(map().dock().isVisible());
+    EXPECT_EQ(window->area().views().data().orthophoto, nullptr);
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->area().views().data().orthophoto != nullptr; }, patience));
     QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_EQ(window->area().views().data().orthophoto, nullptr);
 }
@@ -68,6 +76,30 @@ void RunMapTest::isSavedInEachFormat() {
         EXPECT_TRUE(moves) << name << told["cautions"].dump();
     }
     EXPECT_GT(QImage(folder.filePath(QStringLiteral("m.png"))).width(), 500);
+}
+
+void RunMapTest::staysWhereItIsDocked() {
+    ASSERT_FALSE(map().dock().isFloating());
+    panel().findChild<QComboBox*>(QStringLiteral("mapLayer"))->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    EXPECT_TRUE(map().dock().isVisible()) << "a panel that is docked stays";
+    map().dock().setFloating(true);
+    QTest::keyClick(window, Qt::Key_Escape);
+    EXPECT_FALSE(map().dock().isVisible()) << "one that floats is closed";
+    QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
+    map().dock().setFloating(false);
+    ASSERT_TRUE(map().dock().isVisible());
+}
+
+void RunMapTest::saysThatTheModelHasNoPlace() {
+    const std::string before = panel().style().cautions;
+    EXPECT_EQ(before.find("no place"), std::string::npos) << before;
+    session->document().setSite({}, "EPSG:25832", {}, [] { return QStringLiteral("site"); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    makeCheap();
+    simulateToEnd();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mapped() && panel().style().cautions != before; }, patience));
+    EXPECT_NE(panel().style().cautions.find("the model has no place in it"), std::string::npos) << panel().style().cautions;
 }
 
 void RunMapTest::asksForAFile() {
@@ -98,6 +130,7 @@ TEST_F(RunMapTest, TheMapOfTheRunIsShownByItsKeyFollowsTheViewsAndIsSaved) {
     liesOnTheGround();
     isSavedInEachFormat();
     asksForAFile();
+    staysWhereItIsDocked();
     showsTheInstantOfTheViews();
     QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
     EXPECT_FALSE(map().dock().isVisible());

@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QSpinBox>
 #include <QTest>
+#include <set>
 
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/stage/actions.h"
@@ -93,6 +94,43 @@ TEST_F(FirstHour, FindingsAreOneClickAway) {
     auto* list = deck().stack().currentWidget()->findChild<widgets::FindingList*>();
     ASSERT_NE(list, nullptr);
     EXPECT_TRUE(QTest::qWaitFor([&] { return inSight(*list); }, patience));
+}
+
+TEST_F(FirstHour, TheStatusLineCountsTheBoxesThatThePanelsHave) {
+    openArch();
+    const auto boxes = [&] {
+        std::int64_t found = 0;
+        for (widgets::Panel* panel : deck().panels()) {
+            deck().choosePanel(*panel);
+            QCoreApplication::processEvents();
+            for (const widgets::FindingList* list : panel->findChildren<widgets::FindingList*>()) {
+                for (const widgets::Notice* box : list->findChildren<widgets::Notice*>()) {
+                    found += box->isVisible() ? 1 : 0;
+                }
+            }
+        }
+        return found;
+    };
+    makeCheap();
+    simulateToEnd();
+    const std::int64_t shown = boxes();
+    ASSERT_GT(shown, 0);
+    window->rooms().feed->refresh();
+    const QString text = status().figureText(widgets::StatusLine::Figure::Findings);
+    EXPECT_TRUE(text.contains(QStringLiteral("<b>%1</b>").arg(shown))) << qPrintable(text) << " for " << shown;
+    // Each click leads to the next panel that has some, and none is left out.
+    std::set<const QWidget*> reached;
+    std::set<const QWidget*> having;
+    for (widgets::Panel* panel : deck().panels()) {
+        if (PanelDeck::findingsIn(*panel) > 0) {
+            having.insert(panel);
+        }
+    }
+    for (std::size_t click = 0; click < having.size(); ++click) {
+        clickFigure(QStringLiteral("Findings"));
+        reached.insert(deck().shownPanel());
+    }
+    EXPECT_EQ(reached, having);
 }
 
 // An hour of free fall without a ground, stopped as soon as a limit is passed.

@@ -112,6 +112,46 @@
     </message>
 </context>
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <comment>All other platforms</comment>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <comment>All other platforms</comment>
+        <translation>快捷方式</translation>
+    </message>
+</context>
+<context>
+    <name>RunVerdict</name>
+    <message>
+        <source>1 limit passed</source>
+        <translation>超过 1 项限值</translation>
+    </message>
+    <message>
+        <source>%1 limits passed</source>
+        <translation>超过 %1 项限值</translation>
+    </message>
+    <message>
+        <source>tainted: %1</source>
+        <translation>存疑：%1</translation>
+    </message>
+    <message>
+        <source>%1, acknowledged</source>
+        <translation>%1，已确认</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>cancelled at %1</source>
+        <translation>于 %1 取消</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>Save the run as one page that any browser opens without network, with both views and its sources</source>
@@ -356,10 +396,6 @@
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
-    </message>
-    <message>
-        <source>Stop what runs; what is computed is kept</source>
-        <translation>停止正在运行的工作；已计算的内容保留</translation>
     </message>
     <message>
         <source>Play or pause</source>
@@ -1236,6 +1272,18 @@
     <message>
         <source>Check a sealed bundle, simulate its runs again, open its case to be read only, and add custody, addenda or a time stamp</source>
         <translation>核验封存包，重新计算其中的计算，以只读方式打开其案例，并加入保管条目、附录或时间戳</translation>
+    </message>
+    <message>
+        <source>Stop what runs; what is computed so far stays</source>
+        <translation>停止正在运行的工作；至此已计算的内容仍在</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>it cannot be used now</source>
+        <translation>现在不能使用</translation>
     </message>
 </context>
 <context>
@@ -4224,10 +4272,6 @@
         <translation>局部，米</translation>
     </message>
     <message>
-        <source>look at the body&apos;s element and its birth velocity in the FE file, or set birth_velocity = rest; without ground bodies fall for ever (ground)</source>
-        <translation>请查看该刚体的单元及其在有限元文件中的产生速度，或设置 birth_velocity = rest；没有地面时刚体一直下落（ground）</translation>
-    </message>
-    <message>
         <source>look at the element of that body in the FE file; switch the effects off one by one to find the one that fails</source>
         <translation>请在有限元文件中查看该刚体的单元；逐一关闭效应以找出出错者</translation>
     </message>
@@ -4513,11 +4557,11 @@
     </message>
     <message>
         <source>raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under solver = bullet deep piles squeeze together, take soft-step there</source>
-        <translation>请提高 step_rate，或设置 auto_remedy = true，或提高 bodies_max 以减小聚类；solver = bullet 时深堆积体会压缩，请改用 soft-step</translation>
+        <translation>请提高 step_rate，或设置 auto_remedy = true，或提高 bodies_max 以减小聚类；solver = bullet 时深堆积体会压缩，请改用软步法</translation>
     </message>
     <message>
         <source>raise step_rate, or set auto_remedy = true; solver = bullet gains more than soft-step</source>
-        <translation>请提高 step_rate，或设置 auto_remedy = true；solver = bullet 的增量大于 soft-step</translation>
+        <translation>请提高 step_rate，或设置 auto_remedy = true；solver = bullet 的增量大于软步法</translation>
     </message>
     <message>
         <source>raise step_rate, or set ground_height (or the terrain) to its real height</source>
@@ -4529,7 +4573,7 @@
     </message>
     <message>
         <source>raise step_rate; under solver = bullet piles squeeze together, take soft-step there</source>
-        <translation>请提高 step_rate；solver = bullet 时堆积体会压缩，请改用 soft-step</translation>
+        <translation>请提高 step_rate；solver = bullet 时堆积体会压缩，请改用软步法</translation>
     </message>
     <message>
         <source>read them as debris that the FE analysis did not delete</source>
@@ -12571,6 +12615,26 @@
         <source>metres, z up, axes of the model: it has no place in the coordinate system that the case names</source>
         <translation>米，z 向上，模型自身的坐标轴：模型在案例指定的坐标系中没有位置</translation>
     </message>
+    <message>
+        <source>The birth window of {0} is long for a result that lasts {1}: deaths of {2} states become debris at {3}, up to {4} early</source>
+        <translation>产生时间窗 {0} 对于持续 {1} 的结果过长：{2} 个状态的失效在 {3} 个时刻成为堆积物，最多提前 {4}</translation>
+    </message>
+    <message>
+        <source>Set birth_window to a hundredth of that, {0}, as the default is of ten seconds, or to 0 for each state by itself.</source>
+        <translation>请将 birth_window 设为其百分之一，即 {0}，正如默认值之于十秒；或设为 0，使每个状态各自独立。</translation>
+    </message>
+    <message>
+        <source>look at the body&apos;s element and its birth velocity in the FE file; birth_velocity = rest lets all debris begin at rest; without ground bodies fall for ever (ground)</source>
+        <translation>请查看该刚体的单元及其在有限元文件中的产生速度；birth_velocity = rest 使全部堆积物从静止开始；没有地面时刚体会一直下落（ground）</translation>
+    </message>
+    <message>
+        <source>read them as debris that the FE analysis did not delete, or set live_islands = released so that they go on as rigid bodies</source>
+        <translation>请将其视为有限元分析未删除的堆积物，或设置 live_islands = released，使其作为刚体继续运动</translation>
+    </message>
+    <message>
+        <source>tainted: it passed limits of health, and nobody vouches for it</source>
+        <translation>存疑：超过了健康限值，且无人担保</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -13279,7 +13343,7 @@
     </message>
     <message>
         <source>soft-step: soft contacts in small substeps; piles keep their volume, several times faster in large ones. bullet: sequential impulses as Bullet has them; large piles squeeze into themselves.</source>
-        <translation>soft-step（软步法）：小子步中的软接触；堆积体保持体积，规模大时快数倍。bullet：Bullet 自带的序列冲量法；大型堆积体会自身压缩。</translation>
+        <translation>软步法：小子步中的软接触；堆积体保持体积，规模大时快数倍。Bullet：Bullet 自带的序列冲量法；大型堆积体会自身压缩。</translation>
     </message>
     <message>
         <source>state: a fragment is born at the first state that reports its element inactive. exact: at the death time in the file.</source>
@@ -13355,7 +13419,7 @@
     </message>
     <message>
         <source>The impulse of a bounce rubs by Coulomb&apos;s law as the impact does, soft-step solver only. Off: blocks that fly or roll keep too much speed along the ground, a tenth at restitution 0.1. On by itself for a table of bodies, off for FE results, whose trajectories were made without.</source>
-        <translation>弹跳的冲量与撞击一样按库仑定律产生摩擦，仅用于 soft-step 求解器。关闭：飞行或滚动的块体沿地面保留过多的速度，恢复系数为 0.1 时约十分之一。物体表自动打开；有限元结果关闭，其轨迹是在没有它时得到的。</translation>
+        <translation>弹跳的冲量与撞击一样按库仑定律产生摩擦，仅用于软步法求解器。关闭：飞行或滚动的块体沿地面保留过多的速度，恢复系数为 0.1 时约十分之一。物体表自动打开；有限元结果关闭，其轨迹是在没有它时得到的。</translation>
     </message>
     <message>
         <source>Level of friction</source>
@@ -13505,6 +13569,11 @@
         <comment>fields, and the panel or menu that they stand under</comment>
         <translation>“%2”下的%1</translation>
     </message>
+    <message>
+        <source>%1 of “%2”</source>
+        <comment>a setting, and the component that it is of</comment>
+        <translation>“%2”的%1</translation>
+    </message>
 </context>
 <context>
     <name>rubble::AccuracyDisplay</name>
@@ -13570,6 +13639,58 @@
     <message>
         <source>Redo</source>
         <translation>重做</translation>
+    </message>
+    <message>
+        <source>The run is not through yet.</source>
+        <translation>计算尚未完成。</translation>
+    </message>
+    <message>
+        <source>The run was cancelled at %1: simulate it to its end first.</source>
+        <translation>计算于 %1 被取消：请先模拟到结束。</translation>
+    </message>
+    <message>
+        <source>Simulate first.</source>
+        <translation>请先模拟。</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>Open a case or a result first.</source>
+        <translation>请先打开案例或结果。</translation>
+    </message>
+    <message>
+        <source>No element dies in this result, so there is nothing to simulate.</source>
+        <translation>此结果中没有单元失效，因此没有可模拟的内容。</translation>
+    </message>
+    <message>
+        <source>A run is being simulated.</source>
+        <translation>正在模拟一次计算。</translation>
+    </message>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>没有正在运行的工作。</translation>
+    </message>
+    <message>
+        <source>A report is being written.</source>
+        <translation>正在写报告。</translation>
+    </message>
+    <message>
+        <source>Select fragments first.</source>
+        <translation>请先选择碎块。</translation>
+    </message>
+    <message>
+        <source>Add a survey first.</source>
+        <translation>请先添加测绘。</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>没有更改。</translation>
+    </message>
+    <message>
+        <source>Nothing was taken back.</source>
+        <translation>没有撤销过的更改。</translation>
     </message>
 </context>
 <context>
@@ -15266,6 +15387,10 @@
         <source>Causes are being compared: members of their ensembles are being simulated.</source>
         <translation>正在比较原因：正在模拟其系综的成员。</translation>
     </message>
+    <message>
+        <source>Cancelled at %1 after %2; what is computed goes with the case: no runs are kept</source>
+        <translation>于 %1 取消，用时 %2；已计算的内容随案例消失：不保留计算</translation>
+    </message>
 </context>
 <context>
     <name>rubble::RunHistory</name>
@@ -15284,6 +15409,18 @@
     <message>
         <source>Runs kept: the oldest made room, %1 of them with %2 GiB; Preferences allow %3 GiB</source>
         <translation>保留的计算：最旧的 %1 次（%2 GiB）已让出空间；首选项允许 %3 GiB</translation>
+    </message>
+    <message>
+        <source>Runs that begin from now on are kept, up to %1 GiB a case</source>
+        <translation>此后开始的计算将保留，每个案例最多 %1 GiB</translation>
+    </message>
+    <message>
+        <source>No more runs are kept: the one that is simulated goes with the case as well. Those that were kept stay</source>
+        <translation>不再保留计算：正在模拟的也随案例消失。已保留的仍在</translation>
+    </message>
+    <message>
+        <source>No more runs are kept: new ones go with the case. Those that were kept stay</source>
+        <translation>不再保留计算：新的随案例消失。已保留的仍在</translation>
     </message>
 </context>
 <context>
@@ -15304,12 +15441,12 @@
         <translation>尚无完整的计算</translation>
     </message>
     <message>
-        <source>Last run: %1 bodies</source>
-        <translation>上次计算：%1 个刚体</translation>
-    </message>
-    <message>
         <source>Scenarios compared</source>
         <translation>方案比较</translation>
+    </message>
+    <message>
+        <source>Last run: %1 bodies, %2</source>
+        <translation>最近计算：%1 个刚体，%2</translation>
     </message>
 </context>
 <context>
@@ -16041,6 +16178,10 @@
     <message>
         <source>%1 of collapse in a second</source>
         <translation>每秒播放倒塌过程的 %1</translation>
+    </message>
+    <message>
+        <source>as %1, for no material has its density</source>
+        <translation>按%1处理，因没有材料有此密度</translation>
     </message>
 </context>
 <context>
@@ -17545,6 +17686,10 @@
     <message>
         <source>over the ensemble, least to most</source>
         <translation>系综范围，最小至最大</translation>
+    </message>
+    <message>
+        <source>as %1, for none has its density</source>
+        <translation>按%1处理，因没有材料有此密度</translation>
     </message>
 </context>
 <context>
@@ -19228,6 +19373,14 @@ What the file fits: %2.</source>
         <source>%1, %2 filled</source>
         <translation>%1，填补 %2</translation>
     </message>
+    <message>
+        <source>Site…</source>
+        <translation>场地…</translation>
+    </message>
+    <message>
+        <source>Choose a terrain…</source>
+        <translation>选择地形…</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::CasePreview</name>
@@ -19949,10 +20102,6 @@ What the file fits: %2.</source>
         <source>Open a result first</source>
         <translation>请先打开结果</translation>
     </message>
-    <message>
-        <source>%1 (assumed)</source>
-        <translation>%1（假定）</translation>
-    </message>
 </context>
 <context>
     <name>rubble::widgets::ContactTable</name>
@@ -20450,10 +20599,6 @@ What the file fits: %2.</source>
     <message>
         <source>The reference could not be computed.</source>
         <translation>无法计算基准。</translation>
-    </message>
-    <message>
-        <source>Computing the reference · about %1 left</source>
-        <translation>正在计算基准 · 约剩 %1</translation>
     </message>
 </context>
 <context>
@@ -21716,14 +21861,6 @@ What the file fits: %2.</source>
         <translation>最差 %1%2，限值 %3</translation>
     </message>
     <message>
-        <source>1 limit passed</source>
-        <translation>超过 1 项限值</translation>
-    </message>
-    <message>
-        <source>%1 limits passed</source>
-        <translation>超过 %1 项限值</translation>
-    </message>
-    <message>
         <source>acknowledged</source>
         <translation>已确认</translation>
     </message>
@@ -21778,18 +21915,6 @@ What the file fits: %2.</source>
     <message>
         <source>body %1 at x %2, y %3, z %4 %5</source>
         <translation>刚体 %1 位于 x %2、y %3、z %4 %5</translation>
-    </message>
-    <message>
-        <source>Set “%1” to %2</source>
-        <translation>将“%1”设为%2</translation>
-    </message>
-    <message>
-        <source>It is set: simulate to see what it does</source>
-        <translation>已设定：重新模拟即可看到效果</translation>
-    </message>
-    <message>
-        <source>Change this setting; Ctrl+Z takes it back</source>
-        <translation>更改此设置；Ctrl+Z 可撤销</translation>
     </message>
     <message>
         <source>%1 and %2 more times</source>
@@ -22253,10 +22378,6 @@ What the file fits: %2.</source>
         <translation>终点高出产生处的高度</translation>
     </message>
     <message>
-        <source>%1 (assumed)</source>
-        <translation>%1（假定）</translation>
-    </message>
-    <message>
         <source>Nobody says what this component is made of: guessed from its density.</source>
         <translation>没有说明此构件的材料：按其密度猜测。</translation>
     </message>
@@ -22287,6 +22408,10 @@ What the file fits: %2.</source>
     <message>
         <source>%1   %2   %3</source>
         <translation>%1   %2   %3</translation>
+    </message>
+    <message>
+        <source>Nobody says what this component is made of, and no material that is known here has its density.</source>
+        <translation>没有人说明此构件由什么材料制成，这里已知的材料都没有此密度。</translation>
     </message>
 </context>
 <context>
@@ -22448,6 +22573,10 @@ What the file fits: %2.</source>
     <message>
         <source>Open a result first</source>
         <translation>请先打开结果</translation>
+    </message>
+    <message>
+        <source>as %1</source>
+        <translation>按%1处理</translation>
     </message>
 </context>
 <context>
@@ -23344,6 +23473,21 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::PickedPlacesDialog</name>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>全部移除</translation>
+    </message>
+    <message>
+        <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
+        <translation>该处没有模型：请单击结构、碎块或地面。</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::PlaceChoice</name>
     <message>
         <source>Asking Slurm…</source>
@@ -23389,16 +23533,8 @@ What the file fits: %2.</source>
 <context>
     <name>rubble::widgets::PlacePairsDialog</name>
     <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
         <source>Remove pair</source>
         <translation>移除点对</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>全部移除</translation>
     </message>
     <message>
         <source>Place the survey by pairs</source>
@@ -23415,10 +23551,6 @@ What the file fits: %2.</source>
     <message>
         <source>Model beside the survey</source>
         <translation>测绘旁的模型</translation>
-    </message>
-    <message>
-        <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
-        <translation>该处没有模型：请单击结构、碎块或地面。</translation>
     </message>
     <message>
         <source>pair</source>
@@ -24088,6 +24220,25 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::RemedyButton</name>
+    <message>
+        <source>Set “%1” to %2</source>
+        <translation>将“%1”设为 %2</translation>
+    </message>
+    <message>
+        <source>Change this setting; Ctrl+Z takes it back</source>
+        <translation>更改此设置；Ctrl+Z 可撤销</translation>
+    </message>
+    <message>
+        <source>It is set: simulate to see what it does</source>
+        <translation>已设好：模拟后可看到效果</translation>
+    </message>
+    <message>
+        <source>It is set</source>
+        <translation>已设好</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::RemovalBox</name>
     <message>
         <source>Write date and time, such as 2021-06-25 16:30</source>
@@ -24344,18 +24495,6 @@ What the file fits: %2.</source>
 <context>
     <name>rubble::widgets::RunList</name>
     <message>
-        <source>sound</source>
-        <translation>正常</translation>
-    </message>
-    <message>
-        <source>1 limit passed</source>
-        <translation>超过 1 项限值</translation>
-    </message>
-    <message>
-        <source>%1 limits passed</source>
-        <translation>超过 %1 项限值</translation>
-    </message>
-    <message>
         <source>Every run of this case is listed here: when, what with, and what came of it.</source>
         <translation>此案例的每次计算列于此处：时间、所用设置和结果。</translation>
     </message>
@@ -24418,10 +24557,6 @@ Program: %3</source>
     <message>
         <source>%1 is not there any more, so it cannot be shown.</source>
         <translation>%1 已不存在，无法显示。</translation>
-    </message>
-    <message>
-        <source>cancelled at %1</source>
-        <translation>在 %1 取消</translation>
     </message>
 </context>
 <context>
@@ -24596,10 +24731,6 @@ Program: %3</source>
     <message>
         <source>Simulate at the pace of the collapse and watch: each frame simulates one frame time and draws both views</source>
         <translation>按倒塌的实际速度模拟并观看：每帧模拟一帧的时间并绘制两个视图</translation>
-    </message>
-    <message>
-        <source>Stop the run (Esc); what is computed is kept</source>
-        <translation>停止计算（Esc）；已计算的内容保留</translation>
     </message>
     <message>
         <source>Health of the run</source>
@@ -24813,6 +24944,10 @@ Program: %3</source>
         <source>Steps per second are those of the settling: every state of the FE result is a step of its own. Times can be typed with a unit: 500 us, 20 ms, 2 s.</source>
         <translation>每秒步数只用于稳定阶段：有限元结果的每个状态本身就是一步。输入时间可带单位：500 us、20 ms、2 s。</translation>
     </message>
+    <message>
+        <source>Stop the run (Esc); what is computed so far stays in the views</source>
+        <translation>停止计算（Esc）；至此已计算的内容仍在视图中</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::ScanDialog</name>
@@ -24916,16 +25051,8 @@ Program: %3</source>
         <translation>扫描仪高出该处的距离</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
         <source>Remove scanner</source>
         <translation>移除扫描仪</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>全部移除</translation>
     </message>
     <message>
         <source>Places of the scanners</source>
@@ -24938,10 +25065,6 @@ Program: %3</source>
     <message>
         <source>Take these places</source>
         <translation>采用这些位置</translation>
-    </message>
-    <message>
-        <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
-        <translation>该处没有模型：请单击结构、碎块或地面。</translation>
     </message>
     <message>
         <source>scanner</source>
@@ -25189,8 +25312,8 @@ Program: %3</source>
         <translation>能量漂移</translation>
     </message>
     <message>
-        <source>Limits of health passed</source>
-        <translation>超过的健康限值</translation>
+        <source>What came of it</source>
+        <translation>结果如何</translation>
     </message>
 </context>
 <context>
@@ -25868,8 +25991,8 @@ Program: %3</source>
         <translation>进度</translation>
     </message>
     <message>
-        <source>Stop what runs (Esc); what is computed is kept</source>
-        <translation>停止正在运行的工作（Esc）；已计算的内容保留</translation>
+        <source>Stop what runs (Esc); what is computed so far stays</source>
+        <translation>停止正在运行的工作（Esc）；至此已计算的内容仍在</translation>
     </message>
 </context>
 <context>

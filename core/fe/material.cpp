@@ -1,5 +1,6 @@
 #include "core/fe/material.h"
 
+#include <algorithm>
 #include <array>
 
 namespace rubble {
@@ -23,14 +24,30 @@ bool isMaterialDensity(double density) {
     return density >= leastMaterialDensity && density <= greatestMaterialDensity;
 }
 
+namespace {
+
+/// kg/m3, from the least on and below the greatest.
+struct DensityRange {
+    Material material;
+    double least;
+    double below;
+    bool holds(double density) const { return density >= least && density < below; }
+};
+constexpr std::array densityRanges{DensityRange{Material::Steel, 7000.0, 9000.0}, DensityRange{Material::Stone, 2550.0, 3500.0},
+                                   DensityRange{Material::Masonry, 1400.0, 2100.0},
+                                   DensityRange{Material::Concrete, 2100.0, 2550.0}};
+
+}  // namespace
+
 Material materialOfDensity(double density) {
-    if (density >= 7000.0 && density < 9000.0) {
-        return Material::Steel;
-    }
-    if (density >= 2550.0 && density < 3500.0) {
-        return Material::Stone;
-    }
-    return density >= 1400.0 && density < 2100.0 ? Material::Masonry : Material::Concrete;
+    const auto found = std::find_if(densityRanges.begin(), densityRanges.end(),
+                                    [density](const DensityRange& range) { return range.holds(density); });
+    return found != densityRanges.end() ? found->material : Material::Concrete;
+}
+
+bool someMaterialFits(double density) {
+    return !(density > 0.0) || std::any_of(densityRanges.begin(), densityRanges.end(),
+                                           [density](const DensityRange& range) { return range.holds(density); });
 }
 
 bool isBodyMaterial(Material material) {

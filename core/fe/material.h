@@ -20,6 +20,10 @@ std::optional<Material> materialNamed(std::string_view name);
 /// slab that carries the mass of something else).
 Material materialOfDensity(double density);
 
+/// Whether that guess fits, or no density is known. Nothing fits tungsten, lead or timber: such a component meets others as
+/// concrete does, and nobody should be told that it is concrete.
+bool someMaterialFits(double density);
+
 inline constexpr double leastMaterialDensity = 25.0;        ///< kg/m3: foam
 inline constexpr double greatestMaterialDensity = 22000.0;  ///< kg/m3: heavier than lead
 /// Whether anything that is built has this density, kg/m3. Outside of it a file is hardly read in its units.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
 
@@ -11,6 +13,10 @@ namespace {
 
 /// Share of a window by which times may miss its end: files keep them in single precision.
 constexpr double timeSlack = 1e-6;
+/// Share of a result that a window may take without a word.
+constexpr double quietShare = 0.25;
+/// Share of a result that a fitting window takes.
+constexpr double fittingShare = 0.01;
 
 /// The lifetimes that end with a death, as the activity shows them, ordered by lastActive.
 std::vector<Lifetime> endedIn(const Activity& activity) {
@@ -55,6 +61,40 @@ BirthWindows::BirthWindows(const std::vector<Lifetime>& ended, const std::vector
         }
         m_handOver[state] = *first;
     }
+}
+
+bool WindowCover::wide() const {
+    return births < instants && window >= quietShare * span;
+}
+
+WindowCover coverOf(const std::vector<Lifetime>& ended, const std::vector<double>& times, double window) {
+    WindowCover cover;
+    cover.window = window;
+    cover.span = times.back() - times.front();
+    const BirthWindows windows(ended, times, window);
+    std::optional<std::uint32_t> before;
+    for (const Lifetime& life : ended) {
+        if (life.lastActive == before) {
+            continue;
+        }
+        before = life.lastActive;
+        const std::uint32_t handOver = windows.handOver(life.lastActive);
+        ++cover.instants;
+        cover.births += handOver == life.lastActive ? 1 : 0;
+        cover.earliest = std::max(cover.earliest, times[life.lastActive] - times[handOver]);
+    }
+    return cover;
+}
+
+double fittingBirthWindow(double span) {
+    const double fitting = fittingShare * span;
+    if (!(fitting > 0.0) || !std::isfinite(fitting)) {
+        return 0.0;
+    }
+    // Parts of a whole number, so that a decimal fraction is the number that is read for it.
+    const int power = static_cast<int>(std::floor(std::log10(fitting)));
+    const double unit = std::pow(10.0, std::abs(power));
+    return power < 0 ? std::round(fitting * unit) / unit : std::round(fitting / unit) * unit;
 }
 
 double birthWindowOf(const FragmentSettings& settings) {

@@ -27,6 +27,24 @@ private:
     std::vector<std::uint32_t> m_handOver;  // [states]
 };
 
+/// What a birth window does to the deaths of a result.
+struct WindowCover {
+    double window = 0.0;       ///< s
+    double span = 0.0;         ///< s, from the first state of the result to the last
+    std::size_t instants = 0;  ///< of hand-over, each state by itself
+    std::size_t births = 0;    ///< instants of hand-over with the window
+    double earliest = 0.0;     ///< s, by which something is handed over before its own state, at most
+
+    /// Deaths of several states are joined over a quarter of the result or more: what the window was meant to round off is much of
+    /// what there was.
+    bool wide() const;
+};
+/// @param ended, times, window  as BirthWindows has them
+WindowCover coverOf(const std::vector<Lifetime>& ended, const std::vector<double>& times, double window);
+
+/// s, for a result that lasts so many seconds: a hundredth of them, as the default is of ten seconds, to one digit.
+double fittingBirthWindow(double span);
+
 /// s, of the windows that these settings ask for: none with exact birth times, which part what a window takes together.
 double birthWindowOf(const FragmentSettings& settings);
 

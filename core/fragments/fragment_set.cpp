@@ -57,6 +57,7 @@ public:
 
 private:
     std::vector<Lifetime> handedOver(const Execution& execution);
+    void noteWindow(const std::vector<Lifetime>& ended, double window);
     void addFragment(const Lifetime& life);
     void setTimes(Fragment& fragment, const Lifetime& life);
     double exactDeathTime(const Lifetime& life);
@@ -113,12 +114,29 @@ FragmentSet FragmentMaker::make(const Execution& execution) {
 /// The lifetimes as they are handed over. Their order does not depend on the birth window.
 std::vector<Lifetime> FragmentMaker::handedOver(const Execution& execution) {
     std::vector<Lifetime> lives = endedLifetimes(m_fe, m_components, m_settings.revival, m_set.findings, execution);
-    const BirthWindows windows(lives, m_fe.times(), birthWindowOf(m_settings));
+    const double window = birthWindowOf(m_settings);
+    noteWindow(lives, window);
+    const BirthWindows windows(lives, m_fe.times(), window);
     for (Lifetime& life : lives) {
         life.lastActive = windows.handOver(life.lastActive);
         life.firstDead = life.lastActive + 1;
     }
     return lives;
+}
+
+/// A window that is short for a collapse of seconds makes one birth of all of a blast.
+void FragmentMaker::noteWindow(const std::vector<Lifetime>& ended, double window) {
+    const WindowCover cover = coverOf(ended, m_fe.times(), window);
+    if (!cover.wide()) {
+        return;
+    }
+    m_set.findings.add(
+        {"fragments.birth_window",
+         "The birth window of {0} is long for a result that lasts {1}: deaths of {2} states become debris at {3}, up to {4} early",
+         {{cover.window, "s"}, {cover.span, "s"}, cover.instants, cover.births, {cover.earliest, "s"}}},
+        {"fragments.birth_window.remedy",
+         "Set birth_window to a hundredth of that, {0}, as the default is of ten seconds, or to 0 for each state by itself.",
+         {{fittingBirthWindow(cover.span), "s"}}});
 }
 
 void FragmentMaker::addFragment(const Lifetime& life) {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "core/base/hash.h"
+#include "core/simulation/health/health.h"
 
 namespace rubble {
 
@@ -26,10 +28,15 @@ struct RunEntry {
     double msPerStep = 0.0;    ///< mean
     double maxSpeed = 0.0;     ///< m/s
     double bulkingFactor = std::numeric_limits<double>::quiet_NaN();
-    double energyDrift = 0.0;   ///< share of the work of gravity
-    std::int64_t breaches = 0;  ///< of health
-    Digest trajectoryHash;      ///< of a complete run
-    std::string file;           ///< where its run file was kept, absolute; empty if it was not
+    double energyDrift = 0.0;               ///< share of the work of gravity
+    std::int64_t breaches = 0;              ///< limits of health that were passed
+    std::optional<HealthGrade> grade = {};  ///< the gravest of them; unset: a history of an earlier version does not say
+    bool acknowledged = false;              ///< someone vouches for it in spite of them
+    Digest trajectoryHash;                  ///< of a complete run
+    std::string file;                       ///< where its run file was kept, absolute; empty if it was not
+
+    /// Its figures should not be relied on until someone vouches for them.
+    bool tainted() const { return grade == HealthGrade::Tainted && !acknowledged; }
 
     /// Every figure; one that is NaN differs from itself.
     friend bool operator==(const RunEntry&, const RunEntry&) = default;

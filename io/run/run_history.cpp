@@ -4,8 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/simulation/health/passed_limits.h"
 #include "io/base/files.h"
 #include "io/json/json_document.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_file.h"
 #include "io/run/run_json.h"
 
 namespace rubble::io {
@@ -16,6 +19,19 @@ namespace {
 
 // A hundred thousand runs are smaller.
 constexpr JsonKind historyKind{"rubble-run-history", 1, std::uintmax_t{128} << 20};
+
+std::optional<HealthGrade> gradeFrom(const JsonCursor& grade) {
+    if (grade.value().is_null()) {
+        return std::nullopt;
+    }
+    const std::string name = grade.text();
+    for (const HealthGrade each : {HealthGrade::Notice, HealthGrade::Finding, HealthGrade::Tainted}) {
+        if (healthGradeName(each) == name) {
+            return each;
+        }
+    }
+    grade.fail("notice, finding or tainted");
+}
 
 nlohmann::json entryJson(const RunEntry& run) {
     return {{"when", run.when},
@@ -36,6 +52,8 @@ nlohmann::json entryJson(const RunEntry& run) {
             {"bulking_factor", jsonNumber(run.bulkingFactor)},
             {"energy_drift", jsonNumber(run.energyDrift)},
             {"breaches", run.breaches},
+            {"grade", run.grade ? nlohmann::json(std::string(healthGradeName(*run.grade))) : nlohmann::json()},
+            {"acknowledged", run.acknowledged},
             {"trajectory_hash", run.trajectoryHash.hex()},
             {"file", run.file}};
 }
@@ -60,6 +78,9 @@ RunEntry entryFrom(const JsonCursor& entry) {
     run.bulkingFactor = entry["bulking_factor"].anyNumber();
     run.energyDrift = entry["energy_drift"].anyNumber();
     run.breaches = entry["breaches"].integer();
+    // Earlier versions kept neither.
+    run.grade = entry.has("grade") ? gradeFrom(entry["grade"]) : std::nullopt;
+    run.acknowledged = entry.has("acknowledged") && entry["acknowledged"].flag();
     run.trajectoryHash = digestFromJson(entry["trajectory_hash"]);
     run.file = entry["file"].text();
     return run;
@@ -94,6 +115,29 @@ void writeRunHistory(const std::string& file, const std::vector<RunEntry>& runs)
     fs::create_directories(fs::path(file).parent_path(), failed);
     // Whatever is wrong with the folder is told by the writing.
     writeAtomically(file, [&](std::ostream& out) { out << jsonText(document) << '\n'; });
+}
+
+void takeVerdict(RunEntry& run) {
+    if (run.breaches == 0) {
+        run.grade = HealthGrade::Notice;
+        return;
+    }
+    std::error_code failed;
+    if (run.file.empty() || !fs::exists(run.file, failed)) {
+        return;
+    }
+    const bool vouched = fs::exists(acknowledgementPath(run.file), failed);
+    run.acknowledged = run.acknowledged && vouched;
+    if (run.grade && !vouched) {
+        return;
+    }
+    try {
+        const Taint taint = taintOf(*openRun(run.file));
+        run.grade = taint.grade;
+        run.acknowledged = taint.acknowledgement.has_value();
+    } catch (const Error&) {
+        // Whoever opens it is told what is wrong with it.
+    }
 }
 
 }  // namespace rubble::io

@@ -17,4 +17,8 @@ std::vector<RunEntry> readRunHistory(const std::string& file);
 /// Writes it atomically. Throws WorldError; the old file is then unchanged.
 void writeRunHistory(const std::string& file, const std::vector<RunEntry>& runs);
 
+/// Brings grade and acknowledgement of a run up to what lies beside its file. It is opened only where that can have changed; one
+/// that cannot be read stays as it was.
+void takeVerdict(RunEntry& run);
+
 }  // namespace rubble::io

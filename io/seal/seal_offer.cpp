@@ -108,6 +108,7 @@ public:
         addRunsBeside();
         addFilesBeside();
         addMissing();
+        addVerdicts();
         std::stable_sort(m_parts.begin(), m_parts.end(),
                          [](const OfferedPart& a, const OfferedPart& b) { return a.kind < b.kind; });
         return std::move(m_parts);
@@ -134,12 +135,16 @@ private:
     void addRuns() {
         const std::vector<std::string> newest = newestRuns(m_casePath);
         std::set<std::string> told;
-        for (const RunEntry& entry : keptRuns(m_casePath)) {
+        for (RunEntry& entry : keptRuns(m_casePath)) {
             m_fingerprints.insert(entry.fingerprint.hex());
             if (!told.insert(entry.file).second) {
                 continue;
             }
             OfferedPart part{OfferedPart::Kind::Run, entry.scenarioName, whole(entry.file), bytesOf(entry.file)};
+            takeVerdict(entry);
+            if (entry.tainted()) {
+                m_tainted.insert(part.path);
+            }
             part.bytes += bytesOf(acknowledgementPath(entry.file));
             part.fingerprint = entry.fingerprint.hex();
             part.chosen = std::find(newest.begin(), newest.end(), entry.file) != newest.end();
@@ -186,6 +191,9 @@ private:
             }
             m_fingerprints.insert(origin.fingerprint.hex());
             OfferedPart part{OfferedPart::Kind::Run, origin.scenarioName, whole(path), bytesOf(path)};
+            if (taintOf(*run).tainted()) {
+                m_tainted.insert(part.path);
+            }
             part.bytes += bytesOf(acknowledgementPath(path.string()));
             part.fingerprint = origin.fingerprint.hex();
             part.chosen = std::none_of(m_parts.begin(), m_parts.end(), [&](const OfferedPart& each) {
@@ -249,6 +257,15 @@ private:
         }
     }
 
+    /// What is sealed is read by others.
+    void addVerdicts() {
+        for (OfferedPart& part : m_parts) {
+            if (part.kind == OfferedPart::Kind::Run && part.remark.empty() && m_tainted.contains(part.path)) {
+                part.remark = {"io.seal.offer_tainted", "tainted: it passed limits of health, and nobody vouches for it", {}};
+            }
+        }
+    }
+
     const std::string& m_casePath;
     const Case m_case;
     const Execution& m_execution;
@@ -256,6 +273,7 @@ private:
     std::vector<fs::path> m_beside;
     std::set<std::string> m_inputs;
     std::set<std::string> m_fingerprints;
+    std::set<std::string> m_tainted;
 };
 
 void replaceAll(std::string& text, const std::string& word, const std::string& with) {

@@ -34,6 +34,8 @@ RunEntry someRun(int i) {
     run.bulkingFactor = 1.5;
     run.energyDrift = 1e-17;
     run.breaches = i;
+    run.grade = i == 0 ? std::nullopt : std::optional(static_cast<HealthGrade>(i % 3));
+    run.acknowledged = i == 2;
     run.trajectoryHash.bytes[0] = 255;
     run.file = "/somewhere/first.run.h5";
     return run;
@@ -52,6 +54,32 @@ TEST(RunHistory, ComesBackAsItWas) {
     runs[0].bulkingFactor = std::nan("");
     writeRunHistory(file, runs);
     EXPECT_TRUE(std::isnan(readRunHistory(file)[0].bulkingFactor));
+}
+
+TEST(RunHistory, OfEarlierVersionsSaysNoGrade) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "case.rubble.runs.json";
+    writeRunHistory(file, {someRun(2)});
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (const std::string_view key : {"\"acknowledged\"", "\"grade\""}) {
+        const std::size_t from = text.rfind('\n', text.find(key));
+        text.erase(from, text.find('\n', from + 1) - from);
+    }
+    std::ofstream(file, std::ios::binary) << text;
+    const std::vector<RunEntry> runs = readRunHistory(file);
+    ASSERT_EQ(runs.size(), 1U) << text;
+    EXPECT_EQ(runs[0].breaches, 2);
+    EXPECT_FALSE(runs[0].grade || runs[0].acknowledged || runs[0].tainted());
+    RunEntry lost = runs[0];
+    lost.file = folder / "gone.run.h5";
+    const RunEntry before = lost;
+    takeVerdict(lost);
+    EXPECT_EQ(lost, before) << "its file is not there to ask";
+    RunEntry sound = runs[0];
+    sound.breaches = 0;
+    takeVerdict(sound);
+    EXPECT_EQ(sound.grade, HealthGrade::Notice);
 }
 
 TEST(RunHistory, DamageIsAnErrorWithItsPlace) {

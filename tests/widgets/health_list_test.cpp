@@ -145,7 +145,7 @@ TEST(HealthList, AnAcknowledgedRunShowsWhoAndWhy) {
 
 TEST(HealthList, ARemedyIsSetByItsButtonUntilItIsSet) {
     HealthList list;
-    HealthList::Content content{twoBreaches(), {}, Vec3::Zero(), {}, 60.0, {}};
+    HealthList::Content content{twoBreaches(), {}, Vec3::Zero(), {Scenario(), 60.0}, {}};
     list.setContent(content);
     std::vector<std::pair<QString, ParameterValue>> set;
     QObject::connect(&list, &HealthList::remedyChosen,
@@ -161,8 +161,8 @@ TEST(HealthList, ARemedyIsSetByItsButtonUntilItIsSet) {
     content.scenario.simulation.autoRemedy = true;
     list.setContent(content);
     EXPECT_FALSE(list.findChild<QPushButton*>(QStringLiteral("applyRemedy"))->isEnabled());
-    content.settings.autoRemedy = true;
-    const auto next = remedySettingOf(content.health.breaches[0], content);
+    content.grounds.ran.simulation.autoRemedy = true;
+    const auto next = remedySettingOf(content.health.breaches[0], content.grounds);
     ASSERT_TRUE(next.has_value());
     EXPECT_EQ(next->key, "step_rate");
     EXPECT_EQ(next->value, ParameterValue(120.0));
@@ -176,7 +176,7 @@ TEST(HealthList, ALimitThatWasPassedTwiceCountsOnce) {
     health.breaches.back().worst = 4.742;
     EXPECT_EQ(limitsIn(health), 2);
     HealthList list;
-    list.setContent({health, {}, Vec3::Zero(), {}, 60.0, {}});
+    list.setContent({health, {}, Vec3::Zero(), {Scenario(), 60.0}, {}});
     EXPECT_EQ(list.findChildren<QPushButton*>(QStringLiteral("applyRemedy")).size(), 2);
     EXPECT_TRUE(allText(list).contains(QStringLiteral("2 limits passed")));
     const auto entries = list.findChildren<QLabel*>(QStringLiteral("breach"));
@@ -198,7 +198,7 @@ TEST(HealthList, WhatIsNotTaintedAsksForNoName) {
     HealthReport health = twoBreaches();
     health.breaches.pop_back();
     HealthList list;
-    list.setContent({health, {}, Vec3::Zero(), {}, 60.0, {}});
+    list.setContent({health, {}, Vec3::Zero(), {Scenario(), 60.0}, {}});
     EXPECT_FALSE(offersToAcknowledge(list));
     EXPECT_FALSE(allText(list).contains(QStringLiteral("tainted")));
     EXPECT_TRUE(allText(list).contains(QStringLiteral("1 limit passed.")));

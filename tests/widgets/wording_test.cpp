@@ -91,6 +91,24 @@ TEST(Wording, WhatStandsInQuotationMarksIsAName) {
     EXPECT_FALSE(figures::isVerbatim("\"{1}\", \"{10}\" and {0}", 0));
 }
 
+TEST(Wording, KeysOfComponentsAreFieldsInTheWindow) {
+    const auto said = [](const std::string& pattern) { return worded(Message{"x", pattern, {Argument("pier 2")}}); };
+    EXPECT_EQ(said("no component is marked as reinforced (component[NAME].reinforced)"),
+              QStringLiteral("no component is marked as reinforced (“Reinforced”)"));
+    EXPECT_EQ(said("Set component[{0}].density to a positive number."),
+              QStringLiteral("Set “Density” of “pier 2” to a positive number."));
+    EXPECT_EQ(said("or set component[{0}].structural = false"), QStringLiteral("or set “Structural” of “pier 2” = off"));
+    EXPECT_EQ(said("such as pair[stone,soil].friction."), QStringLiteral("such as “Friction” of “stone,soil”."));
+    EXPECT_EQ(said("a list[1].of things"), QStringLiteral("a list[1].of things"));
+}
+
+// "0.0 s left" stood for half a minute beside what went on.
+TEST(Wording, NoTimeIsLeftWhereLessThanHalfASecondWouldBe) {
+    EXPECT_EQ(shownProgress(QStringLiteral("drawing"), 12.0), QStringLiteral("Drawing · about 12 s left"));
+    EXPECT_EQ(shownProgress(QStringLiteral("drawing"), 0.2), QStringLiteral("Drawing"));
+    EXPECT_EQ(shownProgress(QStringLiteral("drawing"), std::nan("")), QStringLiteral("Drawing"));
+}
+
 TEST(Wording, OptionsOfTheCommandLineAreFieldsInTheWindow) {
     const auto said = [](const std::string& pattern) { return worded(Message{"x", pattern, {Argument("fe-1")}}); };
     EXPECT_EQ(said("count it (--live)"), QStringLiteral("count it (“Fallen structure counts as debris” under “Evidence”)"));

@@ -73,8 +73,7 @@ void ErrorBar::setProgress(double fraction, double secondsLeft) {
         return;
     }
     m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    m_words->setText(std::isfinite(secondsLeft) ? tr("Computing the reference · about %1 left").arg(shownDuration(secondsLeft))
-                                                : tr("Computing the reference"));
+    m_words->setText(shownProgress(tr("Computing the reference"), secondsLeft));
 }
 
 QString ErrorBar::text() const {

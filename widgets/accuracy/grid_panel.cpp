@@ -65,7 +65,7 @@ int GridPanel::positionOf(double multiple) {
 GridPanel::GridPanel(QWidget* parent)
     : Panel(tr("Basic Grid"), tr("Which fragments move together, and what that costs."), parent),
       m_advice(new QLabel),
-      m_beside(new Notice),
+      m_beside(new FindingList),
       m_use(new QPushButton),
       m_slider(new QSlider(Qt::Horizontal)),
       m_multipleWhy(new Notice),
@@ -157,6 +157,7 @@ void GridPanel::buildTable(PanelGroup* group) {
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setMinimumSectionSize(24);
     m_table->horizontalHeader()->setFont(headingFont());
+    m_table->setFont(headingFont());
     m_table->setShowGrid(false);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setFocusPolicy(Qt::NoFocus);
@@ -229,8 +230,17 @@ void GridPanel::setAdvice(const MachineAdvice& advice) {
 }
 
 void GridPanel::setBeside(const std::optional<Finding>& caution) {
-    m_beside->set(Notice::Kind::Finding, caution ? worded(caution->what) : QString(),
-                  caution ? worded(caution->remedy) : QString());
+    // It comes with each prediction, while a slider moves as well.
+    const QString words = caution ? worded(caution->what) : QString();
+    if (words == m_besideWords) {
+        return;
+    }
+    m_besideWords = words;
+    Findings findings;
+    if (caution) {
+        findings.add(caution->what, caution->remedy);
+    }
+    m_beside->set(findings);
 }
 
 void GridPanel::setPublishedCounts(const std::vector<PublishedCount>& counts) {

@@ -80,7 +80,8 @@ private:
     void showAutomatic(const Sizing& sizing);
 
     QLabel* m_advice;
-    Notice* m_beside;
+    FindingList* m_beside;
+    QString m_besideWords;
     QPushButton* m_use;
     QSlider* m_slider;
     Notice* m_multipleWhy;

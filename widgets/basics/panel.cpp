@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCursor>
 #include <QEvent>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/basics/language.h"
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/prediction_box.h"
 #include "widgets/basics/theme.h"
@@ -69,13 +71,45 @@ QString Notice::text() const {
     return isHidden() ? QString() : m_label->text();
 }
 
+namespace {
+
+/// Where something was found. Of a file its name: a path is longer than a panel is wide.
+QString shownExample(const std::string& example) {
+    const QFileInfo file(QString::fromStdString(example));
+    return file.isAbsolute() && !file.fileName().isEmpty() ? file.fileName() : figures::spokenText(example);
+}
+
+/// A value beside the name of its setting. Times and lengths have their unit, in which a small one can be read.
+QString valueOfSetting(const Parameter& row, const ParameterValue& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr && (row.unit == "s" || row.unit == "m") ? shownWith(*number, row.unit) : shownValue(value);
+}
+
+}  // namespace
+
+RemedyButton::RemedyButton(const RemedySetting& setting, QWidget* parent) : QPushButton(parent), m_setting(setting) {
+    const Parameter& row = *findParameter(setting.key).first;
+    setObjectName(QStringLiteral("applyRemedy"));
+    setText(tr("Set “%1” to %2").arg(said("parameters", row.label), valueOfSetting(row, setting.value)));
+    connect(this, &QPushButton::clicked, this, [this] { emit chosen(QString::fromStdString(m_setting.key), m_setting.value); });
+}
+
+void RemedyButton::setScenario(const Scenario& scenario) {
+    const bool isSet = parameterValue(scenario, m_setting.key) == m_setting.value;
+    setEnabled(!isSet);
+    const bool afterRun = findParameter(m_setting.key).first->stage == Stage::Simulation;
+    setToolTip(!isSet     ? tr("Change this setting; Ctrl+Z takes it back")
+               : afterRun ? tr("It is set: simulate to see what it does")
+                          : tr("It is set"));
+}
+
 FindingList::FindingList(QWidget* parent) : QWidget(parent), m_column(new QVBoxLayout(this)) {
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(8);
     hide();
 }
 
-void FindingList::set(const Findings& findings) {
+void FindingList::set(const Findings& findings, const RemedyGrounds& grounds) {
     while (QLayoutItem* item = m_column->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -88,22 +122,44 @@ void FindingList::set(const Findings& findings) {
             text = tr("%1×: %2").arg(shownCount(finding.count), text);
         }
         if (!finding.example.empty()) {
-            text += QStringLiteral(" (") + tr("first: %1").arg(figures::spokenText(finding.example)) + QStringLiteral(")");
+            text += QStringLiteral(" (") + tr("first: %1").arg(shownExample(finding.example)) + QStringLiteral(")");
         }
         // Before it shows itself: without a parent it would be a window.
         m_column->addWidget(notice);
         notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
-        for (const Doing& doing : m_doings) {
-            if (doing.id == finding.what.id) {
-                auto* button = new QPushButton(doing.words);
-                // What it does may set other findings, which ends the button.
-                connect(button, &QPushButton::clicked, this, [this, act = doing.act] { QTimer::singleShot(0, this, act); });
-                m_column->addWidget(button, 0, Qt::AlignLeft);
-            }
-        }
+        notice->setToolTip(QFileInfo(QString::fromStdString(finding.example)).isAbsolute() ? QString::fromStdString(finding.example)
+                                                                                           : QString());
+        addButtons(finding, grounds);
     }
     m_count = static_cast<std::int64_t>(findings.list().size());
     setVisible(!findings.empty());
+}
+
+void FindingList::addButtons(const Finding& finding, const RemedyGrounds& grounds) {
+    // What a button does may set other findings, which ends the button.
+    if (const auto setting = remedySettingOf(finding, grounds)) {
+        auto* button = new RemedyButton(*setting);
+        button->setScenario(m_scenario);
+        connect(button, &RemedyButton::chosen, this, [this](const QString& key, const ParameterValue& value) {
+            QTimer::singleShot(0, this, [this, key, value] { emit remedyChosen(key, value); });
+        });
+        m_column->addWidget(button, 0, Qt::AlignLeft);
+    }
+    for (const Doing& doing : m_doings) {
+        const bool group = doing.id.ends_with('.') && finding.what.id.starts_with(doing.id);
+        if (group || doing.id == finding.what.id) {
+            auto* button = new QPushButton(doing.words);
+            connect(button, &QPushButton::clicked, this, [this, act = doing.act] { QTimer::singleShot(0, this, act); });
+            m_column->addWidget(button, 0, Qt::AlignLeft);
+        }
+    }
+}
+
+void FindingList::setScenario(const Scenario& scenario) {
+    m_scenario = scenario;
+    for (auto* button : findChildren<RemedyButton*>()) {
+        button->setScenario(scenario);
+    }
 }
 
 /// Those that a panel shows, or would if it were in front.
@@ -234,6 +290,10 @@ PanelGroup* Panel::addGroup(const QString& heading) {
 
 void Panel::addWide(QWidget* widget) {
     m_column->addWidget(widget);
+    if (auto* findings = qobject_cast<FindingList*>(widget)) {
+        m_findingLists.push_back(findings);
+        connect(findings, &FindingList::remedyChosen, this, &Panel::edited);
+    }
 }
 
 void Panel::setStale(bool stale, const QString& why) {
@@ -301,6 +361,9 @@ void Panel::setError(const QString& what, const QString& remedy) {
 void Panel::setScenario(const Scenario& scenario) {
     for (ParameterEditor* editor : std::as_const(m_editors)) {
         editor->setValue(parameterValue(scenario, editor->key().toStdString()));
+    }
+    for (FindingList* findings : m_findingLists) {
+        findings->setScenario(scenario);
     }
 }
 

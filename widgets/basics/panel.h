@@ -2,6 +2,7 @@
 
 #include <QHash>
 #include <QPointer>
+#include <QPushButton>
 #include <QScrollArea>
 #include <functional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/base/finding.h"
+#include "core/pipeline/remedies.h"
 #include "core/scenario/parameters.h"
 
 class QGridLayout;
@@ -36,14 +38,30 @@ private:
     QLabel* m_label;
 };
 
+/// Does the remedy of a finding by setting one value; greyed once that is set.
+class RemedyButton : public QPushButton {
+    Q_OBJECT
+
+public:
+    explicit RemedyButton(const RemedySetting& setting, QWidget* parent = nullptr);
+    /// As it is set now.
+    void setScenario(const Scenario& scenario);
+
+signals:
+    void chosen(const QString& key, const rubble::ParameterValue& value);
+
+private:
+    RemedySetting m_setting;
+};
+
 /// Findings of a stage, one notice each, with count, example and remedy, and a button where the remedy can be done at once.
 class FindingList : public QWidget {
     Q_OBJECT
 
 public:
-    /// What does the remedy of a finding.
+    /// What does the remedy of a finding where no setting does.
     struct Doing {
-        std::string id;  ///< of what was found
+        std::string id;  ///< of what was found, or how such ids begin: "site."
         QString words;   ///< on the button
         std::function<void()> act;
     };
@@ -51,14 +69,24 @@ public:
     explicit FindingList(QWidget* parent = nullptr);
     /// Of findings that are set from now on.
     void setDoings(std::vector<Doing> doings) { m_doings = std::move(doings); }
-    void set(const Findings& findings);
+    /// @param grounds  what the remedies are chosen by
+    void set(const Findings& findings, const RemedyGrounds& grounds = {});
     /// How many boxes there are: one for each kind of finding.
     std::int64_t count() const { return m_count; }
+    /// As it is set now: what a remedy asks for may be set already.
+    void setScenario(const Scenario& scenario);
+
+signals:
+    /// Set this, as the remedy of a finding says.
+    void remedyChosen(const QString& key, const rubble::ParameterValue& value);
 
 private:
+    void addButtons(const Finding& finding, const RemedyGrounds& grounds);
+
     QVBoxLayout* m_column;
     std::vector<Doing> m_doings;
     std::int64_t m_count = 0;
+    Scenario m_scenario;
 };
 
 /// The lists that have something to say in a panel, in front or not.
@@ -93,6 +121,7 @@ public:
     Panel(const QString& title, const QString& question, QWidget* parent = nullptr);
 
     PanelGroup* addGroup(const QString& heading);
+    /// Over the full width. A list of findings follows the scenario, and what its remedies set leaves through edited().
     void addWide(QWidget* widget);
     /// Says below what scrolls that what the panel shows is older than the settings.
     void setStale(bool stale, const QString& why = {});
@@ -143,6 +172,7 @@ private:
     int m_scrolledAt = 0;
     PredictionBox* m_prediction = nullptr;
     QHash<QString, ParameterEditor*> m_editors;
+    std::vector<FindingList*> m_findingLists;
 };
 
 }  // namespace rubble::widgets

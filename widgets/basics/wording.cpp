@@ -111,11 +111,39 @@ QString withNamesOfOptions(QString text) {
     return text;
 }
 
+/// The same of settings of one component or pair: component[NAME].density is “Density”, component[{0}].density that of “{0}”.
+QString withNamesOfKeyed(QString text) {
+    static const QRegularExpression keyed(QStringLiteral("\\b([a-z]+)\\[([^\\]]+)\\]\\.([a-z_]+)( ?= ?(true|false))?"));
+    qsizetype from = 0;
+    for (auto found = keyed.match(text); found.hasMatch(); found = keyed.match(text, from)) {
+        const std::string key = QStringLiteral("%1[*].%2").arg(found.captured(1), found.captured(3)).toStdString();
+        const auto rows = parameterTable();
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Parameter& each) { return each.key == key; });
+        from = found.capturedEnd();
+        if (row == rows.end()) {
+            continue;
+        }
+        const QString name = QStringLiteral("“%1”").arg(said("parameters", row->label));
+        const QString subject = found.captured(2);
+        QString shown = subject == QLatin1String("NAME")
+                            ? name
+                            : QCoreApplication::translate("rubble", "%1 of “%2”", "a setting, and the component that it is of")
+                                  .arg(name, subject);
+        if (!found.captured(5).isEmpty()) {
+            shown += QStringLiteral(" = ") + shownValue(found.captured(5) == QLatin1String("true"));
+        }
+        text.replace(found.capturedStart(), found.capturedLength(), shown);
+        from = found.capturedStart() + shown.size();
+    }
+    return text;
+}
+
 /// Settings have their keys in files and on the command line; on screen they have the names that stand beside their fields.
 QString withNamesOfSettings(QString text) {
-    if (!text.contains(u'_') && !text.contains(QStringLiteral(" = "))) {
+    if (!text.contains(u'_') && !text.contains(QStringLiteral(" = ")) && !text.contains(u'[')) {
         return text;
     }
+    text = withNamesOfKeyed(std::move(text));
     for (const Parameter& row : parameterTable()) {
         const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
         if (row.keyed() || !text.contains(key)) {
@@ -315,7 +343,8 @@ QString shownDuration(double seconds) {
 
 QString shownProgress(const QString& what, double secondsLeft) {
     QString text = what.left(1).toUpper() + what.mid(1);
-    if (std::isfinite(secondsLeft)) {
+    // Less than half a second is no time to wait for; what takes longer all the same says what it does.
+    if (secondsLeft >= 0.5) {
         text += QCoreApplication::translate("rubble", " · about %1 left").arg(shownDuration(secondsLeft));
     }
     return text;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <cmath>
 
@@ -74,6 +75,14 @@ CasePanel::CasePanel(QWidget* parent)
     buildTable();
     addRemaining(Stage::Import, tr("How the file is read"));
     addRemaining(Stage::Components, tr("Assumed where nothing is known"));
+    const QString site = tr("Site…");
+    const QString terrain = tr("Choose a terrain…");
+    const auto askSite = [this] { emit siteRequested(); };
+    const auto askTerrain = [this] { emit terrainRequested(); };
+    m_findings->setDoings({{"site.", site, askSite},
+                           {"terrain.far_off", site, askSite},
+                           {"terrain.short", terrain, askTerrain},
+                           {"surroundings.no_terrain", terrain, askTerrain}});
     addWide(m_findings);
     setContent(nullptr, nullptr);
 }
@@ -225,9 +234,11 @@ void CasePanel::showFile(const FeResult* fe) {
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_span->setText(QStringLiteral("%1 – %2").arg(figures::timeText(fe->times().front()), figures::timeText(fe->times().back())));
     showUnits(c);
-    // What is in brackets says how it was recognised: the tip has room for that.
-    m_flag->setText(figures::spokenText(c.activityFrom.substr(0, c.activityFrom.find(" ("))));
-    m_flag->setToolTip(figures::spokenText(c.activityFrom));
+    // What is in brackets says how it was recognised: the tip has room for that. The catalogue knows the whole alone.
+    const QString flag = figures::spokenText(c.activityFrom);
+    static const QRegularExpression bracket(QStringLiteral("\\s*[(（]"));
+    m_flag->setText(flag.left(flag.indexOf(bracket)));
+    m_flag->setToolTip(flag);
     m_velocity->setText(c.hasVelocity ? tr("in the file") : tr("from positions"));
     std::int64_t dead = 0;
     for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {

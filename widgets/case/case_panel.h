@@ -37,6 +37,9 @@ signals:
     void regroupRequested(const rubble::RegroupStep& step);
     /// Back to the parts of the file.
     void regroupingCleared();
+    /// Where the model stands, or what debris falls on, is to be said: the remedy of a finding.
+    void siteRequested();
+    void terrainRequested();
 
 private:
     void buildFile();

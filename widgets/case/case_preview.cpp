@@ -58,6 +58,7 @@ CasePreview::CasePreview(QWidget* parent)
     add(m_back, Glyph::Back, tr("Back one state"));
     add(m_play, Glyph::Play, tr("Play or pause"));
     add(m_forward, Glyph::Forward, tr("Forward one state"));
+    m_time->setObjectName(QStringLiteral("previewTime"));
     m_time->setFixedWidth(m_time->fontMetrics().horizontalAdvance(QStringLiteral("0000.00 s ")));
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_time);

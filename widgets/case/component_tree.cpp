@@ -14,6 +14,8 @@
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/case/materials_table.h"
+#include "widgets/figures/material_words.h"
 
 namespace rubble::widgets {
 
@@ -115,8 +117,8 @@ void ComponentTree::setRows(const std::vector<Row>& rows) {
         const auto set = m_scenario.components.find(m_rows[i].name);
         const bool guessed = set == m_scenario.components.end() || !set->second.material;
         const QString material = shownName(m_rows[i].material);
-        m_items[i]->setToolTip(
-            Name, tr("%1, %2").arg(QString::fromStdString(m_rows[i].name), guessed ? tr("%1 (assumed)").arg(material) : material));
+        m_items[i]->setToolTip(Name, tr("%1, %2").arg(QString::fromStdString(m_rows[i].name),
+                                                      guessed ? figures::guessedMaterial(material, m_rows[i].fits) : material));
     }
     m_filling = false;
     for (ParameterEditor* editor : m_editors) {
@@ -126,7 +128,7 @@ void ComponentTree::setRows(const std::vector<Row>& rows) {
             });
             const auto set = row == m_rows.end() ? m_scenario.components.end() : m_scenario.components.find(row->name);
             const bool guessed = row != m_rows.end() && (set == m_scenario.components.end() || !set->second.material);
-            editor->setAutomaticText(guessed ? shownName(row->material) : QString());
+            editor->setAutomaticText(guessed ? automaticMaterial(row->material, row->fits) : QString());
         }
     }
 }

@@ -30,6 +30,7 @@ public:
         std::string material;  ///< as it is, guessed or set
         QColor colour;
         bool ownColour = false;  ///< the user chose it
+        bool fits = true;        ///< a guessed material has the density of the component
     };
     struct Count {
         std::size_t alive = 0;

@@ -81,8 +81,15 @@ void MaterialsTable::setComponents(const Components* components) {
     for (std::size_t i = 0; i < m_names.size(); ++i) {
         const auto set = m_scenario.components.find(m_names[i]);
         const bool guessed = set == m_scenario.components.end() || !set->second.material;
-        m_editors[2 * i]->setAutomaticText(guessed ? shownName(materialName(components->list[i].material)) : QString());
+        const Component& component = components->list[i];
+        m_editors[2 * i]->setAutomaticText(
+            guessed ? automaticMaterial(materialName(component.material), someMaterialFits(component.density)) : QString());
     }
+}
+
+QString automaticMaterial(std::string_view material, bool fits) {
+    const QString name = shownName(material);
+    return fits ? name : MaterialsTable::tr("as %1").arg(name);
 }
 
 void MaterialsTable::setScenario(const Scenario& scenario) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string_view>
 #include <vector>
 
 #include "core/fe/components.h"
@@ -39,5 +40,8 @@ private:
     Scenario m_scenario;
     bool m_editable = true;
 };
+
+/// What a field says of a material that was guessed: "concrete"; "as concrete" where none fits the density.
+QString automaticMaterial(std::string_view material, bool fits);
 
 }  // namespace rubble::widgets

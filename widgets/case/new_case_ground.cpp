@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/wording.h"
@@ -13,7 +14,19 @@ namespace rubble::widgets {
 namespace {
 
 // Of the height of the structure: a ground so far from its lowest point is worth a word.
-constexpr double worthAWord = 0.02;
+constexpr double worthAWord = 1e-3;
+
+/// m. What gaps below a structure are held against: its height, or a little of its length where it is flat.
+double heightOf(const Aabb& structure) {
+    return std::max(structure.sizes().z(), 0.01 * structure.sizes().maxCoeff());
+}
+
+/// m. The lowest point in round numbers: whole millimetres, of a small structure a ten-thousandth of its height at most.
+double roundedLowest(const Aabb& structure) {
+    const double finest = 0.1 * worthAWord * heightOf(structure);
+    const double parts = std::pow(10.0, std::clamp(std::ceil(-std::log10(finest)), 3.0, 9.0));
+    return std::floor(structure.min().z() * parts) / parts;
+}
 
 }  // namespace
 
@@ -52,8 +65,8 @@ NewCaseGround::NewCaseGround(QWidget* parent)
     connect(m_drop, &QPushButton::clicked, this, &NewCaseGround::terrainDropped);
     connect(m_toLowest, &QPushButton::clicked, this, [this] {
         if (!m_structure.isEmpty()) {
-            // Whole millimetres: more would only be noise in the field.
-            emit edited(QStringLiteral("ground_height"), ParameterValue(std::floor(m_structure.min().z() * 1000.0) / 1000.0));
+            // More would only be noise in the field.
+            emit edited(QStringLiteral("ground_height"), ParameterValue(roundedLowest(m_structure)));
         }
     });
     setStructure(Aabb());
@@ -74,8 +87,7 @@ void NewCaseGround::setScenario(const Scenario& scenario) {
 
 void NewCaseGround::showGap() {
     const double gap = m_structure.isEmpty() ? 0.0 : m_structure.min().z() - m_height;
-    const bool told =
-        !m_structure.isEmpty() && !m_hasTerrain && std::abs(gap) > std::max(0.01, worthAWord * m_structure.sizes().z());
+    const bool told = !m_structure.isEmpty() && !m_hasTerrain && std::abs(gap) > worthAWord * heightOf(m_structure);
     m_toLowest->setVisible(told);
     m_gap->set(Notice::Kind::Finding, !told     ? QString()
                                       : gap > 0 ? tr("The structure ends %1 above this ground.").arg(shownLength(gap))

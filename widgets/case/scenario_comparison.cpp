@@ -16,6 +16,7 @@
 #include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/case/run_verdict.h"
 #include "widgets/figures/number_text.h"
 
 namespace rubble::widgets {
@@ -203,7 +204,7 @@ void ScenarioComparison::showResults(const ScenarioSide& left, const ScenarioSid
     row(tr("Highest speed"), tr("m/s"), [](const RunEntry& run) { return shownIn(run.maxSpeed, "m/s"); });
     row(tr("Bulking of the pile"), {}, [](const RunEntry& run) { return shownNumber(run.bulkingFactor); });
     row(tr("Energy drift"), {}, [](const RunEntry& run) { return shownShare(run.energyDrift, 2); });
-    row(tr("Limits of health passed"), {}, [](const RunEntry& run) { return shownCount(run.breaches); });
+    row(tr("What came of it"), {}, [](const RunEntry& run) { return runVerdict(run); });
 }
 
 }  // namespace rubble::widgets

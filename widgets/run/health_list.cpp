@@ -11,12 +11,12 @@
 #include <array>
 #include <cmath>
 
-#include "core/scenario/parameters.h"
 #include "widgets/basics/form_row.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/case/run_verdict.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/run/caution_words.h"
@@ -95,28 +95,6 @@ QWidget* bare(QBoxLayout* layout) {
 
 }  // namespace
 
-std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const HealthList::Content& content) {
-    const double twice = std::min(10'000.0, 10.0 * std::ceil(0.2 * content.stepRate));
-    const auto steps = content.stepRate > 0.0 ? std::optional(RemedySetting{"step_rate", twice}) : std::nullopt;
-    switch (breach.check) {
-        case HealthCheck::Energy:
-        case HealthCheck::Penetration:
-            return content.settings.autoRemedy ? steps : RemedySetting{"auto_remedy", true};
-        case HealthCheck::Speed:
-        case HealthCheck::BelowGround:
-            return steps;
-        case HealthCheck::AsleepShare:
-            return RemedySetting{"freeze_delay", 2.0 * content.settings.freezeDelay};
-        case HealthCheck::Bulking:
-            if (breach.worst >= breach.limit) {
-                return std::nullopt;
-            }
-            return content.settings.solver == SolverKind::SoftStep ? steps : RemedySetting{"solver", std::string("soft-step")};
-        default:
-            return std::nullopt;
-    }
-}
-
 std::int64_t limitsIn(const HealthReport& health) {
     return static_cast<std::int64_t>(passedLimits(health.breaches).size());
 }
@@ -126,10 +104,6 @@ bool toldByHealth(const Finding& finding) {
         "simulation.energy_gain",  "simulation.penetration",  "simulation.too_fast",  "simulation.below_ground",
         "simulation.outside_site", "simulation.not_a_number", "simulation.pile_woke", "simulation.bulking"};
     return std::find(ids.begin(), ids.end(), finding.what.id) != ids.end();
-}
-
-QString limitsPassed(std::int64_t count) {
-    return count == 1 ? HealthList::tr("1 limit passed") : HealthList::tr("%1 limits passed").arg(shownCount(count));
 }
 
 namespace {
@@ -275,19 +249,12 @@ void HealthList::showBreaches(const Content& content) {
 }
 
 void HealthList::addRemedy(QVBoxLayout& row, const HealthBreach& breach, const Content& content) {
-    const auto remedy = remedySettingOf(breach, content);
-    if (!remedy) {
-        return;
+    if (const auto setting = remedySettingOf(breach, content.grounds)) {
+        auto* apply = new RemedyButton(*setting);
+        apply->setScenario(content.scenario);
+        connect(apply, &RemedyButton::chosen, this, &HealthList::remedyChosen);
+        row.addWidget(apply, 0, Qt::AlignLeft);
     }
-    const QString name = said("parameters", findParameter(remedy->key).first->label);
-    auto* apply = new QPushButton(tr("Set “%1” to %2").arg(name, shownValue(remedy->value)));
-    apply->setObjectName(QStringLiteral("applyRemedy"));
-    const bool isSet = parameterValue(content.scenario, remedy->key) == remedy->value;
-    apply->setEnabled(!isSet);
-    apply->setToolTip(isSet ? tr("It is set: simulate to see what it does") : tr("Change this setting; Ctrl+Z takes it back"));
-    connect(apply, &QPushButton::clicked, this,
-            [this, set = *remedy] { emit remedyChosen(QString::fromStdString(set.key), set.value); });
-    row.addWidget(apply, 0, Qt::AlignLeft);
 }
 
 void HealthList::setComplaint(const QString& complaint) {

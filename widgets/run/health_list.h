@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/finding.h"
+#include "core/pipeline/remedies.h"
 #include "core/scenario/parameters.h"
 #include "core/scenario/scenario.h"
 #include "core/simulation/health/passed_limits.h"
@@ -31,10 +32,9 @@ public:
     struct Content {
         HealthReport health;
         std::optional<Acknowledgement> acknowledged;
-        Vec3 origin = Vec3::Zero();        ///< m, of the local frame: places are shown in coordinates of the file
-        SimulationSettings settings = {};  ///< of the run
-        double stepRate = 0.0;             ///< 1/s, that the run had on average; 0: not known
-        Scenario scenario = {};            ///< as it is set now: what a remedy asks for may be set already
+        Vec3 origin = Vec3::Zero();  ///< m, of the local frame: places are shown in coordinates of the file
+        RemedyGrounds grounds = {};  ///< of the run
+        Scenario scenario = {};      ///< as it is set now: what a remedy asks for may be set already
     };
     void setContent(const Content& content);
     /// What went wrong with an acknowledgement; empty takes it away.
@@ -62,20 +62,10 @@ private:
     Notice* m_acknowledged;
 };
 
-/// What sets the remedy of a breach.
-struct RemedySetting {
-    std::string key;
-    ParameterValue value;
-};
-/// The one setting to try first; unset where no setting alone helps.
-std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const HealthList::Content& content);
-
 /// How many limits were passed, however often each.
 std::int64_t limitsIn(const HealthReport& health);
 /// Whether a finding says what a breach of the list says.
 bool toldByHealth(const Finding& finding);
-/// "2 limits passed"
-QString limitsPassed(std::int64_t count);
 /// A breach in words: what, its grade and why, where and when, worst against limit, remedy; rich text.
 QString breachWords(const HealthBreach& breach, const Vec3& origin);
 /// The same of a limit with all its times and its worst breach.

@@ -12,7 +12,7 @@
 
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
-#include "widgets/figures/number_text.h"
+#include "widgets/case/run_verdict.h"
 
 namespace rubble::widgets {
 
@@ -24,13 +24,6 @@ QString shownTime(const RunEntry& run) {
 }
 
 }  // namespace
-
-QString runVerdict(const RunEntry& run) {
-    return !run.complete       ? RunList::tr("cancelled at %1").arg(figures::timeText(run.endTime))
-           : run.breaches == 0 ? RunList::tr("sound")
-           : run.breaches == 1 ? RunList::tr("1 limit passed")
-                               : RunList::tr("%1 limits passed").arg(shownCount(run.breaches));
-}
 
 RunList::RunList(QWidget* parent)
     : QWidget(parent),

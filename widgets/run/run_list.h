@@ -11,9 +11,6 @@ class QPushButton;
 
 namespace rubble::widgets {
 
-/// What came of a run: "sound", "2 limits passed", "cancelled at 3.20 s".
-QString runVerdict(const RunEntry& run);
-
 /// The runs of a case, newest first: when, which scenario, what came of it. One whose file was kept can be shown again.
 class RunList : public QWidget {
     Q_OBJECT

@@ -37,7 +37,7 @@ RunPanel::RunPanel(QWidget* parent)
       m_live(new QPushButton(tr("Live"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
-      m_notHeld(new Notice),
+      m_notHeld(new FindingList),
       m_brief(new Notice),
       m_runs(new RunList),
       m_findings(new FindingList) {
@@ -51,7 +51,7 @@ RunPanel::RunPanel(QWidget* parent)
     m_simulate->setToolTip(tr("Simulate the whole collapse as fast as it goes (Ctrl+R)"));
     m_live->setToolTip(
         tr("Simulate at the pace of the collapse and watch: each frame simulates one frame time and draws both views"));
-    m_cancel->setToolTip(tr("Stop the run (Esc); what is computed is kept"));
+    m_cancel->setToolTip(tr("Stop the run (Esc); what is computed so far stays in the views"));
     m_why->setObjectName(QStringLiteral("muted"));
     m_why->setWordWrap(true);
     addWide(buttons);
@@ -89,8 +89,11 @@ void RunPanel::buildSettings() {
 
 void RunPanel::setScenario(const Scenario& scenario) {
     Panel::setScenario(scenario);
-    const std::optional<Finding> finding = notHeld(scenario);
-    m_notHeld->set(Notice::Kind::Note, finding ? worded(finding->what) : QString(), finding ? worded(finding->remedy) : QString());
+    Findings found;
+    if (const std::optional<Finding> finding = notHeld(scenario)) {
+        found.add(finding->what, finding->remedy);
+    }
+    m_notHeld->set(found, {scenario, 0.0});
     showBriefResult();
 }
 
@@ -222,7 +225,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
             others.add(finding.what, finding.remedy, finding.example, finding.count);
         }
     }
-    m_findings->set(others);
+    m_findings->set(others, outcome.grounds);
 }
 
 void RunPanel::setReady(bool ready, bool running, const QString& why) {

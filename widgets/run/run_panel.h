@@ -28,6 +28,7 @@ public:
         double liveMean = 0.0;   ///< FPS; 0: was not live
         double liveWorst = 0.0;  ///< FPS
         double fpsTarget = 0.0;
+        RemedyGrounds grounds = {};  ///< what it was simulated with
     };
     void setOutcome(const Outcome& outcome);
     /// Nothing: no run to judge.
@@ -62,7 +63,7 @@ private:
     QPushButton* m_live;
     QPushButton* m_cancel;
     QLabel* m_why;
-    Notice* m_notHeld;
+    FindingList* m_notHeld;
     Notice* m_brief;
     PanelGroup* m_healthGroup;
     HealthList* m_health;

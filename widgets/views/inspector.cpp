@@ -13,6 +13,7 @@
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/figures/material_words.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/report/spoken_text.h"
 
@@ -176,12 +177,14 @@ void Inspector::showElement(const ElementFacts& facts) {
 
 void Inspector::addMaterial(PanelGroup& group, const ElementFacts& facts) {
     const QString name = shownName(facts.material);
-    addRow(&group, tr("material"), facts.materialAssumed ? tr("%1 (assumed)").arg(name) : name, {},
+    addRow(&group, tr("material"), facts.materialAssumed ? figures::guessedMaterial(name, facts.materialFits) : name, {},
            tr("Of its component; set in the component tree or the Case panel"));
     if (!facts.materialAssumed) {
         return;
     }
-    group.addNote(tr("Nobody says what this component is made of: guessed from its density."));
+    group.addNote(facts.materialFits ? tr("Nobody says what this component is made of: guessed from its density.")
+                                     : tr("Nobody says what this component is made of, and no material that is known here has its "
+                                          "density."));
     auto* say = new QToolButton;
     say->setObjectName(QStringLiteral("sayMaterial"));
     say->setText(tr("It is made of"));

@@ -41,6 +41,7 @@ public:
         std::string component;
         std::string material;
         bool materialAssumed = false;  ///< guessed from the density of its component
+        bool materialFits = true;      ///< or taken for want of one that has it
         std::string shape;
         double mass = 0.0;                    ///< kg
         double volume = 0.0;                  ///< m3

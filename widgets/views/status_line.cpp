@@ -21,7 +21,7 @@ StatusLine::StatusLine(QWidget* parent)
     m_progress->setFixedWidth(96);
     m_progress->setRange(0, 1000);
     m_progress->setAccessibleName(tr("Progress"));
-    m_cancel->setToolTip(tr("Stop what runs (Esc); what is computed is kept"));
+    m_cancel->setToolTip(tr("Stop what runs (Esc); what is computed so far stays"));
     m_cancel->setObjectName(QStringLiteral("cancel"));
     m_cancel->setStyleSheet(QStringLiteral("padding: 1px 8px;"));
     // In front of sentences of any length, so that it stands still.

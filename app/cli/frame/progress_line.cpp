@@ -29,17 +29,9 @@ void ProgressLine::show(const Progress& progress) {
     }
     const std::lock_guard lock(m_mutex);
     const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
-    if (progress.stage.id != m_stage || fraction < m_firstFraction) {
-        m_stage = progress.stage.id;
-        m_firstFraction = fraction;
-        m_stageStart = Clock::now();
-    }
     m_stream << wipe << englishText(progress.stage) << "  " << static_cast<int>(fraction * 100.0) << " %";
-    // An estimate from the first moments would only jump about.
-    const double elapsed = std::chrono::duration<double>(Clock::now() - m_stageStart).count();
-    const double done = fraction - m_firstFraction;
-    if (elapsed > 0.5 && done > 0.01 && fraction < 1.0) {
-        m_stream << "  " << durationText(elapsed * (1.0 - fraction) / done) << " left";
+    if (const double left = m_left.after(progress); std::isfinite(left)) {
+        m_stream << "  " << durationText(left) << " left";
     }
     m_stream << std::flush;
     m_shown = true;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <chrono>
 #include <mutex>
 #include <ostream>
 #include <string>
 
 #include "core/base/execution.h"
+#include "core/pipeline/time_left.h"
 
 namespace rubble::cli {
 
@@ -23,7 +23,6 @@ public:
     void clear();
 
 private:
-    using Clock = std::chrono::steady_clock;
     void say(const Message& stage);
 
     std::ostream& m_stream;
@@ -31,9 +30,7 @@ private:
     std::mutex m_mutex;
     bool m_shown = false;
     std::string m_said;
-    std::string m_stage;
-    double m_firstFraction = 0.0;
-    Clock::time_point m_stageStart;
+    TimeLeft m_left;
 };
 
 }  // namespace rubble::cli

@@ -3,10 +3,10 @@
 #include <QObject>
 #include <memory>
 
-#include "app/gui/session/time_left.h"
 #include "app/gui/session/worker.h"
 #include "app/gui/studies/cluster_work.h"
 #include "core/analysis/accuracy/accuracy_study.h"
+#include "core/pipeline/time_left.h"
 #include "widgets/accuracy/accuracy_panel.h"
 
 namespace rubble {

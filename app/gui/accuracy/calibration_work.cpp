@@ -1,7 +1,5 @@
 #include "app/gui/accuracy/calibration_work.h"
 
-#include <limits>
-
 #include "core/base/error.h"
 #include "io/base/machine.h"
 #include "io/run/study_files.h"
@@ -31,10 +29,7 @@ CalibrationWork::CalibrationWork(QObject* parent) : QObject(parent), m_machine(i
         if (kind != Worker::Kind::Study || !m_running) {
             return;
         }
-        const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
-        const double fraction = progress.fraction;
-        emit progressed(fraction, fraction > 0.02 && spent > 1.0 ? spent * (1.0 - fraction) / fraction
-                                                                 : std::numeric_limits<double>::quiet_NaN());
+        emit progressed(progress.fraction, m_left.after(progress));
     });
 }
 
@@ -81,7 +76,7 @@ void CalibrationWork::start(double target) {
         return;
     }
     m_running = true;
-    m_sinceStart.start();
+    m_left.restart();
     auto outcome = std::make_shared<Outcome>();
     m_worker.start({Worker::Kind::Study,
                     [this, target, outcome](const Execution& execution) {

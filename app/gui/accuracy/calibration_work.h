@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <memory>
 
 #include "app/gui/session/worker.h"
+#include "core/pipeline/time_left.h"
 #include "widgets/accuracy/calibration_plot.h"
 
 namespace rubble {
@@ -52,7 +52,7 @@ private:
     std::shared_ptr<const Calibration> m_calibration;
     widgets::CalibrationPlotContent m_plot;
     bool m_running = false;
-    QElapsedTimer m_sinceStart;
+    TimeLeft m_left;
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };

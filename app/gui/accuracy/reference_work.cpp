@@ -2,7 +2,6 @@
 
 #include <QFile>
 #include <filesystem>
-#include <limits>
 
 #include "core/analysis/accuracy/accuracy_settings.h"
 #include "core/base/build.h"
@@ -54,10 +53,7 @@ ReferenceWork::ReferenceWork(QObject* parent) : QObject(parent) {
         if (kind != Worker::Kind::Simulate || !m_running) {
             return;
         }
-        const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
-        const double fraction = progress.fraction;
-        emit progressed(fraction, fraction > 0.02 && spent > 1.0 ? spent * (1.0 - fraction) / fraction
-                                                                 : std::numeric_limits<double>::quiet_NaN());
+        emit progressed(progress.fraction, m_left.after(progress));
     });
 }
 
@@ -100,7 +96,7 @@ void ReferenceWork::start(const Inputs& inputs, const Scenario& scenario, io::Ru
     m_reader.reset();
     m_running = true;
     m_looking = false;
-    m_sinceStart.start();
+    m_left.restart();
     auto made = std::make_shared<std::shared_ptr<io::RunReader>>();
     m_worker.start({Worker::Kind::Simulate,
                     [inputs, reference, key, origin, made](const Execution& execution) {

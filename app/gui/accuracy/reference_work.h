@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <memory>
 
 #include "app/gui/session/worker.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/time_left.h"
 #include "io/run/run_file.h"
 
 namespace rubble {
@@ -45,7 +45,7 @@ private:
     Digest m_key;  // of the scene that was looked for
     bool m_running = false;
     bool m_looking = false;  // the kept files are being looked through
-    QElapsedTimer m_sinceStart;
+    TimeLeft m_left;
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };

@@ -53,7 +53,8 @@ void ComponentDisplay::refresh() {
             const auto chosen = view.componentColours.find(component.name);
             const bool own = chosen != view.componentColours.end();
             rows.push_back({component.name, component.kind, std::string(materialName(component.material)),
-                            colourOf(own ? chosen->second : render::colour_choice::category(colours, c)), own});
+                            colourOf(own ? chosen->second : render::colour_choice::category(colours, c)), own,
+                            someMaterialFits(component.density)});
         }
     }
     m_tree.setScenario(m_document.scenario());

@@ -9,8 +9,8 @@
 
 #include "app/gui/case/project_files.h"
 #include "app/gui/session/session.h"
+#include "widgets/case/run_verdict.h"
 #include "widgets/run/kept_runs_dialog.h"
-#include "widgets/run/run_list.h"
 
 namespace rubble {
 

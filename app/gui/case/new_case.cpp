@@ -178,10 +178,11 @@ void NewCase::takeOpened(const Opened& opened) {
         m_document.replace(first, {}, opened.base);
         m_wizard->summary().propose(QString::fromStdString(first.title), QString::fromStdString(first.scenarios.front().name));
     }
-    m_computation.take(opened, m_document.scenario());
+    // Before anything of it is shown.
     if (opened.fe != nullptr) {
         figures::setResultSpan(opened.fe->times().back() - opened.fe->times().front());
     }
+    m_computation.take(opened, m_document.scenario());
     showResults();
 }
 

@@ -29,8 +29,14 @@ void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
         const auto known = std::find_if(to.begin(), to.end(), [&run](const RunEntry& each) { return sameRun(each, run); });
         if (known == to.end()) {
             to.push_back(run);
-        } else if (known->file.empty()) {
+            continue;
+        }
+        if (known->file.empty()) {
             known->file = run.file;
+        }
+        if (!known->grade) {
+            known->grade = run.grade;
+            known->acknowledged = run.acknowledged;
         }
     }
     std::stable_sort(to.begin(), to.end(), [](const RunEntry& a, const RunEntry& b) { return a.when < b.when; });
@@ -74,6 +80,33 @@ RunHistory::RunHistory(Session& session, const QString& folder, QObject* parent)
         m_asked.reset();
         emit changed();
     });
+    connect(&m_computation, &Computation::acknowledged, this, &RunHistory::noteAcknowledged);
+    connect(&session, &Session::preferencesChanged, this, &RunHistory::takePreferences);
+}
+
+void RunHistory::takePreferences(const widgets::Preferences& before) {
+    const int gib = m_session.preferences().keepRunsGib;
+    if (gib == before.keepRunsGib || (gib > 0 && before.keepRunsGib > 0)) {
+        return;
+    }
+    if (gib > 0) {
+        m_session.tell(tr("Runs that begin from now on are kept, up to %1 GiB a case").arg(gib));
+        return;
+    }
+    m_computation.keepNoMore();
+    m_session.tell(
+        m_computation.simulating()
+            ? tr("No more runs are kept: the one that is simulated goes with the case as well. Those that were kept stay")
+            : tr("No more runs are kept: new ones go with the case. Those that were kept stay"));
+}
+
+void RunHistory::noteAcknowledged() {
+    const RunRecord* record = m_computation.currentRun();
+    if (m_shown && record != nullptr) {
+        m_runs[*m_shown].acknowledged = record->acknowledged.has_value();
+        store();
+        emit changed();
+    }
 }
 
 QString RunHistory::sidecar() const {
@@ -124,6 +157,7 @@ void RunHistory::load() {
         addNew(m_runs, read(sidecar()));
         addNew(m_runs, read(stateFile()));
         findFiles();
+        std::for_each(m_runs.begin(), m_runs.end(), io::takeVerdict);
     }
     emit changed();
 }
@@ -229,6 +263,7 @@ void RunHistory::ended() {
     run.bodies = record->outcome == nullptr ? bodiesSoFar(record->reader.get()) : 0;
     run.endTime = record->newest;
     run.breaches = widgets::limitsIn(record->health());
+    run.grade = gravestGrade(record->health().breaches);
     if (const SimulationResult* result = record->outcome.get()) {
         run.complete = true;
         run.bodies = result->bodiesPeak;

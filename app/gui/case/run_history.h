@@ -13,6 +13,9 @@ namespace rubble {
 class Computation;
 class Document;
 class Session;
+namespace widgets {
+struct Preferences;
+}
 
 /// The runs of the open case, kept beside it (io/run/run_history.h); in the state folder for a case that was never saved or lies
 /// where nothing can be written.
@@ -52,6 +55,8 @@ signals:
 private:
     void load();
     void ended();
+    void noteAcknowledged();
+    void takePreferences(const widgets::Preferences& before);
     void store();
     void findFiles();
     void makeRoom();

@@ -8,6 +8,7 @@
 #include "app/gui/case/project_files.h"
 #include "app/gui/session/session.h"
 #include "widgets/basics/wording.h"
+#include "widgets/case/run_verdict.h"
 #include "widgets/case/scenario_comparison.h"
 #include "widgets/case/scenario_list.h"
 #include "widgets/run/run_list.h"
@@ -57,9 +58,10 @@ void ScenariosDisplay::refresh() {
     std::vector<widgets::ScenarioLine> lines;
     for (const CaseScenario& each : m_document.theCase().scenarios) {
         const RunEntry* run = m_history.newestOf(each.id);
-        lines.push_back(
-            {QString::fromStdString(each.id), QString::fromStdString(each.name), QString::fromStdString(each.note),
-             run == nullptr ? tr("No complete run yet") : tr("Last run: %1 bodies").arg(widgets::shownCount(run->bodies))});
+        lines.push_back({QString::fromStdString(each.id), QString::fromStdString(each.name), QString::fromStdString(each.note),
+                         run == nullptr
+                             ? tr("No complete run yet")
+                             : tr("Last run: %1 bodies, %2").arg(widgets::shownCount(run->bodies), widgets::runVerdict(*run))});
     }
     const CaseScenario* active = m_document.active();
     m_scenarios.setContent(lines, active != nullptr ? QString::fromStdString(active->id) : QString());

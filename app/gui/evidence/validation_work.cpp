@@ -1,7 +1,6 @@
 #include "app/gui/evidence/validation_work.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/base/error.h"
 #include "core/validation/scene_sets.h"
@@ -64,7 +63,7 @@ void ValidationWork::start(const std::vector<std::string>& only) {
         return;
     }
     m_running = true;
-    m_sinceStart.start();
+    m_left.restart();
     m_worker.start({Worker::Kind::Study,
                     [this, only](const Execution& execution) {
                         const std::vector<ShippedSet> sets = shippedOnes(only);
@@ -88,8 +87,7 @@ void ValidationWork::tellSet(const QString& set, std::size_t done, std::size_t c
         return;
     }
     const double fraction = static_cast<double>(done) / static_cast<double>(count);
-    const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
-    emit progressed(set, fraction, done > 0 ? spent * (1.0 - fraction) / fraction : std::numeric_limits<double>::quiet_NaN());
+    emit progressed(set, fraction, m_left.after({{"validation.sets", "", {}}, fraction}));
 }
 
 void ValidationWork::cancel() {

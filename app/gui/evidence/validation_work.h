@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <vector>
 
 #include "app/gui/session/worker.h"
+#include "core/pipeline/time_left.h"
 #include "core/validation/validation_record.h"
 
 namespace rubble {
@@ -42,7 +42,7 @@ private:
     std::vector<ValidationRecord> m_records;
     Findings m_findings;
     bool m_running = false;
-    QElapsedTimer m_sinceStart;
+    TimeLeft m_left;
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };

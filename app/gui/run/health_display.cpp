@@ -66,11 +66,8 @@ void HealthDisplay::refresh() {
         m_deck.run().setHealth(std::nullopt);
         return;
     }
-    const SimulationResult& result = *record->outcome;
-    const double span = result.endTime - result.firstTime;
-    m_deck.run().setHealth(
-        widgets::HealthList::Content{record->health(), record->acknowledged, origin(), record->scenario.simulation,
-                                     span > 0.0 ? static_cast<double>(result.steps) / span : 0.0, m_session.document().scenario()});
+    m_deck.run().setHealth(widgets::HealthList::Content{record->health(), record->acknowledged, origin(), record->grounds(),
+                                                        m_session.document().scenario()});
 }
 
 void HealthDisplay::showMarks() {

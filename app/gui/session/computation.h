@@ -9,6 +9,7 @@
 #include "app/gui/session/watched_sink.h"
 #include "app/gui/session/worker.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/remedies.h"
 #include "core/scenario/case.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/case/input_check.h"
@@ -38,6 +39,7 @@ struct RunRecord {
     QString path;
     bool kept = false;                ///< the file stays when the window is done with it
     std::shared_ptr<QLockFile> lock;  ///< while the file is written
+    std::shared_ptr<void> remover;    ///< removes the file with the record, where it lies among kept ones and is none any more
     bool live = false;
     QString scenarioName;  ///< as it was called when it was simulated
     Scenario scenario;
@@ -54,6 +56,11 @@ struct RunRecord {
     const HealthReport& health() const {
         const SimulationResult* made = outcome.get();
         return made != nullptr ? made->health : soFar;
+    }
+    /// What the remedies of its findings are chosen by.
+    RemedyGrounds grounds() const {
+        const SimulationResult* made = outcome.get();
+        return {scenario, made != nullptr ? meanStepRate(made->steps, made->endTime - made->firstTime) : 0.0};
     }
 };
 
@@ -91,6 +98,8 @@ public:
     void keepCopies(bool keep) { m_keeping.copies = keep; }
     /// @param folder  where the files of runs are kept, asked before each; empty or without it: they go with the case
     void keepRunsIn(std::function<QString()> folder) { m_runFolder = std::move(folder); }
+    /// No runs are kept any more: the one at work goes with the case as well. Those that have ended stay.
+    void keepNoMore();
     /// Bytes that states and frames of what is opened from now on may take.
     void useMemory(std::size_t bytes) { m_keeping.bytes = bytes; }
     void clear();

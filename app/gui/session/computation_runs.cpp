@@ -44,6 +44,13 @@ void readKept(RunRecord& record, const Inputs& inputs, const Results& previous, 
 
 }  // namespace
 
+void Computation::keepNoMore() {
+    if (simulating() && m_run->kept) {
+        m_run->kept = false;
+        m_run->remover = std::shared_ptr<void>(nullptr, [path = m_run->path](void*) { QFile::remove(path); });
+    }
+}
+
 void Computation::showRun(const QString& path, double wallSeconds) {
     if (m_opened.inputs.fe == nullptr || simulating()) {
         return;

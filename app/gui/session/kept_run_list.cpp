@@ -58,6 +58,7 @@ KeptRunFile keptRun(const QFileInfo& file, const RunFolder& folder, const std::v
         run.entry = listed != known.end() ? std::optional(*listed) : entryOfRunFile(run.path);
         if (run.entry) {
             run.entry->file = run.path.toStdString();
+            io::takeVerdict(*run.entry);
             // A file may be written to after its run ended, by who vouches for it.
             if (const auto ended = QDateTime::fromString(QString::fromStdString(run.entry->when), Qt::ISODate); ended.isValid()) {
                 run.when = ended;

@@ -7,7 +7,6 @@
 #include <QLockFile>
 #include <algorithm>
 
-#include "core/simulation/health/passed_limits.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_cautions.h"
 #include "io/run/run_file.h"
@@ -68,7 +67,10 @@ std::optional<RunEntry> entryOfRunFile(const QString& path) {
         entry.fragments = run->fragments() != nullptr ? static_cast<std::int64_t>(run->fragments()->size()) : 0;
         entry.bodies = io::standingOf(*run).bodies;
         entry.endTime = run->frameTime(run->frameCount() - 1);
-        entry.breaches = static_cast<std::int64_t>(passedLimits(run->breaches()).size());
+        const io::Taint taint = io::taintOf(*run);
+        entry.breaches = static_cast<std::int64_t>(taint.limits);
+        entry.grade = taint.grade;
+        entry.acknowledged = taint.acknowledgement.has_value();
         if (const auto result = run->result()) {
             entry.complete = true;
             entry.bodies = result->bodiesPeak;

@@ -61,6 +61,7 @@ Actions::Actions(QWidget& window) {
         window.addAction(action);
         m_actions.push_back(action);
         m_tips << action->toolTip();
+        m_whys << QString();
     }
     m_usable.assign(m_actions.size(), true);
 }
@@ -68,16 +69,33 @@ Actions::Actions(QWidget& window) {
 void Actions::show(ActionId id) {
     const auto place = static_cast<std::size_t>(id);
     const bool covered = !m_viewsInFront && actsOnViews(id);
+    const QString& why = m_whys[static_cast<qsizetype>(place)];
     m_actions[place]->setEnabled(m_usable[place] && !covered);
-    if (actsOnViews(id)) {
+    if (actsOnViews(id) || !why.isEmpty()) {
         const QString& tip = m_tips[static_cast<qsizetype>(place)];
-        m_actions[place]->setToolTip(covered ? tip + u'\n' + viewsCovered() : tip);
+        const QString reason = covered ? viewsCovered() : m_usable[place] ? QString() : why;
+        m_actions[place]->setToolTip(reason.isEmpty() ? tip : tip + u'\n' + reason);
     }
 }
 
-void Actions::enable(ActionId id, bool usable) {
+void Actions::enable(ActionId id, bool usable, const QString& why) {
     m_usable[static_cast<std::size_t>(id)] = usable;
+    if (!why.isEmpty()) {
+        m_whys[static_cast<qsizetype>(id)] = why;
+    }
     show(id);
+}
+
+QString Actions::refusal(const QAction& action) const {
+    const auto found = std::find(m_actions.begin(), m_actions.end(), &action);
+    if (found == m_actions.end() || action.isEnabled()) {
+        return {};
+    }
+    const auto place = static_cast<std::size_t>(found - m_actions.begin());
+    const QString why = m_usable[place] ? viewsCovered() : m_whys[static_cast<qsizetype>(place)];
+    const QString name = action.text().remove(u'&').remove(QChar(0x2026));
+    return translated(QT_TRANSLATE_NOOP("actions", "%1: %2"))
+        .arg(name, why.isEmpty() ? translated(QT_TRANSLATE_NOOP("actions", "it cannot be used now")) : why);
 }
 
 void Actions::setViewsInFront(bool inFront) {

@@ -216,7 +216,10 @@ public:
     explicit Actions(QWidget& window);
     QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }
     /// Offers an action or not. One that acts on the views is offered only while they are in front, and its tip says so.
-    void enable(ActionId id, bool usable);
+    /// @param why  it cannot be used, for its tip and whoever presses its key; empty: that it cannot be used now
+    void enable(ActionId id, bool usable, const QString& why = {});
+    /// "Report: simulate first"; empty for an action that can be used, or that is none of these.
+    QString refusal(const QAction& action) const;
     /// The views are in front of all pages, or one covers them.
     void setViewsInFront(bool inFront);
     bool viewsInFront() const { return m_viewsInFront; }
@@ -227,6 +230,7 @@ private:
     std::vector<QAction*> m_actions;  // by id
     std::vector<bool> m_usable;       // by id, whatever is in front
     QStringList m_tips;               // by id
+    QStringList m_whys;               // by id
     bool m_viewsInFront = true;
 };
 

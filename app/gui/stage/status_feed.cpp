@@ -11,6 +11,7 @@
 #include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/playback.h"
 #include "widgets/basics/wording.h"
+#include "widgets/case/run_verdict.h"
 #include "widgets/run/caution_words.h"
 #include "widgets/run/health_list.h"
 #include "widgets/views/status_line.h"
@@ -65,11 +66,7 @@ double StatusFeed::secondsLeft(double fraction, double spent) {
         m_kept.ofRun.reached(record->newest, spent);
         return m_kept.ofRun.left().value_or(std::numeric_limits<double>::quiet_NaN());
     }
-    if (fraction > 0.02 && fraction < 1.0 && spent > 1.0) {
-        const double left = spent * (1.0 - fraction) / fraction;
-        m_kept.left = m_kept.left ? std::min(*m_kept.left, left) : left;
-    }
-    return m_kept.left.value_or(std::numeric_limits<double>::quiet_NaN());
+    return m_kept.left.after({{"status", "", {}}, fraction});
 }
 
 void StatusFeed::showProgress(const QString& what, double fraction) {
@@ -81,7 +78,7 @@ void StatusFeed::showProgress(const QString& what, double fraction) {
     // A new stage starts its own clock.
     if (!m_kept.sinceStart.isValid() || fraction < m_kept.lastFraction) {
         m_kept.sinceStart.start();
-        m_kept.left.reset();
+        m_kept.left.restart();
     }
     m_kept.lastFraction = fraction;
     const double left = secondsLeft(fraction, static_cast<double>(m_kept.sinceStart.elapsed()) / 1000.0);

@@ -3,9 +3,9 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <optional>
 
 #include "core/analysis/accuracy/run_time_left.h"
+#include "core/pipeline/time_left.h"
 #include "widgets/views/frame_meter.h"
 
 namespace rubble {
@@ -41,8 +41,8 @@ private:
         QElapsedTimer clock;
         QElapsedTimer sinceStart;  ///< of what runs
         double lastFraction = 0.0;
-        std::optional<double> left;  ///< s, that was said of what runs: it does not grow
-        const void* run = nullptr;   ///< that `ofRun` tells of
+        TimeLeft left;
+        const void* run = nullptr;  ///< that `ofRun` tells of
         RunTimeLeft ofRun;
     };
     double now() const { return static_cast<double>(m_kept.clock.nsecsElapsed()) * 1e-9; }

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/session/time_left.h"
 #include "app/gui/session/worker.h"
+#include "core/pipeline/time_left.h"
 #include "core/scenario/case.h"
 #include "io/jobs/distributed_study.h"
 

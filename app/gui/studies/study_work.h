@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/session/time_left.h"
 #include "app/gui/session/worker.h"
 #include "core/evidence/ensembles/cause_comparison.h"
 #include "core/evidence/ensembles/telling_evidence.h"
+#include "core/pipeline/time_left.h"
 #include "io/case/ensemble_source.h"
 #include "io/site/cause_evidence.h"
 

@@ -200,6 +200,7 @@ widgets::Inspector::ElementFacts SelectionDisplay::factsOf(ElementIndex element)
     const auto& said = m_session.document().scenario().components;
     const auto own = said.find(component.name);
     facts.materialAssumed = own == said.end() || !own->second.material;
+    facts.materialFits = someMaterialFits(component.density);
     facts.shape = shapeName(fe.mesh().shapes[at(element)]);
     facts.mass = components.mass(element);
     facts.volume = components.volume[at(element)];

@@ -6,6 +6,7 @@
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/window/window_rooms.h"
+#include "widgets/figures/number_text.h"
 
 namespace rubble {
 
@@ -26,6 +27,18 @@ constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,    Ac
 /// Need a run that is complete.
 constexpr ActionId ofTheRun[] = {ActionId::SharePage, ActionId::ExportFragments, ActionId::ExportSeries, ActionId::ExportVtkhdf,
                                  ActionId::ExportGltf};
+
+/// Why there is nothing to do with a run; empty: it is complete.
+QString whyNoRun(const RunRecord* record) {
+    if (record != nullptr && record->running) {
+        return ActionStates::tr("The run is not through yet.");
+    }
+    if (record != nullptr && record->outcome == nullptr) {
+        return ActionStates::tr("The run was cancelled at %1: simulate it to its end first.")
+            .arg(figures::timeText(record->newest));
+    }
+    return record == nullptr ? ActionStates::tr("Simulate first.") : QString();
+}
 
 /// What is done with the photograph that is chosen.
 void offerPhotograph(const EvidenceDisplay& evidence, Actions& actions) {
@@ -61,8 +74,8 @@ void ActionStates::connectUndo() {
 
 void ActionStates::nameUndo() {
     const QUndoStack& stack = m_session.document().undoStack();
-    m_actions.enable(ActionId::Undo, stack.canUndo());
-    m_actions.enable(ActionId::Redo, stack.canRedo());
+    m_actions.enable(ActionId::Undo, stack.canUndo(), tr("Nothing was changed."));
+    m_actions.enable(ActionId::Redo, stack.canRedo(), tr("Nothing was taken back."));
     const auto call = [](QAction& action, const QString& text, const QString& key) {
         action.setText(text);
         action.setIconText(text);
@@ -92,30 +105,39 @@ void ActionStates::refresh() {
     const bool costly = !m_rooms.runs->costlyWork().isEmpty();
     const bool deaths = computation.results().fragments == nullptr || !computation.results().fragments->list.empty();
     m_rooms.deck->showState();
+    const QString noResult = tr("Open a result first.");
+    const QString noRun = have ? whyNoRun(record) : noResult;
     for (const ActionId id : ofTheViews) {
-        m_actions.enable(id, have);
+        m_actions.enable(id, have, noResult);
     }
     for (const ActionId id : ofTheCase) {
-        m_actions.enable(id, !document.empty());
+        m_actions.enable(id, !document.empty(), tr("Open a case or a result first."));
     }
     for (const ActionId id : ofTheRun) {
-        m_actions.enable(id, finished);
+        m_actions.enable(id, finished, noRun);
     }
-    m_actions.enable(ActionId::Refresh, have && !running);
-    m_actions.enable(ActionId::Simulate, have && deaths && !running && !costly);
-    m_actions.enable(ActionId::Live, have && deaths && !running && !costly);
-    m_actions.enable(ActionId::Cancel, computation.busy() || costly);
-    m_actions.enable(ActionId::SaveRun, record != nullptr && !record->running);
-    m_actions.enable(ActionId::ExportMap, have && record != nullptr && !record->running);
-    m_actions.enable(ActionId::WriteReport, finished && !m_rooms.report->writing());
+    const QString whyNot = !have     ? noResult
+                           : !deaths ? tr("No element dies in this result, so there is nothing to simulate.")
+                           : running ? tr("A run is being simulated.")
+                                     : m_rooms.runs->costlyWork();
+    m_actions.enable(ActionId::Refresh, have && !running, have ? tr("A run is being simulated.") : noResult);
+    m_actions.enable(ActionId::Simulate, have && deaths && !running && !costly, whyNot);
+    m_actions.enable(ActionId::Live, have && deaths && !running && !costly, whyNot);
+    m_actions.enable(ActionId::Cancel, computation.busy() || costly, tr("Nothing runs."));
+    m_actions.enable(ActionId::SaveRun, record != nullptr && !record->running, noRun);
+    m_actions.enable(ActionId::ExportMap, have && record != nullptr && !record->running, noRun);
+    m_actions.enable(ActionId::WriteReport, finished && !m_rooms.report->writing(),
+                     noRun.isEmpty() ? tr("A report is being written.") : noRun);
     m_rooms.report->refresh();
-    m_actions.enable(ActionId::ExportSelection, finished && !m_rooms.inspection->selection().fragments().empty());
+    m_actions.enable(ActionId::ExportSelection, finished && !m_rooms.inspection->selection().fragments().empty(),
+                     noRun.isEmpty() ? tr("Select fragments first.") : noRun);
     const auto has = [&inputs = document.theCase().inputs](InputRole role) {
         return std::any_of(inputs.begin(), inputs.end(), [role](const CaseInput& input) { return input.role == role; });
     };
     m_actions.enable(ActionId::NoTerrain, has(InputRole::Terrain));
     m_actions.enable(ActionId::NoSurroundings, has(InputRole::Orthophoto) || has(InputRole::Surroundings));
-    m_actions.enable(ActionId::CompareSurvey, finished && has(InputRole::Survey));
+    m_actions.enable(ActionId::CompareSurvey, finished && has(InputRole::Survey),
+                     noRun.isEmpty() ? tr("Add a survey first.") : noRun);
     m_rooms.cloudTools->refresh();
     offerPhotograph(*m_rooms.evidence, m_actions);
     offerColours();

@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
@@ -208,6 +209,22 @@ bool KeyRules::escape() {
     return true;
 }
 
+/// Plain letters and arrows have a meaning of their own wherever they are pressed.
+const QAction* KeyRules::unusable(const QKeyEvent& key) const {
+    const bool ofMenus = (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) != Qt::NoModifier ||
+                         (key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35);
+    if (!ofMenus) {
+        return nullptr;
+    }
+    const QKeySequence pressed(key.keyCombination());
+    for (const QAction* action : m_window.actions()) {
+        if (!action->isEnabled() && action->shortcut() == pressed) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
 bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
     auto* widget = qobject_cast<QWidget*>(watched);
     if (widget == nullptr || !ours(*widget)) {
@@ -236,6 +253,9 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
         // What nothing below has used comes to the window.
         if (isEscape(key) && widget == widget->window()) {
             return !key.isAutoRepeat() && escape();
+        }
+        if (const QAction* action = widget == widget->window() && !key.isAutoRepeat() ? unusable(key) : nullptr) {
+            emit refused(*action);
         }
         if (m_beside && wouldAct(key)) {
             return true;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+class QAction;
 class QFocusEvent;
 class QKeyEvent;
 class QLineEdit;
@@ -21,6 +22,7 @@ namespace rubble {
 ///   Lists and tables hand letters on, which stand for what is done with a row.
 /// - Esc leaves a field as it was, or closes what is open in front; only when nothing is, it cancels what runs. Pressed right after
 ///   what ended a tool it was meant for that tool, and does nothing.
+/// - A key of a menu whose action cannot be used now is answered: nothing else would tell that it was pressed.
 class KeyRules : public QObject {
     Q_OBJECT
 
@@ -38,6 +40,10 @@ public:
     /// Gives the keys back to the window, so that no field takes what was not meant for it.
     void leaveFields();
 
+signals:
+    /// The key of an action was pressed that cannot be used now.
+    void refused(const QAction& action);
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -52,6 +58,7 @@ private:
     bool endedTool() const;
     bool escapes() const;
     bool escape();
+    const QAction* unusable(const QKeyEvent& key) const;
 
     QWidget& m_window;
     std::vector<const QWidget*> m_forms;

@@ -29,6 +29,7 @@ widgets::RunPanel::Outcome outcomeOf(const RunRecord& record) {
     outcome.wallSeconds = record.wallSeconds;
     outcome.solver = record.scenario.simulation.solver;
     outcome.fpsTarget = record.scenario.grid.fpsTarget;
+    outcome.grounds = record.grounds();
     return outcome;
 }
 
@@ -116,8 +117,9 @@ void RunControl::runEnded(bool complete) {
             {record->live ? std::nan("") : record->wallSeconds, record->live ? m_shown.feed.liveMean() : std::nan("")});
         m_session.tell(tr("Simulated in %1").arg(widgets::shownDuration(record->wallSeconds)));
     } else if (record != nullptr && record->reader != nullptr) {
-        m_session.tell(tr("Cancelled at %1 after %2; what is computed is kept")
-                           .arg(figures::timeText(record->newest), widgets::shownDuration(record->wallSeconds)));
+        const QString words = record->kept ? tr("Cancelled at %1 after %2; what is computed is kept")
+                                           : tr("Cancelled at %1 after %2; what is computed goes with the case: no runs are kept");
+        m_session.tell(words.arg(figures::timeText(record->newest), widgets::shownDuration(record->wallSeconds)));
     } else {
         m_session.tell(tr("Cancelled"));
     }

@@ -29,7 +29,7 @@ const std::array simulationTable = {
               false,
               {.tool = ToolPlace{ToolSection::Run, 0}}},
     ActionRow{ActionId::Cancel, "cancel", "Simulation", QT_TRANSLATE_NOOP("actions", "Cancel"),
-              QT_TRANSLATE_NOOP("actions", "Stop what runs; what is computed is kept"), "Esc", Glyph::Stop},
+              QT_TRANSLATE_NOOP("actions", "Stop what runs; what is computed so far stays"), "Esc", Glyph::Stop},
     ActionRow{ActionId::Play,
               "play",
               "Simulation",

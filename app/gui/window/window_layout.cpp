@@ -17,6 +17,7 @@
 
 #include "app/gui/case/layout_memory.h"
 #include "app/gui/help/help.h"
+#include "app/gui/session/file_dialog_columns.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/dock_area.h"
 #include "app/gui/stage/view_area.h"
@@ -50,6 +51,7 @@ constexpr int leastPanelWidth = 306;
 }  // namespace
 
 void MainWindow::buildLayout() {
+    new FileDialogColumns(this);
     new WindowFocus(this);
     new WheelGuard(this);
     auto* centre = new QWidget;
@@ -218,6 +220,11 @@ void MainWindow::prepareKeys() {
         forms.push_back(dock);
     }
     m_keys = new KeyRules(*this, std::move(forms), std::move(closables));
+    connect(m_keys, &KeyRules::refused, this, [this](const QAction& action) {
+        if (const QString words = m_actions.refusal(action); !words.isEmpty()) {
+            m_session.tell(words);
+        }
+    });
     // What was shown is gone with the focus, which would go on to some field of what comes.
     const auto leave = [this] {
         if (const QWidget* focus = QApplication::focusWidget(); focus == nullptr || m_rooms->deck->stack().isAncestorOf(focus)) {

@@ -17,6 +17,7 @@
 #include "widgets/accuracy/accuracy_page.h"
 #include "widgets/accuracy/calibration_chart.h"
 #include "widgets/accuracy/calibration_view.h"
+#include "widgets/case/case_panel.h"
 #include "widgets/evidence/cause_chart.h"
 #include "widgets/evidence/causes_page.h"
 #include "widgets/run/health_list.h"
@@ -126,6 +127,9 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     connectFiles(parts);
     connectGrid(parts);
     report->setCauses(studies->causes());
+    QObject::connect(&deck->casePanel(), &widgets::CasePanel::siteRequested, &parts.actions[ActionId::Site], &QAction::trigger);
+    QObject::connect(&deck->casePanel(), &widgets::CasePanel::terrainRequested, &parts.actions[ActionId::Terrain],
+                     &QAction::trigger);
     sealing->setReport(*report);
     QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
     QObject::connect(opening.get(), &Opening::runChosen, &project->keptRuns(), &KeptRunsDisplay::openFile);

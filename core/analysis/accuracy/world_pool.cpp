@@ -33,8 +33,10 @@ public:
             const Execution own([this, i](const Progress& progress) {
                 const std::scoped_lock lock(m_mutex);
                 noteResumed(progress.stage);
-                // A piece has several stages; it never seems to go back.
-                m_fractions[i] = std::max(m_fractions[i], std::clamp(progress.fraction, 0.0, 0.999));
+                // What prepares a world is next to nothing of it, though it is soon through.
+                if (progress.stage.id == simulatingStage) {
+                    m_fractions[i] = std::max(m_fractions[i], std::clamp(progress.fraction, 0.0, 0.999));
+                }
             });
             m_executions.push_back(own.withThreads(threadsEach));
         }

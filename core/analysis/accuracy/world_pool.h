@@ -18,8 +18,8 @@ struct PoolShare {
 /// Does `count` independent pieces of work, each once, on threads of its own: whole worlds, which know nothing of each other, so
 /// that no result depends on the number of threads. Pieces begin in order. Returns when all threads have ended.
 /// @param share      where there are more threads than pieces at a time, a piece may use several
-/// @param stage      what is being done, for progress; progress is the weighted mean over all pieces and is reported from the
-/// calling thread
+/// @param stage      what is being done, for progress; progress is the weighted mean of how far all pieces have been
+/// simulated (simulatingStage) and is reported from the calling thread
 /// @param work       called with the number of the piece, from several threads, with an execution of its own
 /// Throws Cancelled when the execution was cancelled; the error of the first piece in order that failed, after the rest was
 /// stopped. Pieces that were done by then stay done.

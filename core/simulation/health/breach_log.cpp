@@ -154,9 +154,8 @@ Message healthRemedy(HealthCheck check, double measured, double limit) {
             return {"health.below_ground.remedy", "raise step_rate, or set ground_height (or the terrain) to its real height", {}};
         case HealthCheck::OutsideSite:
             return {"health.outside_site.remedy",
-                    "look at the body's element and its birth velocity in the FE file, or set birth_velocity = rest; without "
-                    "ground bodies "
-                    "fall for ever (ground)",
+                    "look at the body's element and its birth velocity in the FE file; birth_velocity = rest lets all debris begin "
+                    "at rest; without ground bodies fall for ever (ground)",
                     {}};
         case HealthCheck::NotANumber:
             return {"health.not_a_number.remedy",

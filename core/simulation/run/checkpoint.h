@@ -12,6 +12,8 @@ namespace rubble {
 /// s of wall time between two checkpoints of a run. Shorter: the disk is busier; longer: more is lost with a run that is killed.
 inline constexpr double checkpointInterval = 60.0;
 
+/// Id of the stage that a run reports while it simulates: of several stages of a world the one that takes its time.
+inline constexpr std::string_view simulatingStage = "simulation.progress";
 /// Id of the stage that a run reports when it goes on from a checkpoint; its first argument is where, s of the collapse.
 inline constexpr std::string_view resumedStage = "simulation.resumed";
 /// The same of several worlds at once.

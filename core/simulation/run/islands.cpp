@@ -153,11 +153,17 @@ LiveIslands Islands::outcome(const RigidWorld& world, Findings& findings) {
     m_count.occupied = std::count_if(m_bodies.begin(), m_bodies.end(),
                                      [&](const Body& body) { return world.birthDepth(body.id) > occupiedShare; });
     if (m_count.held() > 0) {
+        const bool asked = m_description.scenario.effects.islands == LiveIslandPolicy::Held;
         findings.add({"simulation.live_islands",
                       "Loose structure that is alive at the end is held where it is (islands: {0}, elements: {1})",
                       {m_count.held(), m_count.elements - m_count.releasedElements}},
-                     {"simulation.live_islands.remedy", "read them as debris that the FE analysis did not delete", {}}, "",
-                     m_count.held());
+                     asked
+                         ? Message{"simulation.live_islands.remedy.held",
+                                   "read them as debris that the FE analysis did not delete, or set live_islands = released so "
+                                   "that they go on as rigid bodies",
+                                   {}}
+                         : Message{"simulation.live_islands.remedy", "read them as debris that the FE analysis did not delete", {}},
+                     "", m_count.held());
     }
     return m_count;
 }

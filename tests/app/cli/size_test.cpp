@@ -24,6 +24,27 @@ protected:
     std::string m_path = writeSmallCollapse(m_folder / "small.exo");
 };
 
+// A result of microseconds: the window of collapses of seconds joins all of its births, and says so with what fits.
+TEST_F(Size, TellsThatBirthsOfABlastAreJoined) {
+    io::ExodusBuilder builder = smallCollapse();
+    for (double& time : builder.times) {
+        time *= 1.4e-4;
+    }
+    m_path = m_folder / "blast.exo";
+    builder.write(m_path);
+    const auto told = [this](std::vector<std::string> more) {
+        for (const nlohmann::json& warning : size(std::move(more))["warnings"]) {
+            if (warning["id"] == "fragments.birth_window") {
+                return warning.dump();
+            }
+        }
+        return std::string();
+    };
+    EXPECT_THAT(told({}), HasSubstr("deaths of 2 states become debris at 1, up to 1.4e-05 s early"));
+    EXPECT_THAT(told({}), HasSubstr("Set birth_window to a hundredth of that, 7e-07 s"));
+    EXPECT_EQ(told({"--set", "birth_window=7e-7"}), "");
+}
+
 TEST_F(Size, JsonHasTheDocumentedKeys) {
     const nlohmann::json object = size({});
     EXPECT_EQ(object["fragments"], smallDead);

@@ -16,6 +16,7 @@ namespace rubble {
 namespace {
 
 const Message stage{"test.stage", "working", {}};
+const Message simulating{std::string(simulatingStage), "simulating", {}};
 
 TEST(WorldPool, DoesEveryPieceOnceWhateverTheThreads) {
     for (const int threads : {0, 1, 2, 7, 64}) {
@@ -59,14 +60,31 @@ TEST(WorldPool, ReportsFromTheCallingThreadAndNeverBackwards) {
     });
     runInParallel(4, {2}, stage, execution, [&](std::size_t, const Execution& own) {
         for (int k = 0; k <= 10; ++k) {
-            own.report(stage, k / 10.0);
+            own.report(simulating, k / 10.0);
             std::this_thread::sleep_for(std::chrono::milliseconds(15));
         }
-        own.report(stage, 0.2);
+        own.report(simulating, 0.2);
     });
     ASSERT_FALSE(fractions.empty());
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
     EXPECT_EQ(fractions.back(), 1.0);
+}
+
+// A repeat makes its fragments in an instant: it is not nearly done then, for all of it is yet to be simulated.
+TEST(WorldPool, WhatPreparesAPieceDoesNotCount) {
+    double most = 0.0;
+    const Execution execution(
+        [&](const Progress& progress) { most = progress.fraction < 1.0 ? std::max(most, progress.fraction) : most; });
+    runInParallel(2, {2}, stage, execution, [&](std::size_t, const Execution& own) {
+        own.report({"fragments.progress", "Making fragments", {}}, 1.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+        own.report(simulating, 0.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));
+        own.report(simulating, 0.25);
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    });
+    EXPECT_GT(most, 0.1) << "what is simulated counts";
+    EXPECT_LE(most, 0.5 * (0.25 + 1.0)) << "one piece may have ended while the other is looked at";
 }
 
 TEST(WorldPool, CancelReachesEveryPieceAndKeepsWhatIsDone) {

@@ -60,6 +60,43 @@ TEST(BirthWindows, TakeStatesTogetherFromTheFirstOfThem) {
     EXPECT_EQ(handOvers(fragmentsOf(scene, windowOf(1000.0))), (States{2, 2, 2, 2}));
 }
 
+std::int64_t findingsOfWindow(const ElementScene& scene, double window) {
+    return fragmentsOf(scene, windowOf(window)).findings.count("fragments.birth_window");
+}
+
+// A collapse of microseconds: the window of collapses of seconds makes one birth of all of them, and says so.
+TEST(BirthWindows, OfMostOfACollapseAreAFindingWithAWindowThatFits) {
+    const ElementScene blast = sceneOf(deaths, 1e-6);
+    const FragmentSet set = fragmentsOf(blast, FragmentSettings());
+    EXPECT_EQ(handOvers(set), (States{2, 2, 2, 2}));
+    ASSERT_EQ(set.findings.list().size(), 1U);
+    const Finding& finding = set.findings.list().front();
+    EXPECT_EQ(
+        englishText(finding.what),
+        "The birth window of 0.1 s is long for a result that lasts 8e-06 s: deaths of 4 states become debris at 1, up to 5e-06 s "
+        "early");
+    EXPECT_TRUE(englishText(finding.remedy).starts_with("Set birth_window to a hundredth of that, 8e-08 s,"))
+        << englishText(finding.remedy);
+    EXPECT_EQ(handOvers(fragmentsOf(blast, windowOf(fittingBirthWindow(8e-6)))), (States{2, 3, 4, 7}));
+    EXPECT_EQ(findingsOfWindow(blast, fittingBirthWindow(8e-6)), 0);
+    EXPECT_EQ(findingsOfWindow(blast, 0.0), 0) << "each state by itself";
+}
+
+TEST(BirthWindows, OfALittleOfACollapseAreNone) {
+    EXPECT_EQ(findingsOfWindow(sceneOf(deaths), 0.1), 0) << "an eighth of 0.8 s";
+    EXPECT_EQ(findingsOfWindow(sceneOf(deaths), 0.3), 1) << "three eighths";
+    EXPECT_EQ(findingsOfWindow(sceneOf({"1100", "1100", "1111"}), 1000.0), 0) << "all die in one state: nothing is joined";
+    EXPECT_EQ(findingsOfWindow(sceneOf({"1111", "1111"}), 1000.0), 0) << "nothing dies";
+}
+
+TEST(BirthWindows, ThatFitHaveOneDigit) {
+    EXPECT_EQ(fittingBirthWindow(10.0), 0.1) << "the default is of ten seconds";
+    EXPECT_EQ(fittingBirthWindow(7e-5), 7e-7);
+    EXPECT_EQ(fittingBirthWindow(9.64e-5), 1e-6);
+    EXPECT_EQ(fittingBirthWindow(3'000.0), 30.0);
+    EXPECT_EQ(fittingBirthWindow(0.0), 0.0);
+}
+
 TEST(BirthWindows, LeaveNumberOrderMassAndFormAsTheyAre) {
     const ElementScene scene = sceneOf({"11110", "11000", "11111", "10000", "11100"});
     const FragmentSet apart = fragmentsOf(scene, windowOf(0.0));

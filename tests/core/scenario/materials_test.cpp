@@ -37,6 +37,16 @@ TEST(Materials, AreGuessedFromDensityEitherSideOfTheStatedLimits) {
     }
 }
 
+TEST(Materials, FitADensityOrNoneDoes) {
+    for (const double density : {7850.0, 2700.0, 1800.0, 2400.0, 0.0}) {
+        EXPECT_TRUE(someMaterialFits(density)) << density;
+    }
+    for (const double density : {17'600.0, 11'340.0, 9000.0, 5000.0, 600.0}) {
+        EXPECT_FALSE(someMaterialFits(density)) << density;
+        EXPECT_EQ(materialOfDensity(density), Material::Concrete) << "contacts of concrete all the same: " << density;
+    }
+}
+
 TEST(Materials, OfAComponentAreTheUsersWordOrTheGuess) {
     scenes::Block block;
     block.name = "pier";

@@ -2,8 +2,6 @@
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -29,8 +27,6 @@ namespace rubble::widgets {
 namespace {
 
 constexpr int planPixels = 2500;  // longest side of the picture of a survey
-constexpr int tableRows = 5;
-enum PairColumn { PairNumber, PairAcross, PairAlong, PairUp, PairDistance, PairColumnCount };
 
 QString pairMetres(double value) {
     return shownFixed(value, 3);
@@ -39,41 +35,23 @@ QString pairMetres(double value) {
 }  // namespace
 
 PlacePairsDialog::PlacePairsDialog(SurveyHeights heights, const QString& name, const Aabb& around, QWidget* parent)
-    : QDialog(parent),
+    : PickedPlacesDialog(tr("Place the survey by pairs"), tr("Model beside the survey"), parent),
       m_plan(std::move(heights)),
       m_name(name),
       m_picture(m_plan.picture(planPixels)),
       m_around(around),
-      m_hint(new QLabel),
       m_survey(new PhotoView),
-      m_model(new ViewWidget),
-      m_marks(new ModelMarks(*m_model)),
-      m_table(new QTableWidget(0, PairColumnCount)),
       m_sum(new QLabel),
       m_deviation(new NumberField(tr("Accuracy of the places in the case"))),
       m_notice(new Notice),
-      m_undo(new QPushButton(tr("Undo"))),
-      m_remove(new QPushButton(tr("Remove pair"))),
-      m_clear(new QPushButton(tr("Remove all"))),
       m_keep(new QPushButton(tr("Keep as table…"))) {
-    setWindowTitle(tr("Place the survey by pairs"));
     auto* column = new QVBoxLayout(this);
-    m_hint->setWordWrap(true);
-    m_hint->setMinimumHeight(2 * m_hint->fontMetrics().lineSpacing());
-    m_hint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     column->addWidget(m_hint);
     column->addWidget(buildViews(), 1);
     column->addWidget(buildTable());
     column->addWidget(m_notice);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    QDialogButtonBox* buttons = endButtons(tr("Place survey"));
     m_place = buttons->button(QDialogButtonBox::Ok);
-    m_place->setText(tr("Place survey"));
-    // Enter sets a point with the cross; it must not accept.
-    m_place->setAutoDefault(false);
-    m_place->setDefault(false);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
-    connect(buttons->button(QDialogButtonBox::Cancel), &QPushButton::clicked, this, &QDialog::reject);
     column->addWidget(buttons);
     showPairs();
     m_survey->setFocus();
@@ -89,20 +67,9 @@ QWidget* PlacePairsDialog::buildViews() {
     views->setStretchFactor(1, 1);
     m_survey->setAccessibleName(tr("Survey from above"));
     m_survey->setTool(PhotoView::Tool::Point);
-    m_model->setAccessibleName(tr("Model beside the survey"));
-    m_model->setMinimumSize(240, 160);
-    m_marks->setPicking(true);
     connect(m_survey, &PhotoView::pointPlaced, this, &PlacePairsDialog::placeSurveyed);
     connect(m_survey, &PhotoView::markChosen, this, [this](int mark) { m_table->selectRow(mark); });
     connect(m_survey, &PhotoView::toolLeft, this, &PlacePairsDialog::leave);
-    connect(m_marks, &ModelMarks::picked, this, [this](const QPointF& at) {
-        if (const auto hit = m_model->hitAt(at)) {
-            placeModel(hit->point);
-        } else {
-            m_said = tr("There is nothing of the model there: click on the structure, a fragment or the ground.");
-            showMarks();
-        }
-    });
     return views;
 }
 
@@ -110,40 +77,23 @@ QWidget* PlacePairsDialog::buildTable() {
     auto* box = new QWidget;
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
-    m_table->setHorizontalHeaderLabels({tr("pair"), tr("Δx, m"), tr("Δy, m"), tr("Δz, m"), tr("apart, m")});
-    m_table->setAccessibleName(tr("What is left of each pair"));
-    m_table->setToolTip(tr("Where the place belongs less where the move of all pairs brings it, m"));
-    m_table->verticalHeader()->hide();
-    m_table->setShowGrid(false);
+    prepareTable({tr("pair"), tr("Δx, m"), tr("Δy, m"), tr("Δz, m"), tr("apart, m")}, tr("What is left of each pair"),
+                 tr("Where the place belongs less where the move of all pairs brings it, m"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    const int rowHeight = m_table->fontMetrics().height() + 7;
-    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
-    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + tableRows * rowHeight + 4);
     row->addWidget(m_table, 3);
     auto* side = new QVBoxLayout;
     side->addLayout(buildDeviation());
     m_sum->setWordWrap(true);
     m_sum->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     side->addWidget(m_sum, 1);
-    auto* buttons = new QHBoxLayout;
-    m_undo->setToolTip(tr("Take back the last click (Ctrl+Z)"));
+    QBoxLayout* buttons = changeButtons(tr("Take back the last click (Ctrl+Z)"), tr("Remove pair"));
     m_keep->setToolTip(tr("Write the pairs as a table that Pairs from a table… and the command line take"));
+    m_keep->setAutoDefault(false);
+    buttons->addWidget(m_keep);
     m_keep->hide();
-    for (QPushButton* button : {m_undo, m_remove, m_clear, m_keep}) {
-        button->setAutoDefault(false);
-        buttons->addWidget(button);
-    }
     side->addLayout(buttons);
     row->addLayout(side, 2);
-    connect(m_undo, &QPushButton::clicked, this, &PlacePairsDialog::undo);
-    connect(m_remove, &QPushButton::clicked, this, &PlacePairsDialog::removeChosen);
-    connect(m_clear, &QPushButton::clicked, this, &PlacePairsDialog::clear);
     connect(m_keep, &QPushButton::clicked, this, &PlacePairsDialog::keep);
-    connect(m_table, &QTableWidget::itemSelectionChanged, this, &PlacePairsDialog::showMarks);
     return box;
 }
 
@@ -168,14 +118,6 @@ std::vector<PlacePair> PlacePairsDialog::pairs() const {
         pair.deviation = m_deviation->number();
     }
     return all;
-}
-
-void PlacePairsDialog::setModel(const render::SceneData& scene, render::View view) {
-    m_model->setData(scene);
-    view.legends = false;
-    view.theme = currentTheme();
-    m_model->setView(view);
-    m_model->fit();
 }
 
 void PlacePairsDialog::take(Picked now) {
@@ -265,21 +207,6 @@ void PlacePairsDialog::keep() {
         m_said = worded(error.message()) + u' ' + worded(error.remedy());
     }
     showMarks();
-}
-
-void PlacePairsDialog::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) {
-        leave();
-    } else if (event->matches(QKeySequence::Undo)) {
-        undo();
-    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        // It ends what is typed in a field; only a button that has the focus is pressed by it.
-        if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
-            button->click();
-        }
-    } else {
-        QDialog::keyPressEvent(event);
-    }
 }
 
 bool PlacePairsDialog::bad(std::size_t pair) const {

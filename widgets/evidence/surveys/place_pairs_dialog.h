@@ -1,31 +1,26 @@
 #pragma once
 
-#include <QDialog>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/evidence/surveys/pair_fit.h"
+#include "widgets/evidence/surveys/picked_places_dialog.h"
 #include "widgets/evidence/surveys/survey_plan.h"
-#include "widgets/render/basics/view.h"
-#include "widgets/render/scene.h"
 
 class QLabel;
 class QLayout;
 class QPushButton;
-class QTableWidget;
 
 namespace rubble::widgets {
 
-class ModelMarks;
 class Notice;
 class NumberField;
 class PhotoView;
-class ViewWidget;
 
 /// A survey from above beside the model: places that both show are clicked in turn, and what is left of each pair stands beside it
 /// from the third on. Nothing changes before it is accepted.
-class PlacePairsDialog : public QDialog {
+class PlacePairsDialog : public PickedPlacesDialog {
     Q_OBJECT
 
 public:
@@ -33,12 +28,10 @@ public:
     /// @param around   m, local, of the structure: what the error holds for
     PlacePairsDialog(SurveyHeights heights, const QString& name, const Aabb& around, QWidget* parent = nullptr);
 
-    void setModel(const render::SceneData& scene, render::View view);
     /// A click in the survey, px of its plan, or in the model, m.
     void placeSurveyed(const QPointF& pixel);
     void placeModel(const Vec3& place);
-    /// Takes back the last click or change.
-    void undo();
+    void undo() override;
     void clear();
     /// Drops what waits for its counterpart. @return  something did
     bool dropPending();
@@ -51,10 +44,13 @@ public:
     /// What is done with pairs that are to be kept as a table; it may throw, which the dialog tells. Without it nothing offers to.
     void setKeeper(std::function<QString(const std::vector<PlacePair>&)> keep);
     PhotoView& survey() { return *m_survey; }
-    ViewWidget& model() { return *m_model; }
 
 protected:
-    void keyPressEvent(QKeyEvent* event) override;
+    void placePicked(const Vec3& place) override { placeModel(place); }
+    void removeChosen() override;
+    void removeAll() override { clear(); }
+    void leave() override;
+    void showMarks() override;
 
 private:
     /// What undo goes back to.
@@ -68,12 +64,9 @@ private:
     QWidget* buildTable();
     QLayout* buildDeviation();
     void take(Picked now);
-    void removeChosen();
-    void leave();
     void keep();
     void showPairs();
     void showTable();
-    void showMarks();
     QString hint() const;
     bool bad(std::size_t pair) const;
 
@@ -85,18 +78,10 @@ private:
     std::vector<Picked> m_past;
     std::optional<PairFit> m_fit;
     QString m_problem;  ///< why there is no fit yet
-    QString m_said;     ///< of the last click
-    QLabel* m_hint;
     PhotoView* m_survey;
-    ViewWidget* m_model;
-    ModelMarks* m_marks;
-    QTableWidget* m_table;
     QLabel* m_sum;
     NumberField* m_deviation;
     Notice* m_notice;
-    QPushButton* m_undo;
-    QPushButton* m_remove;
-    QPushButton* m_clear;
     QPushButton* m_keep;
     std::function<QString(const std::vector<PlacePair>&)> m_keeper;  ///< gives what it says of it
     QPushButton* m_place = nullptr;

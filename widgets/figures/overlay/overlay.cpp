@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "widgets/figures/draw.h"
+#include "widgets/figures/material_words.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/point_colours.h"
@@ -88,16 +89,19 @@ double twoDigitsUp(double value) {
 void addMaterials(std::vector<LegendEntry>& legend, const render::SceneData& data, const render::SceneColours& colours) {
     std::array<bool, materialCount> present{};
     std::array<bool, materialCount> assumed{};
+    std::array<bool, materialCount> fits{};
     for (std::size_t c = 0; data.components && c < data.components->list.size(); ++c) {
         const Component& component = data.components->list[c];
         present[static_cast<std::size_t>(component.material)] = true;
-        assumed[static_cast<std::size_t>(component.material)] |= data.materialAssumed(component.name);
+        const bool guessed = data.materialAssumed(component.name);
+        assumed[static_cast<std::size_t>(component.material)] |= guessed;
+        fits[static_cast<std::size_t>(component.material)] |= !guessed || someMaterialFits(component.density);
     }
     const std::array<QString, materialCount> names{tr("stone"),   tr("concrete"), tr("steel"),
                                                    tr("masonry"), tr("soil"),     tr("water bed")};
     for (std::size_t m = 0; m < materialCount; ++m) {
         if (present[m]) {
-            legend.push_back({colourOf(colours.materials[m]), assumed[m] ? tr("%1 (assumed)").arg(names[m]) : names[m]});
+            legend.push_back({colourOf(colours.materials[m]), assumed[m] ? guessedMaterial(names[m], fits[m]) : names[m]});
         }
     }
 }

@@ -230,9 +230,11 @@ void ReportSections::addComponents() {
         const bool isSaid = own != m_facts.scenario.components.end() && own->second.material;
         guessed += isSaid ? 0 : 1;
         const QString material = nameOf(component.material);
-        table.rows.push_back({escaped(component.name), isSaid ? material : tr("%1, by its density").arg(material),
-                              reportNumber(component.density, 4), count(static_cast<std::int64_t>(component.elements.size())),
-                              tonnes(component.mass), count(born[c]), tonnes(mass[c])});
+        const bool fits = someMaterialFits(component.density);
+        const QString guess = fits ? tr("%1, by its density").arg(material) : tr("as %1, for none has its density").arg(material);
+        table.rows.push_back({escaped(component.name), isSaid ? material : guess, reportNumber(component.density, 4),
+                              count(static_cast<std::int64_t>(component.elements.size())), tonnes(component.mass), count(born[c]),
+                              tonnes(mass[c])});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));

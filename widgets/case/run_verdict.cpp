@@ -1,0 +1,34 @@
+#include "widgets/case/run_verdict.h"
+
+#include <QCoreApplication>
+
+#include "widgets/basics/wording.h"
+#include "widgets/figures/number_text.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+QString verdictOfHealth(const RunEntry& run) {
+    const QString passed = limitsPassed(run.breaches);
+    return run.tainted()      ? QCoreApplication::translate("RunVerdict", "tainted: %1").arg(passed)
+           : run.acknowledged ? QCoreApplication::translate("RunVerdict", "%1, acknowledged").arg(passed)
+                              : passed;
+}
+
+}  // namespace
+
+QString limitsPassed(std::int64_t count) {
+    return count == 1 ? QCoreApplication::translate("RunVerdict", "1 limit passed")
+                      : QCoreApplication::translate("RunVerdict", "%1 limits passed").arg(shownCount(count));
+}
+
+QString runVerdict(const RunEntry& run) {
+    if (run.complete) {
+        return run.breaches == 0 ? QCoreApplication::translate("RunVerdict", "sound") : verdictOfHealth(run);
+    }
+    const QString cancelled = QCoreApplication::translate("RunVerdict", "cancelled at %1").arg(figures::timeText(run.endTime));
+    return run.breaches == 0 ? cancelled : cancelled + QStringLiteral(" · ") + verdictOfHealth(run);
+}
+
+}  // namespace rubble::widgets

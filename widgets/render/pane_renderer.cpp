@@ -1,9 +1,11 @@
 #include "widgets/render/pane_renderer.h"
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkCullerCollection.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
@@ -115,6 +117,12 @@ double channel(std::uint8_t value) {
     return value / 255.0;
 }
 
+/// Panes share a shader, and VTK sends it the lights of a pane only where they changed after those that it has: without this a
+/// pane that is drawn once more is lit as the one beside it, which looks from another direction.
+void sendLights(vtkObject* /*renderer*/, unsigned long /*event*/, void* light, void* /*call*/) {
+    static_cast<vtkLight*>(light)->Modified();
+}
+
 }  // namespace
 
 PaneRenderer::PaneRenderer()
@@ -160,6 +168,10 @@ PaneRenderer::PaneRenderer()
     m_fill->SetIntensity(fillBesideSun);
     m_fill->SwitchOff();
     m_renderer->AddLight(m_fill);
+    const auto before = vtkSmartPointer<vtkCallbackCommand>::New();
+    before->SetCallback(sendLights);
+    before->SetClientData(m_lamp);
+    m_renderer->AddObserver(vtkCommand::StartEvent, before);
 }
 
 PaneRenderer::~PaneRenderer() = default;

@@ -101,6 +101,22 @@ TEST_F(GlLight, TheGroundIsDarkerWhereTheModelStandsBetweenItAndTheSun) {
     EXPECT_LE(farthest(studio.picture(m_view, m_window), plain), 1) << "and back again";
 }
 
+/// The plan looks from above: its lamp stands elsewhere than that of the panes beside it.
+TEST_F(GlLight, APaneThatIsDrawnOnceMoreIsLitAsBefore) {
+    m_view.layout = render::Layout::Four;
+    for (const bool shadows : {false, true}) {
+        Studio studio(m_data);
+        m_view.shadows = shadows;
+        const QImage first = studio.picture(m_view, m_window);
+        EXPECT_EQ(studio.picture(m_view, m_window), first) << shadows;
+        m_view.cameras[static_cast<std::size_t>(render::PaneContent::Plan)] =
+            render::fitCamera(Aabb(Vec3(-4, -4, 0), Vec3(9, 6, 3)), aspect, render::Preset::Top);
+        const QImage moved = studio.picture(m_view, m_window);
+        EXPECT_EQ(moved.copy(0, 0, width / 2, height / 2), first.copy(0, 0, width / 2, height / 2))
+            << "another pane's camera moved";
+    }
+}
+
 TEST_F(GlLight, OrangeIsLeftToTheAnalysisStyle) {
     Studio studio(m_data);
     ASSERT_GT(orangeIn(studio.picture(m_view, m_window)), 500);

@@ -1,6 +1,7 @@
 #include "widgets/figures/report/section_picture.h"
 
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@ namespace rubble::figures {
 
 namespace {
 
-/// Points that a picture shows at most, evenly along the line.
+/// Points that a picture shows at most, evenly along the line; the key says where it shows fewer than there are.
 constexpr std::size_t pointsDrawn = 1500;
 
 /// A line for the heights that are there; where there are none it ends and begins anew.
@@ -47,6 +48,7 @@ struct KeyEntry {
     QString name;
     QColor colour;
     std::optional<ChartMark> mark;  ///< unset: a line
+    QString note = {};              ///< behind the name, never cut
 };
 
 /// Writes the key from left to right, in as many rows as it takes. @returns pixels, where it ends below
@@ -58,7 +60,8 @@ double paintKey(QPainter& painter, const std::vector<KeyEntry>& key, double widt
     double x = left;
     double y = 2.0 * text;
     for (const KeyEntry& entry : key) {
-        const QString name = metrics.elidedText(entry.name, Qt::ElideMiddle, longest);
+        const QString name =
+            metrics.elidedText(entry.name, Qt::ElideMiddle, longest - metrics.horizontalAdvance(entry.note)) + entry.note;
         const double wide = metrics.horizontalAdvance(name) + (entry.mark ? text : 0.0);
         if (x > left && x + wide > width - text) {
             x = left;
@@ -85,7 +88,25 @@ std::pair<ChartMark, QColor> markOf(std::size_t source, const Palette& colours) 
     return {marks[source % marks.size()], tones[source % tones.size()]};
 }
 
+std::size_t pointsOf(const SiteSection& section, std::size_t source) {
+    return static_cast<std::size_t>(section.sources[source].agreement.points);
+}
+
+/// One of how many points is drawn. A sparse set keeps all of its points beside a dense one.
+std::size_t strideOf(const SiteSection& section, std::size_t source) {
+    return pointsOf(section, source) > pointsDrawn / 4 ? section.points.size() / pointsDrawn + 1 : 1;
+}
+
+QString counted(std::size_t count) {
+    return QLocale().toString(static_cast<qulonglong>(count));
+}
+
 }  // namespace
+
+std::size_t drawnPoints(const SiteSection& section, std::size_t source) {
+    const std::size_t stride = strideOf(section, source);
+    return (pointsOf(section, source) + stride - 1) / stride;
+}
 
 QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& style) {
     const Palette& colours = palette(style.theme);
@@ -95,30 +116,27 @@ QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& sty
     chart.yTitle = tr("height [m]");
     chart.fromZero = false;
     // What was measured lies below the lines, which it would hide.
-    const std::size_t stride = section.points.size() / pointsDrawn + 1;
+    std::vector<KeyEntry> key{{tr("simulated"), colours.fragment, {}}, {tr("ground (dashed)"), colours.text, {}}};
     for (std::size_t source = 0; source < section.sources.size(); ++source) {
         ChartSeries measured;
         std::tie(measured.mark, measured.colour) = markOf(source, colours);
         measured.line = false;
+        const std::size_t each = strideOf(section, source);
         std::size_t met = 0;
         for (const SectionPoint& point : section.points) {
-            // A sparse set keeps all of its points beside a dense one.
-            const bool dense = static_cast<std::size_t>(section.sources[source].agreement.points) > pointsDrawn / 4;
-            if (point.source == source && (!dense || met++ % stride == 0)) {
+            if (point.source == source && met++ % each == 0) {
                 measured.points.push_back({point.along, point.place.z() + style.zero, {}});
             }
         }
+        key.push_back(
+            {QString::fromStdString(section.sources[source].name), measured.colour, measured.mark,
+             each > 1 ? tr(" (%1 of %2 points drawn)").arg(counted(drawnPoints(section, source)), counted(met)) : QString()});
         if (!measured.points.empty()) {
             chart.series.push_back(std::move(measured));
         }
     }
     addProfile(chart.series, colours.text, true, section, style.zero, &SectionStep::ground);
     addProfile(chart.series, colours.fragment, false, section, style.zero, &SectionStep::simulated);
-    std::vector<KeyEntry> key{{tr("simulated"), colours.fragment, {}}, {tr("ground (dashed)"), colours.text, {}}};
-    for (std::size_t source = 0; source < section.sources.size(); ++source) {
-        const auto& [mark, colour] = markOf(source, colours);
-        key.push_back({QString::fromStdString(section.sources[source].name), colour, mark});
-    }
     QImage image(style.pixels, QImage::Format_RGB32);
     image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : colours.panel);
     QPainter painter(&image);

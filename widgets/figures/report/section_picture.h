@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QSize>
+#include <cstddef>
 
 #include "core/evidence/site_section.h"
 #include "widgets/render/basics/view.h"
@@ -16,8 +17,12 @@ struct SectionPictureStyle {
     double zero = 0.0;  ///< m, height of the local zero in the system of the case
 };
 
+/// Of how many points of a source the picture has a mark: of a dense one about 1,500, evenly along the line, of others all.
+std::size_t drawnPoints(const SiteSection& section, std::size_t source);
+
 /// Heights along a section: measured points below, each set in a mark of its own, the ground dashed, the simulated surface in
-/// full, with a key. Lines end where there is no height. Call ensureGuiApplication() first.
+/// full, with a key, which says of how many points it draws a part. Lines end where there is no height. Call ensureGuiApplication()
+/// first.
 QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& style);
 
 }  // namespace rubble::figures

@@ -166,6 +166,7 @@ void GridPanel::buildTable(PanelGroup* group) {
     const int line = m_table->fontMetrics().height() + 10;
     m_table->verticalHeader()->setDefaultSectionSize(line);
     m_table->setFixedHeight(4 * line + 4);
+    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     group->addWide(m_table);
     m_unitNote = group->addNote({});
 }

@@ -40,6 +40,19 @@ private:
     Panel& m_panel;
 };
 
+/// The layout of a group. When a sentence of it goes, the group is as high as before for a moment: its rows do not spread in that
+/// room, unless one of them is there to grow.
+class GroupColumn : public QVBoxLayout {
+public:
+    explicit GroupColumn(QWidget* group) : QVBoxLayout(group) {}
+    void setGeometry(const QRect& place) override {
+        const bool grows = (expandingDirections() & Qt::Vertical) != 0;
+        const int needed = hasHeightForWidth() ? totalHeightForWidth(place.width()) : totalSizeHint().height();
+        const int height = grows ? place.height() : std::min(place.height(), needed);
+        QVBoxLayout::setGeometry({place.topLeft(), QSize(place.width(), height)});
+    }
+};
+
 }  // namespace
 
 Notice::Notice(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
@@ -175,7 +188,7 @@ std::vector<FindingList*> findingLists(const QWidget& panel) {
 
 PanelGroup::PanelGroup(const QString& heading, QWidget* parent) : QWidget(parent), m_grid(new QGridLayout) {
     auto* title = new QLabel(heading);
-    auto* column = new QVBoxLayout(this);
+    auto* column = new GroupColumn(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     title->setObjectName(QStringLiteral("groupHeading"));

@@ -62,13 +62,13 @@ QString stateOf(const QWidget& widget) {
     return spin != nullptr ? spin->text() : QString();
 }
 
-/// Where everything stands that can be clicked or typed into.
+/// Where everything stands that can be clicked or typed into. Remedies go with their sentences, which stand below all of it.
 std::map<QWidget*, QPoint> placesIn(const QWidget& window) {
     std::map<QWidget*, QPoint> places;
     for (auto* each : window.findChildren<QWidget*>()) {
         const bool control = qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
                              qobject_cast<QLineEdit*>(each) != nullptr || qobject_cast<QSlider*>(each) != nullptr;
-        if (control && each->isVisible()) {
+        if (control && each->isVisible() && each->objectName() != QLatin1String("applyRemedy")) {
             places[each] = each->mapTo(&window, QPoint(0, 0));
         }
     }

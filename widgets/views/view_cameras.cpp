@@ -59,7 +59,7 @@ void ViewWidget::setMoved(const Moved& moved) {
 void ViewWidget::refit() {
     const Cameras& settled = m_flight.isActive() ? m_flightTo : m_view.cameras;
     const Cameras cameras = fitted(settled);
-    if (cameras != settled) {
+    if (!std::equal(cameras.begin(), cameras.end(), settled.begin(), render::showsAlike)) {
         m_flight.stop();
         m_view.cameras = cameras;
         update();

@@ -1,8 +1,10 @@
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QPainter>
 #include <QScreen>
 #include <QSettings>
 #include <QTest>
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -138,18 +140,26 @@ bool seenWhole(const widgets::ViewWidget& views) {
 
 /// What the screen shows where the views are, whoever drew it last.
 QImage onScreen(widgets::ViewWidget& views) {
-    const QPoint at = views.mapTo(views.window(), QPoint(0, 0));
+    const QPoint at = views.mapToGlobal(QPoint(0, 0));
     return views.screen()
-        ->grabWindow(views.window()->winId(), at.x(), at.y(), views.width(), views.height())
+        ->grabWindow(0, at.x(), at.y(), views.width(), views.height())
         .toImage()
         .convertToFormat(QImage::Format_RGB32);
 }
 
+/// Leaves out what a window lies over.
+void leaveOut(QImage& picture, const widgets::ViewWidget& views, const QWidget& over) {
+    if (over.isVisible() && over.isWindow()) {
+        QPainter(&picture).fillRect(over.frameGeometry().translated(-views.mapToGlobal(QPoint(0, 0))), Qt::black);
+    }
+}
+
 /// Fitting once more changes nothing: they are fitted already.
 void expectFitted(widgets::ViewWidget& views, const char* after) {
-    const render::View before = views.view();
+    const auto before = views.view().cameras;
     views.keepFitted();
-    EXPECT_EQ(views.view(), before) << after;
+    const auto& now = views.view().cameras;
+    EXPECT_TRUE(std::equal(now.begin(), now.end(), before.begin(), render::showsAlike)) << after;
 }
 
 TEST_F(ViewDetail, EachPanelThatComesGoesOrChangesItsSizeFitsTheViewsAtOnce) {
@@ -173,14 +183,16 @@ TEST_F(ViewDetail, EachPanelThatComesGoesOrChangesItsSizeFitsTheViewsAtOnce) {
         {"cameras linked", [&] { window->actions()[ActionId::Link].trigger(); }},
         {"four views", [&] { window->actions()[ActionId::Four].trigger(); }},
         {"two views", [&] { window->actions()[ActionId::Beside].trigger(); }},
-        {"another window", [&] { window->resize(1500, 900); }}};
+        {"another window", [&] { window->resize(1200, 760); }}};
     for (const auto& [what, step] : steps) {
         step();
         QTest::qWait(150);
         expectFitted(views(), what);
-        const QImage shown = onScreen(views());
-        const QImage drawn = views().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+        QImage shown = onScreen(views());
+        QImage drawn = views().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
         ASSERT_EQ(shown.size(), drawn.size()) << what;
+        leaveOut(shown, views(), *map);
+        leaveOut(drawn, views(), *map);
         EXPECT_LT(meanDifference(shown, drawn), 1.0) << what << ": the screen shows what the cameras see now";
     }
 }

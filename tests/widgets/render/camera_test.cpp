@@ -139,6 +139,16 @@ TEST_F(CameraMoves, OrbitLeavesTheTopViewWithoutATurn) {
     EXPECT_NEAR(tilted.position.x(), top.position.x(), 1e-6);
 }
 
+TEST_F(CameraMoves, FittingOnceMoreShowsAlikeAndAnotherPaneDoesNot) {
+    const Aabb box(Vec3(-50, -5, 0), Vec3(50, 5, 20));
+    for (int i = 0; i < 50; ++i) {
+        const Camera fitted = refit(camera(), box, 1.3);
+        EXPECT_TRUE(showsAlike(refit(fitted, box, 1.3), fitted));
+        EXPECT_FALSE(showsAlike(zoom(fitted, 1.001, 0.5, 0.5, 1.3), fitted));
+        EXPECT_FALSE(showsAlike(withProjection(fitted, !fitted.parallel), fitted));
+    }
+}
+
 TEST_F(CameraMoves, BetweenStartsAndEndsAtItsCameras) {
     for (int i = 0; i < 50; ++i) {
         const Camera a = camera(), b = camera();

@@ -222,6 +222,14 @@ Camera centreOn(const Camera& camera, const Vec3& point) {
     return moved;
 }
 
+bool showsAlike(const Camera& a, const Camera& b) {
+    constexpr double rounding = 1e-9;
+    const double least = rounding * (a.position - a.focalPoint).norm();
+    return a.parallel == b.parallel && (a.position - b.position).norm() <= least && (a.focalPoint - b.focalPoint).norm() <= least &&
+           (a.up - b.up).norm() <= rounding && std::abs(a.viewAngle - b.viewAngle) <= rounding * a.viewAngle &&
+           std::abs(a.parallelScale - b.parallelScale) <= rounding * a.parallelScale;
+}
+
 Camera between(const Camera& from, const Camera& to, double t) {
     t = std::clamp(t, 0.0, 1.0);
     if (t == 0.0 || t == 1.0) {

@@ -50,6 +50,8 @@ Camera pan(const Camera& camera, double dx, double dy, double paneHeight);
 Camera zoom(const Camera& camera, double factor, double u, double v, double aspect);
 /// Makes a point the new focal point, keeping direction and distance.
 Camera centreOn(const Camera& camera, const Vec3& point);
+/// They show the same, but for what rounding leaves: a billionth of the distance to the focal point.
+bool showsAlike(const Camera& a, const Camera& b);
 /// Between two cameras, for moves of the view; t in [0, 1].
 Camera between(const Camera& from, const Camera& to, double t);
 

@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>Cautions</name>
-    <message>
-        <source>Below the picture: %1</source>
-        <translation>图片下方：%1</translation>
-    </message>
-</context>
-<context>
     <name>BundleWords</name>
     <message>
         <source>container</source>
@@ -57,6 +50,13 @@
     <message>
         <source>The bundle is %1.</source>
         <translation>封存包：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>Cautions</name>
+    <message>
+        <source>Below the picture: %1</source>
+        <translation>图片下方：%1</translation>
     </message>
 </context>
 <context>
@@ -12635,6 +12635,10 @@
         <source>tainted: it passed limits of health, and nobody vouches for it</source>
         <translation>存疑：超过了健康限值，且无人担保</translation>
     </message>
+    <message>
+        <source>notice, finding or tainted</source>
+        <translation>notice、finding 或 tainted</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -16182,6 +16186,10 @@
     <message>
         <source>as %1, for no material has its density</source>
         <translation>按%1处理，因没有材料有此密度</translation>
+    </message>
+    <message>
+        <source>(%1 of %2 points drawn)</source>
+        <translation>（绘出 %2 个点中的 %1 个）</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,20 @@ constexpr double mostSteps = 10'000.0;
 /// The most that can be set.
 constexpr std::int64_t mostBodies = 10'000'000;
 
+// What is found, by the ids of its messages.
+constexpr std::string_view longBirthWindow = "fragments.birth_window";
+constexpr std::string_view noDeathTime = "fragments.no_death_time";
+constexpr std::string_view deathTimeOutside = "fragments.death_time_outside";
+constexpr std::string_view notHeld = "effect.not_held";
+constexpr std::string_view looseBeside = "sizing.loose_beside";
+constexpr std::string_view looseBesideRun = "sizing.loose_beside.run";
+constexpr std::string_view speedHeld = "simulation.speed_held";
+constexpr std::string_view stepsRaised = "simulation.auto_remedy";
+constexpr std::string_view heldTogether = "simulation.held_together";
+constexpr std::string_view islandsLive = "simulation.live_islands";
+constexpr std::string_view waterMissed = "simulation.water_missed";
+constexpr std::string_view roughnessAlone = "simulation.roughness_alone";
+
 using Choice = std::optional<RemedySetting>;
 
 /// The first that is another value than what was set.
@@ -85,28 +99,28 @@ std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const R
 
 std::optional<RemedySetting> remedySettingOf(const Finding& finding, const RemedyGrounds& grounds) {
     const std::string_view id = finding.what.id;
-    if (id == "fragments.birth_window") {
+    if (id == longBirthWindow) {
         return named("birth_window", finding.remedy);
     }
-    if (id == "fragments.no_death_time" || id == "fragments.death_time_outside") {
+    if (id == noDeathTime || id == deathTimeOutside) {
         return firstOther(grounds, {word("birth_time", "state")});
     }
-    if (id == "effect.not_held" || id == "sizing.loose_beside" || id == "sizing.loose_beside.run") {
+    if (id == notHeld || id == looseBeside || id == looseBesideRun) {
         return firstOther(grounds, {word("loose_structure", "fe")});
     }
-    if (id == "simulation.speed_held" || id == "simulation.auto_remedy") {
+    if (id == speedHeld || id == stepsRaised) {
         return firstOther(grounds, {moreSteps(grounds)});
     }
-    if (id == "simulation.held_together") {
+    if (id == heldTogether) {
         return moreBodies(grounds);
     }
-    if (id == "simulation.live_islands") {
+    if (id == islandsLive) {
         return firstOther(grounds, {word("live_islands", "released")});
     }
-    if (id == "simulation.water_missed") {
+    if (id == waterMissed) {
         return firstOther(grounds, {word("water", "on")});
     }
-    if (id == "simulation.roughness_alone") {
+    if (id == roughnessAlone) {
         return firstOther(grounds, {RemedySetting{"terrain_roughness", 0.0}});
     }
     return std::nullopt;

@@ -197,7 +197,6 @@ const words = {
     pageBuild: ['build that wrote the page', '生成页面的版本'],
     fingerprint: ['fingerprint of the run', '计算指纹'],
     trajectory: ['hash of the trajectory', '轨迹散列'],
-    group: [',', ','],
     coordinates: ['coordinates', '坐标'],
     files: ['Files with their SHA-256', '文件及其 SHA-256'],
     role: ['role', '用途'],
@@ -232,10 +231,10 @@ function saySentence(text) {
     return words.charAt(0).toUpperCase() + words.slice(1) + (speech.chinese ? '。' : '.');
 }
 
-// Every number of the page: thousands are grouped as the language does.
+// Every number of the page: thousands are grouped, in both languages alike.
 function sayGrouped(text) {
     const [, sign, whole, rest] = /^(-?)(\d*)(.*)$/.exec(text);
-    return rest.includes('e') ? text : sign + whole.replace(/\B(?=(\d{3})+$)/g, say('group')) + rest;
+    return rest.includes('e') ? text : sign + whole.replace(/\B(?=(\d{3})+$)/g, ',') + rest;
 }
 
 function sayCount(number) {

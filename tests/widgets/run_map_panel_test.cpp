@@ -126,7 +126,7 @@ TEST_F(RunMapPanelTest, CellsThatNobodyChoseAreShownWithTheirSizeAndComeBack) {
     EXPECT_EQ(cell->placeholderText(), QStringLiteral("auto: 0.025"));
     bool told = false;
     for (const QLabel* label : panel.findChildren<QLabel*>()) {
-        told = told || label->text().contains(QStringLiteral("cells of 0.025 m by a typical fragment of 0.03 m"));
+        told = told || label->text().contains(QStringLiteral("cells of 0.025\u00A0m by a typical fragment of 0.030\u00A0m"));
     }
     EXPECT_TRUE(told);
     cell->setFocus();

@@ -97,7 +97,7 @@ TEST(Wording, KeysOfComponentsAreFieldsInTheWindow) {
               QStringLiteral("no component is marked as reinforced (“Reinforced”)"));
     EXPECT_EQ(said("Set component[{0}].density to a positive number."),
               QStringLiteral("Set “Density” of “pier 2” to a positive number."));
-    EXPECT_EQ(said("or set component[{0}].structural = false"), QStringLiteral("or set “Structural” of “pier 2” = off"));
+    EXPECT_EQ(said("or set component[{0}].structural = false"), QStringLiteral("or set “Limits the grid” of “pier 2” = off"));
     EXPECT_EQ(said("such as pair[stone,soil].friction."), QStringLiteral("such as “Friction” of “stone,soil”."));
     EXPECT_EQ(said("a list[1].of things"), QStringLiteral("a list[1].of things"));
 }

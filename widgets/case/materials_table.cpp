@@ -13,7 +13,8 @@ MaterialsTable::MaterialsTable(QWidget* parent) : QWidget(parent), m_grid(new QG
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(4);
-    m_grid->setColumnStretch(0, 1);
+    m_grid->setColumnStretch(0, 2);
+    m_grid->setColumnStretch(1, 3);
     build({});
 }
 

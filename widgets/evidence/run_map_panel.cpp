@@ -207,7 +207,7 @@ void RunMapPanel::setContent(const Content& content) {
     m_map->setVisible(mapped);
     m_notice->set(Notice::Kind::Note, content.making && !mapped ? tr("Mapping the debris …") : content.why);
     const bool usual = mapped && content.map->cellFrom > 0.0;
-    m_cell->setEmptyMeans(usual ? tr("auto: %1").arg(shownNumber(content.map->map.cell * figures::shownUnit("m").perSi))
+    m_cell->setEmptyMeans(usual ? tr("auto: %1").arg(shownNumber(content.map->map.cell * figures::shownUnit("m").perSi, 2))
                                 : tr("auto"));
     fillLayers();
     draw();

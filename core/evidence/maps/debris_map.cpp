@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/unknown.h"
+#include "core/evidence/maps/map_cell.h"
 #include "core/evidence/maps/piece_raster.h"
 
 namespace rubble {
@@ -135,7 +136,7 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
 DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impactsKnown, const LiveStructure* live,
                         std::vector<std::string> components, const SiteSurface& ground, const MapSettings& settings,
                         const Execution& execution) {
-    const double cell = settings.cell.value_or(0.0);
+    const double cell = settings.cell.value_or(usualMapCell(FragmentSet{}, 0.0).side);
     const PieceRaster debris = rasterOf(pieces, cell, ground, execution);
     PieceRaster fallen;
     DebrisMap map;

@@ -107,7 +107,7 @@ Message mapLayerTitle(const DebrisMap& map, MapLayer layer);
 
 /// How a map is made.
 struct MapSettings {
-    std::optional<double> cell{};  ///< m; unset: of a run as usualMapCell()
+    std::optional<double> cell{};  ///< m; unset: of a run as usualMapCell(), of pieces alone 0.25 m
     double liveThreshold = 1.0;    ///< m, farther than this live structure has fallen
     double arrivalDistance = 0.5;  ///< m
 };
@@ -121,7 +121,7 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
 /// Maps fragments, and beside them, never among them, the live structure that fell. Volume, mass and energy agree with the ledger:
 /// summed over the cells and times the area of a cell they are those of the pieces, to rounding.
 /// @param live      null: its layers are left out
-/// @param settings  with the side of the cells
+/// @param settings  a run says the side of its cells
 /// Throws as rasterOf().
 DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impactsKnown, const LiveStructure* live,
                         std::vector<std::string> components, const SiteSurface& ground, const MapSettings& settings,

@@ -78,7 +78,7 @@ TEST_F(ShownEvidence, AnAnswerThatRestsOnAPoorCameraSaysSoBesideIt) {
     // Points that no camera explains.
     double way = 1.0;
     for (PointPair& pair : m_case.photographs[0].pairs) {
-        pair.picture += Eigen::Vector2d(9.0 * way, -7.0 * way);
+        pair.picture += Eigen::Vector2d(27.0 * way, -21.0 * way);
         way = -way;
     }
     const std::string path = save();

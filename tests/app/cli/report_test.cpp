@@ -197,7 +197,9 @@ TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
         << "the run has cells of 1 m: two highest cells are two figures";
     EXPECT_THAT(page, HasSubstr(">Friction<")) << "what is drawn has its name, not its key";
     EXPECT_THAT(page, HasSubstr("Probability that debris reaches into a cell, over 3 members"));
-    for (const nlohmann::json& member : simulated.json()["list"]) {
+    const nlohmann::json members = simulated.json()["list"];
+    ASSERT_EQ(members.size(), 3U);
+    for (const nlohmann::json& member : members) {
         EXPECT_THAT(page, HasSubstr(member["trajectory_hash"].get<std::string>().substr(0, 8))) << "every number traces to its run";
     }
     // Members of other settings are none of this case.

@@ -33,7 +33,8 @@ TEST_F(Size, TellsThatBirthsOfABlastAreJoined) {
     m_path = m_folder / "blast.exo";
     builder.write(m_path);
     const auto told = [this](std::vector<std::string> more) {
-        for (const nlohmann::json& warning : size(std::move(more))["warnings"]) {
+        const nlohmann::json sized = size(std::move(more));
+        for (const nlohmann::json& warning : sized["warnings"]) {
             if (warning["id"] == "fragments.birth_window") {
                 return warning.dump();
             }

@@ -130,7 +130,7 @@ QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& sty
         }
         key.push_back(
             {QString::fromStdString(section.sources[source].name), measured.colour, measured.mark,
-             each > 1 ? tr(" (%1 of %2 points drawn)").arg(counted(drawnPoints(section, source)), counted(met)) : QString()});
+             each > 1 ? u' ' + tr("(%1 of %2 points drawn)").arg(counted(drawnPoints(section, source)), counted(met)) : QString()});
         if (!measured.points.empty()) {
             chart.series.push_back(std::move(measured));
         }

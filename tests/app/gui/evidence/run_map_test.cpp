@@ -135,6 +135,7 @@ TEST_F(RunMapTest, TheMapOfTheRunIsShownByItsKeyFollowsTheViewsAndIsSaved) {
     QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
     EXPECT_FALSE(map().dock().isVisible());
     openMap();
+    saysThatTheModelHasNoPlace();
     // Another case takes the map away.
     session->document().undoStack().setClean();
     window->open(arch());

@@ -100,12 +100,17 @@ void ForecastDisplay::pointsAdded() {
 
 void ForecastDisplay::show() {
     PredictionContent content;
-    if (m_computation.inputs().fe == nullptr) {
+    const std::shared_ptr<const FeResult> fe = m_computation.inputs().fe;
+    const bool another = fe != m_kept.of.lock();
+    m_kept.of = fe;
+    if (another || fe == nullptr) {
+        m_kept.answer.reset();
         m_kept.shown.reset();
         m_kept.runScenario.reset();
         m_kept.beforeRun.reset();
         m_kept.afterRun.reset();
-    } else {
+    }
+    if (fe != nullptr) {
         // Until there is an answer, the one before stays, marked as such: nothing jumps while a slider moves.
         if (m_kept.answer) {
             m_kept.shown = m_kept.answer;
@@ -115,9 +120,8 @@ void ForecastDisplay::show() {
         content.figures = m_kept.shown ? m_kept.shown->figures : std::vector<widgets::PredictedFigure>();
     }
     std::optional<Finding> beside;
-    if (m_kept.shown && m_kept.shown->beside && m_computation.inputs().fe != nullptr) {
-        beside = looseBesideCaution(m_kept.shown->scenario.grid.fpsTarget, *m_kept.shown->beside,
-                                    m_computation.inputs().fe->mesh().elementCount());
+    if (m_kept.shown && m_kept.shown->beside && fe != nullptr) {
+        beside = looseBesideCaution(m_kept.shown->scenario.grid.fpsTarget, *m_kept.shown->beside, fe->mesh().elementCount());
     }
     m_deck.grid().setBeside(beside);
     const bool ran = m_kept.afterRun && m_kept.runScenario == m_document.scenario();

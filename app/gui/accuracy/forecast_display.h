@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
 
 #include "app/gui/accuracy/forecast.h"
@@ -46,6 +47,7 @@ private:
         std::optional<Scenario> runScenario;        ///< of the run whose prediction is kept, or awaited
         std::optional<Forecast::Answer> beforeRun;  ///< what was said of it
         std::optional<widgets::PredictionContent> afterRun;
+        std::weak_ptr<const FeResult> of;  ///< what all of these are about
     };
     void ask();
     void said(const Forecast::Answer& answer);

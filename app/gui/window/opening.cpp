@@ -248,6 +248,9 @@ void Opening::takeOpened(const Opened& opened) {
     }
     m_shown.area.showViews(opened.fe != nullptr, true);
     m_shown.health.refresh();
+    if (m_computation.currentRun() == nullptr) {
+        m_shown.deck.showOutcome({});
+    }
     m_shown.playback.reset();
     if (opened.fe != nullptr && m_kept.simulateWhenReady) {
         m_shown.playback.clock().play();

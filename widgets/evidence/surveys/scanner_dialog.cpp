@@ -1,5 +1,6 @@
 #include "widgets/evidence/surveys/scanner_dialog.h"
 
+#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>

@@ -20,6 +20,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/prediction_box.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/case/preferences_dialog.h"
@@ -210,6 +211,29 @@ TEST_F(ThirdHour, KeepingNoRunsTakesHoldAtOnceAndIsSaid) {
 }
 
 // Of the list of the case and that of all cases.
+TEST_F(ThirdHour, AnotherCaseShowsNothingOfTheRunBefore) {
+    openAndAwait(small());
+    simulateToEnd();
+    clickPanel(PanelDeck::Run);
+    const auto group = [&] { return window->rooms().deck->run().findChild<QPushButton*>(QStringLiteral("takeSettings")); };
+    ASSERT_NE(group(), nullptr);
+    ASSERT_TRUE(group()->isVisible());
+    const auto said = [&] {
+        const auto* box = window->rooms().deck->run().findChild<widgets::PredictionBox*>();
+        const auto* heading = box->findChild<QLabel*>(QStringLiteral("groupHeading"));
+        return heading->text();
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return said() == QStringLiteral("Said before the run, and measured"); }, patience));
+    session->document().undoStack().setClean();
+    openAndAwait(blast());
+    clickPanel(PanelDeck::Run);
+    EXPECT_FALSE(group()->isVisible()) << "no figures of another case's run";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return said() != QStringLiteral("Said before the run, and measured"); }, patience));
+    for (const auto* list : window->rooms().deck->run().findChildren<widgets::FindingList*>()) {
+        EXPECT_EQ(list->count(), 0) << "nor its findings";
+    }
+}
+
 TEST_F(ThirdHour, ARunThatIsTaintedIsSoInItsLists) {
     openAndAwait(small());
     ASSERT_TRUE(window->rooms().files->saveTo(folder.filePath(QStringLiteral("small.rubble"))));

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
@@ -16,6 +17,16 @@ void tellUnitsChanged() {
         QEvent event(unitsChanged());
         QApplication::sendEvent(widget, &event);
     }
+}
+
+bool showTimesFor(double seconds) {
+    const QString before = figures::timeUnit().name;
+    figures::setResultSpan(seconds);
+    const bool changed = figures::timeUnit().name != before;
+    if (changed) {
+        tellUnitsChanged();
+    }
+    return changed;
 }
 
 UnitLabel::UnitLabel(const QString& unit, QWidget* parent) : QLabel(parent) {

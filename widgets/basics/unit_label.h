@@ -28,5 +28,8 @@ private:
 QEvent::Type unitsChanged();
 /// Tells all widgets.
 void tellUnitsChanged();
+/// Times are shown from now on as suits a result that lasts so many seconds; tells all widgets where that is another unit.
+/// @returns whether it was
+bool showTimesFor(double seconds);
 
 }  // namespace rubble::widgets

@@ -14,11 +14,11 @@
 #include "core/fe/material.h"
 #include "core/fe/units.h"
 #include "io/case/case_file.h"
+#include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/case/case_preview.h"
 #include "widgets/case/new_case_wizard.h"
-#include "widgets/figures/number_text.h"
 
 namespace rubble {
 
@@ -180,7 +180,7 @@ void NewCase::takeOpened(const Opened& opened) {
     }
     // Before anything of it is shown.
     if (opened.fe != nullptr) {
-        figures::setResultSpan(opened.fe->times().back() - opened.fe->times().front());
+        widgets::showTimesFor(opened.fe->times().back() - opened.fe->times().front());
     }
     m_computation.take(opened, m_document.scenario());
     showResults();

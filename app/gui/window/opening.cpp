@@ -272,11 +272,7 @@ void Opening::takeOpened(const Opened& opened) {
 // Of the result that is open; a wizard tells those of another one meanwhile.
 void Opening::tellTimes() {
     const auto& fe = m_computation.inputs().fe;
-    const QString before = figures::timeUnit().name;
-    figures::setResultSpan(fe != nullptr && fe->stateCount() > 0 ? fe->times().back() - fe->times().front() : 0.0);
-    if (figures::timeUnit().name != before) {
-        widgets::tellUnitsChanged();
-    } else {
+    if (!widgets::showTimesFor(fe != nullptr && fe->stateCount() > 0 ? fe->times().back() - fe->times().front() : 0.0)) {
         // Fields keep what is half typed while a result grows.
         m_shown.deck.run().showBriefResult();
     }

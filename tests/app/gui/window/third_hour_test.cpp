@@ -21,6 +21,7 @@
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/prediction_box.h"
+#include "widgets/basics/unit_label.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/case/new_case_wizard.h"
 #include "widgets/case/preferences_dialog.h"
@@ -152,6 +153,29 @@ TEST_F(ThirdHour, TheWizardTellsAGroundBelowASmallModelAndItsTimes) {
     EXPECT_NEAR(making.document().scenario().simulation.groundHeight, 0.0064, 1e-3);
     EXPECT_TRUE(noticeWith(wizard.ground(), QStringLiteral("above this ground")).isEmpty());
     wizard.reject();
+}
+
+// A field takes what is typed in the unit that stands beside it.
+TEST_F(ThirdHour, UnitsBesideFieldsAreThoseOfTheResultThatIsTold) {
+    const auto units = [&] {
+        int brief = 0;
+        for (const auto* label : window->findChildren<widgets::UnitLabel*>()) {
+            brief += label->text() == QStringLiteral("µs") ? 1 : 0;
+        }
+        return brief;
+    };
+    EXPECT_EQ(units(), 0);
+    openAndAwait(blast());
+    const int all = units();
+    EXPECT_GT(all, 0);
+    window->rooms().opening->newCase(small());
+    NewCase& making = *window->rooms().opening->caseInTheMaking();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
+    EXPECT_EQ(units(), 0);
+    EXPECT_EQ(figures::timeUnit().name, QStringLiteral("s"));
+    making.wizard().reject();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
+    EXPECT_EQ(units(), all);
 }
 
 TEST_F(ThirdHour, AKeyThatCannotBeUsedSaysWhy) {

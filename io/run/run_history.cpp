@@ -52,7 +52,7 @@ nlohmann::json entryJson(const RunEntry& run) {
             {"bulking_factor", jsonNumber(run.bulkingFactor)},
             {"energy_drift", jsonNumber(run.energyDrift)},
             {"breaches", run.breaches},
-            {"grade", run.grade ? nlohmann::json(std::string(healthGradeName(*run.grade))) : nlohmann::json()},
+            {"grade", run.breaches > 0 && run.grade ? nlohmann::json(std::string(healthGradeName(*run.grade))) : nlohmann::json()},
             {"acknowledged", run.acknowledged},
             {"trajectory_hash", run.trajectoryHash.hex()},
             {"file", run.file}};

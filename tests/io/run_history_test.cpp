@@ -51,6 +51,10 @@ TEST(RunHistory, ComesBackAsItWas) {
         writeRunHistory(file, runs);
         EXPECT_EQ(readRunHistory(file), runs);
     }
+    runs[0].grade = HealthGrade::Notice;
+    writeRunHistory(file, runs);
+    EXPECT_EQ(runs[0].breaches, 0);
+    EXPECT_FALSE(readRunHistory(file)[0].grade) << "a limit that was not passed has no grade";
     runs[0].bulkingFactor = std::nan("");
     writeRunHistory(file, runs);
     EXPECT_TRUE(std::isnan(readRunHistory(file)[0].bulkingFactor));

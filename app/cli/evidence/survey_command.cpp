@@ -205,6 +205,7 @@ Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input, cons
     object["live_structure"] = made.settings.withFallen;
     object["survey_live_structure"] = made.surveyShowsFallen ? Json(*made.surveyShowsFallen) : Json();
     object["fallen"] = {{"elements", made.fallen.elements}, {"volume_m3", made.fallen.volume}, {"held_parts", made.fallen.held}};
+    object["standing"] = {{"area_m2", made.standing.area}, {"volume_m3", made.standing.volume}};
     object["registration"] = {{"to", fitText(made.settings.fit)},
                               {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
                               {"cells", made.shift.cells},

@@ -36,8 +36,15 @@ LiveStructure displaced(const FeResult& fe, const Components& components, const 
             motion.positions.col(motion.corners++) = place;
             moved += place - mesh.nodes[node];
         }
-        // Written so that what is no number is left out.
-        if (!((moved / motion.corners).norm() > threshold) || !motion.positions.allFinite()) {
+        if (!motion.positions.allFinite()) {
+            continue;
+        }
+        if (!((moved / motion.corners).norm() > threshold)) {
+            PlanBox plan;
+            for (int c = 0; c < motion.corners; ++c) {
+                plan.extend(motion.positions.col(c).head<2>().cast<float>());
+            }
+            live.standing.push_back(plan);
             continue;
         }
         const LeastExtents extents{settings.minimumThicknessRatio, settings.minimumHalfExtent};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
@@ -15,11 +16,15 @@ namespace rubble {
 
 struct CarriedIsland;
 
+/// Least and greatest place in plan, m.
+using PlanBox = Eigen::AlignedBox<float, 2>;
+
 /// Live elements that fell or sank: debris as much as the fragments (DESIGN.md 2.7), with a line of its own in the ledger.
 struct LiveStructure {
-    std::vector<MapPiece> pieces;  ///< one for each element, in their order
-    double mass = 0.0;             ///< kg
-    double volume = 0.0;           ///< m3
+    std::vector<MapPiece> pieces;   ///< one for each element, in their order
+    double mass = 0.0;              ///< kg
+    double volume = 0.0;            ///< m3
+    std::vector<PlanBox> standing;  ///< of each element that is alive, no fragment and no farther from its place at rest
 };
 
 /// The elements that are alive at a time, are no fragments, and whose centre (mean of the corners) is farther than a threshold from

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
@@ -239,6 +241,50 @@ void compareFallen(SurveyComparison& made, const std::string& survey) {
     }
 }
 
+/// Cells whose middle lies below or within one of the boxes [cells], 1 or 0.
+std::vector<std::uint8_t> cellsUnder(const CellGrid& grid, std::span<const PlanBox> boxes) {
+    std::vector<std::uint8_t> under(grid.values.size(), 0);
+    const auto within = [&](double low, double high, int first, int count) {
+        const double from = std::ceil(low / grid.cell - 0.5) - first;
+        const double to = std::floor(high / grid.cell - 0.5) - first;
+        return std::pair(static_cast<int>(std::clamp(from, 0.0, 1.0 * count)), static_cast<int>(std::clamp(to, -1.0, count - 1.0)));
+    };
+    for (const PlanBox& box : boxes) {
+        const auto [left, right] = within(box.min().x(), box.max().x(), grid.low.i, grid.columns);
+        const auto [below, above] = within(box.min().y(), box.max().y(), grid.low.j, grid.rows);
+        for (int row = below; row <= above; ++row) {
+            for (int column = left; column <= right; ++column) {
+                under[grid.index(column, row)] = 1;
+            }
+        }
+    }
+    return under;
+}
+
+/// A survey of heights cannot tell a pier that stands from debris as high.
+void compareStanding(SurveyComparison& made, std::span<const PlanBox> standing, const std::string& survey) {
+    if (made.isFootprint || standing.empty()) {
+        return;
+    }
+    constexpr double quiet = 0.01;  // of the surveyed debris
+    const std::vector<std::uint8_t> under = cellsUnder(made.surveyedCells, standing);
+    const double cellArea = made.surveyedCells.cell * made.surveyedCells.cell;
+    for (std::size_t k = 0; k < under.size(); ++k) {
+        if (under[k] != 0 && made.compared[k] != 0 && surveyedDebris(made, k)) {
+            made.standing.area += cellArea;
+            made.standing.volume += cellArea * made.surveyedCells.values[k];
+        }
+    }
+    if (made.standing.area > quiet * made.survey.area) {
+        made.findings.add(
+            {"survey.standing",
+             "structure stands in the run over {0} of the surveyed debris, with {1} of its volume: the survey most likely "
+             "shows that structure, and it counts as debris on that side alone",
+             {{made.standing.area, "m2"}, {made.standing.volume, "m3"}}},
+            {"survey.standing.remedy", "draw an area of interest without it, or take it out of the survey", {}}, survey);
+    }
+}
+
 /// Of each cell to the nearest simulated debris, in cells.
 std::vector<double> distancesFromDebris(const SurveyComparison& made) {
     std::vector<std::uint8_t> marked(made.compared.size());
@@ -329,6 +375,7 @@ SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double
     compared.fallen = {static_cast<std::int64_t>(made.live->pieces.size()), made.live->volume,
                        run.result ? run.result->islands.held() : 0};
     compareFallen(compared, survey.name);
+    compareStanding(compared, made.live->standing, survey.name);
     return compared;
 }
 

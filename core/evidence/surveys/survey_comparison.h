@@ -103,6 +103,12 @@ struct FallenStructure {
     std::int64_t held = 0;      ///< loose parts that the run held where the FE result ends
 };
 
+/// Structure of a run that stands where a survey of heights shows debris: most likely the survey shows that structure.
+struct StandingStructure {
+    double area = 0.0;    ///< m2, of surveyed debris in cells that it stands on or over; 0 of a footprint
+    double volume = 0.0;  ///< m3, between surveyed heights and the ground there
+};
+
 /// The simulated debris held against a survey. Only cells that were surveyed count, on both sides alike.
 struct SurveyComparison {
     double time = 0.0;  ///< s, of the simulated debris
@@ -111,6 +117,7 @@ struct SurveyComparison {
     SurveySettings settings;
     std::optional<bool> surveyShowsFallen;  ///< as stated, else as its file says; unset: not known
     FallenStructure fallen;                 ///< of the simulated side
+    StandingStructure standing;             ///< within the surveyed debris, which it makes larger
     SurveyShift shift;
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, of the structure's plan at rest: run-out counts from here
     double least = 0.0;  ///< m, from which heights are debris: the least height, or the level of detection if that is more

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/evidence/maps/map_cell.h"
 #include "core/evidence/photographs/site_picture.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/scenes/fe_scenes.h"
 #include "tests/support/error_id.h"
@@ -127,6 +129,48 @@ TEST_F(MapOfARun, LiveStructureThatFellHasLayersAndALedgerLineOfItsOwn) {
     settings.liveThreshold = 100.0;
     EXPECT_EQ(mapAt(std::nullopt).map.ledger.liveElements, 0) << "nothing moved that far";
     EXPECT_TRUE(mapAt(std::nullopt).map.has(MapLayer::LiveMass)) << "that nothing fell is said, not left out";
+}
+
+/// A survey of heights shows a pier that stands, and takes it for debris.
+TEST_F(MapOfARun, StandingStructureWithinTheSurveyedDebrisIsTold) {
+    scenario.effects.loose = LooseStructurePolicy::Fe;
+    results = rubble::run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution());
+    mapped = {inputs.fe.get(), &trajectory, results.fragments, results.simulation, nullptr, scenario};
+    Survey survey;
+    survey.name = "flat";
+    survey.heights.nx = 81;
+    survey.heights.ny = 61;
+    survey.heights.x0 = -20.0;
+    survey.heights.y0 = -15.0;
+    survey.heights.dx = survey.heights.dy = 0.5;
+    survey.heights.heights.assign(81 * 61, 2.0);
+    survey.heights.aboveGround = true;
+    SurveySettings asked;
+    const auto told = [](const SurveyComparison& made) {
+        return std::ranges::any_of(made.findings.list(), [](const Finding& each) { return each.what.id == "survey.standing"; });
+    };
+    const SurveyComparison fell = compareRunWithSurvey(mapped, std::nullopt, survey, asked, Execution());
+    ASSERT_EQ(fell.fallen.elements, 4);
+    EXPECT_EQ(fell.standing.area, 0.0);
+    EXPECT_FALSE(told(fell));
+    // Nothing moved that far: it stands, in cubes of a metre.
+    asked.liveThreshold = 100.0;
+    const SurveyComparison stands = compareRunWithSurvey(mapped, std::nullopt, survey, asked, Execution());
+    ASSERT_EQ(stands.fallen.elements, 0);
+    EXPECT_NEAR(stands.standing.area, 4.0, 1.0) << "to a row of cells";
+    EXPECT_NEAR(stands.standing.volume, 2.0 * stands.standing.area, 1e-9);
+    EXPECT_FALSE(told(stands)) << "it is next to nothing of this survey";
+    settings.liveThreshold = 100.0;
+    PlanBox about;
+    const RunMap map = mapAt(std::nullopt);
+    for (const PlanBox& each : map.live->standing) {
+        about.extend(each);
+    }
+    for (std::size_t k = 0; k < survey.heights.heights.size(); ++k) {
+        const Eigen::Vector2d place = survey.heights.placeOf(static_cast<double>(k % 81), static_cast<double>(k / 81));
+        survey.heights.heights[k] = about.exteriorDistance(Eigen::Vector2f(place.cast<float>())) < 0.6F ? 2.0 : 0.0;
+    }
+    EXPECT_TRUE(told(compareRunWithSurvey(mapped, std::nullopt, survey, asked, Execution())));
 }
 
 TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {

@@ -2512,8 +2512,8 @@
         <translation>请不要给出名称：序列文件略去的单元即为失效。</translation>
     </message>
     <message>
-        <source>Let Abaqus write it as a results file: abaqus python odb_to_fil.py JOB.odb (resources/abaqus), then give JOB-rubble.fil.</source>
-        <translation>请让 Abaqus 将其写为结果文件：abaqus python odb_to_fil.py JOB.odb（resources/abaqus），然后给出 JOB-rubble.fil。</translation>
+        <source>Let Abaqus write it as a results file: abaqus python odb_to_fil.py JOB.odb (in share/rubble of the installation, resources/abaqus of the sources), then give JOB-rubble.fil.</source>
+        <translation>请让 Abaqus 将其写为结果文件：abaqus python odb_to_fil.py JOB.odb（位于安装目录的 share/rubble，源代码的 resources/abaqus），然后给出 JOB-rubble.fil。</translation>
     </message>
     <message>
         <source>Let CDWRITE write the whole database (CDWRITE,DB).</source>

@@ -130,8 +130,8 @@ constexpr std::string_view asVtu =
 
 constexpr std::array unread{
     ForeignFormat{"an output database of Abaqus (.odb)", isOdb,
-                  "Let Abaqus write it as a results file: abaqus python odb_to_fil.py JOB.odb (resources/abaqus), then give "
-                  "JOB-rubble.fil."},
+                  "Let Abaqus write it as a results file: abaqus python odb_to_fil.py JOB.odb (in share/rubble of "
+                  "the installation, resources/abaqus of the sources), then give JOB-rubble.fil."},
     ForeignFormat{"a result of Nastran (.op2)", isOp2, asVtu},
     ForeignFormat{"a punch file of Nastran", isPunch, asVtu},
     ForeignFormat{"an input deck of Nastran", isBulkData,

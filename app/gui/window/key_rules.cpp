@@ -11,6 +11,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QTextDocument>
 #include <QTextEdit>
 #include <algorithm>
 #include <utility>
@@ -76,6 +77,22 @@ bool movesWithin(const QKeyEvent& key, const QWidget* focus) {
 
 bool isEscape(const QKeyEvent& key) {
     return key.key() == Qt::Key_Escape && key.modifiers() == Qt::NoModifier;
+}
+
+/// A field takes these keys for what was typed into it, also where nothing was.
+bool takesBack(const QKeyEvent& key) {
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
+
+bool hasTyped(QWidget* focus, const QKeyEvent& key) {
+    const bool undo = key.matches(QKeySequence::Undo);
+    if (const QLineEdit* line = lineOf(focus)) {
+        return undo ? line->isUndoAvailable() : line->isRedoAvailable();
+    }
+    const auto* plain = qobject_cast<const QPlainTextEdit*>(focus);
+    const auto* rich = qobject_cast<const QTextEdit*>(focus);
+    const QTextDocument* text = plain != nullptr ? plain->document() : rich != nullptr ? rich->document() : nullptr;
+    return text != nullptr && (undo ? text->isUndoAvailable() : text->isRedoAvailable());
 }
 
 /// The dock that floats in front, the one with the focus first: Esc closes it. One that is docked is a panel, and stays.
@@ -247,6 +264,10 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
         if (takesKey(key)) {
             event->accept();
             return true;
+        }
+        if (takesBack(key) && isTypedInto(widget) && !hasTyped(widget, key)) {
+            event->ignore();
+            return true;  // the edit of the case before is meant
         }
     } else if (event->type() == QEvent::KeyPress) {
         const auto& key = *static_cast<QKeyEvent*>(event);

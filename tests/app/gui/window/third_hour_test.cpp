@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
@@ -20,6 +21,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/prediction_box.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/case/case_panel.h"
@@ -176,6 +178,32 @@ TEST_F(ThirdHour, UnitsBesideFieldsAreThoseOfTheResultThatIsTold) {
     making.wizard().reject();
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
     EXPECT_EQ(units(), all);
+}
+
+TEST_F(ThirdHour, UndoInAFieldThatNobodyTypedIntoIsThatOfTheCase) {
+    openAndAwait(small());
+    clickPanel(PanelDeck::Run);
+    widgets::RunPanel& panel = window->rooms().deck->run();
+    auto* field = panel.editor(QStringLiteral("settle_time"))->findChild<QLineEdit*>();
+    panel.ensureWidgetVisible(field);
+    const Scenario before = session->document().scenario();
+    QTest::mouseClick(field, Qt::LeftButton);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0.5"));
+    // What is half typed is taken back first.
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(session->document().scenario(), before);
+    EXPECT_TRUE(field->hasFocus());
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0.5"));
+    QTest::keyClick(field, Qt::Key_Tab);
+    ASSERT_TRUE(session->document().scenario() != before);
+    auto* next = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_NE(next, nullptr) << "the next field has the focus";
+    QTest::keyClick(next, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(session->document().scenario(), before);
+    QTest::keyClick(next, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(session->document().scenario().simulation.settleTime, 0.5);
 }
 
 TEST_F(ThirdHour, AKeyThatCannotBeUsedSaysWhy) {

@@ -17751,8 +17751,8 @@
         <translation>高度，每 %1</translation>
     </message>
     <message>
-        <source>stood before the collapse</source>
-        <translation>倒塌前的位置</translation>
+        <source>what collapsed</source>
+        <translation>坍塌部分</translation>
     </message>
     <message>
         <source>found on the site</source>

@@ -302,7 +302,7 @@ private:
         }
         for (const MapOutline::Of of : {MapOutline::Of::Structure, MapOutline::Of::Evidence}) {
             if (outlines(of)) {
-                entry(outlinePen(of), of == MapOutline::Of::Structure ? tr("stood before the collapse") : tr("found on the site"));
+                entry(outlinePen(of), of == MapOutline::Of::Structure ? tr("what collapsed") : tr("found on the site"));
             }
         }
     }

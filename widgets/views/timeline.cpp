@@ -341,13 +341,14 @@ void Timeline::paintPeak(QPainter& painter, const Rows& r) const {
         return;
     }
     const QString label = tr("%1 in one state").arg(shownCount(static_cast<std::int64_t>(*peak)));
-    const double width = painter.fontMetrics().horizontalAdvance(label);
-    const double at = toX(m_times[static_cast<std::size_t>(peak - m_deaths.begin())]);
-    paintCaption(painter, r, at + 8.0 + width > r.right ? at - 8.0 - width : at + 8.0, label);
+    paintCaption(painter, r, toX(m_times[static_cast<std::size_t>(peak - m_deaths.begin())]), 8.0, label);
 }
 
-void Timeline::paintCaption(QPainter& painter, const Rows& r, double left, const QString& text) const {
-    const QRectF room(left, r.deathsTop - 2.0, painter.fontMetrics().horizontalAdvance(text), painter.fontMetrics().height());
+/// Right of its place, and left of it where the row ends.
+void Timeline::paintCaption(QPainter& painter, const Rows& r, double at, double gap, const QString& text) const {
+    const double width = painter.fontMetrics().horizontalAdvance(text);
+    const double left = at + gap + width > r.right ? at - gap - width : at + gap;
+    const QRectF room(left, r.deathsTop - 2.0, width, painter.fontMetrics().height());
     // The cursor and the curve go through the room of a caption.
     painter.setPen(Qt::NoPen);
     painter.setBrush(tints().panel);
@@ -531,7 +532,7 @@ void Timeline::paintMarks(QPainter& painter, const Rows& r) const {
     painter.drawEllipse(QPointF(x, 6), 4, 4);
     painter.setBrush(Qt::NoBrush);
     if (goesOn) {
-        paintCaption(painter, r, toX(m_feEnd) + 5.0, tr("FE ends"));
+        paintCaption(painter, r, toX(m_feEnd), 5.0, tr("FE ends"));
     }
     paintPeak(painter, r);
 }

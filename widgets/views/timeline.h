@@ -131,7 +131,7 @@ private:
     /// The highest peak of the deaths, labelled directly.
     void paintPeak(QPainter& painter, const Rows& rows) const;
     /// A caption in the row of the deaths, legible where the line of the shown time passes through it.
-    void paintCaption(QPainter& painter, const Rows& rows, double left, const QString& text) const;
+    void paintCaption(QPainter& painter, const Rows& rows, double at, double gap, const QString& text) const;
     void paintComputed(QPainter& painter, const Rows& rows) const;
     void paintAxis(QPainter& painter, const Rows& rows) const;
     void paintTicks(QPainter& painter, const Rows& rows, double first, double last) const;

@@ -1,5 +1,6 @@
 #include "app/gui/case/component_display.h"
 
+#include <QEvent>
 #include <algorithm>
 
 #include "app/gui/session/computation.h"
@@ -40,6 +41,15 @@ ComponentDisplay::ComponentDisplay(Document& document, Computation& computation,
     connect(&computation, &Computation::prepared, this, &ComponentDisplay::refresh);
     connect(&document, &Document::scenarioChanged, this, &ComponentDisplay::refresh);
     connect(&document, &Document::replaced, this, &ComponentDisplay::refresh);
+    // Nothing is counted for a list that nobody sees.
+    tree.installEventFilter(this);
+}
+
+bool ComponentDisplay::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_tree && event->type() == QEvent::Show) {
+        showCounts();
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void ComponentDisplay::refresh() {

@@ -29,6 +29,9 @@ public:
     void isolate(const std::vector<std::string>& names);
     void showAll();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void showCounts();
     void select(const std::vector<std::string>& names);

@@ -1,11 +1,15 @@
 #include "widgets/evidence/surveys/scan_dialog.h"
 
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -116,6 +120,14 @@ void ScanDialog::setContent(const Content& content) {
     m_said->setVisible(!m_said->text().isEmpty());
     m_notice->set(Notice::Kind::Error, content.complaint);
     m_findings->set(content.findings);
+    // Once all of it is laid out: a dialog does not ask for the height that wrapped sentences need.
+    QTimer::singleShot(0, this, [this] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        const int needed = std::min(layout()->totalHeightForWidth(width()), screen()->availableGeometry().height());
+        if (isVisible() && needed > height()) {
+            resize(width(), needed);
+        }
+    });
 }
 
 }  // namespace rubble::widgets

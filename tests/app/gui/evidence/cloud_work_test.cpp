@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
@@ -368,6 +369,8 @@ TEST_F(CloudWork, TheRunIsScannedToAFileFromScannersThatAreTyped) {
         tools.scanTo(dialog, QString::fromStdString(path));
         EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.content().scanning; }, patience));
         EXPECT_TRUE(dialog.content().said.contains(QStringLiteral("scan.las"))) << qPrintable(dialog.content().complaint);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return dialog.height() >= dialog.layout()->totalHeightForWidth(dialog.width()); }, 2000))
+            << "what is said now takes no room from the fields";
         asked = true;
         dialog.reject();
     });

@@ -12639,6 +12639,14 @@
         <source>notice, finding or tainted</source>
         <translation>notice、finding 或 tainted</translation>
     </message>
+    <message>
+        <source>draw an area of interest without it, or take it out of the survey</source>
+        <translation>请绘制不含该结构的关注区域，或将其从测绘中去除</translation>
+    </message>
+    <message>
+        <source>structure stands in the run over {0} of the surveyed debris, with {1} of its volume: the survey most likely shows that structure, and it counts as debris on that side alone</source>
+        <translation>计算中有结构站立在测得堆积物的 {0} 之上，占其体积 {1}：测绘很可能显示了该结构，而它只在这一侧被计为堆积物</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -123,7 +123,8 @@ TEST_F(NewCases, RegroupAndTakeItBack) {
     const std::size_t before = components();
     QTreeWidget& tree = wizard().components().tree().tree();
     ASSERT_GT(tree.topLevelItemCount(), 0);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !tree.topLevelItem(0)->text(1).isEmpty(); }, patience)) << "counted when it is seen";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !tree.topLevelItem(0)->child(0)->text(1).isEmpty(); }, 10'000))
+        << "counted when it is seen";
     tree.setFocus();
     tree.selectAll();
     EXPECT_FALSE(making().preview().views().view().selection.empty()) << "the preview marks what is chosen";

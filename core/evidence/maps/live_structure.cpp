@@ -11,6 +11,14 @@ namespace rubble {
 
 namespace {
 
+PlanBox planOf(const CornerMotion& motion) {
+    PlanBox plan;
+    for (int c = 0; c < motion.corners; ++c) {
+        plan.extend(motion.positions.col(c).head<2>().cast<float>());
+    }
+    return plan;
+}
+
 LiveStructure displaced(const FeResult& fe, const Components& components, const FragmentSettings& settings,
                         const FragmentSet& fragments, const Debris& debris, const ElementPlaces& places, double threshold,
                         const Execution& execution) {
@@ -39,12 +47,12 @@ LiveStructure displaced(const FeResult& fe, const Components& components, const 
         if (!motion.positions.allFinite()) {
             continue;
         }
-        if (!((moved / motion.corners).norm() > threshold)) {
-            PlanBox plan;
-            for (int c = 0; c < motion.corners; ++c) {
-                plan.extend(motion.positions.col(c).head<2>().cast<float>());
-            }
-            live.standing.push_back(plan);
+        const double way = (moved / motion.corners).norm();
+        if (way <= threshold) {
+            live.standing.push_back(planOf(motion));
+        }
+        // Written so that what is no number is left out of both.
+        if (!(way > threshold)) {
             continue;
         }
         const LeastExtents extents{settings.minimumThicknessRatio, settings.minimumHalfExtent};

@@ -369,12 +369,26 @@ const UnitFit* betterFit(const std::vector<UnitFit>& fits, const UnitSystem* now
     return asGood ? nullptr : &fits.front();
 }
 
+std::vector<std::string> rivalSystems(const std::vector<UnitFit>& fits) {
+    std::vector<std::string> rivals;
+    if (fits.empty() || fits.front().score <= 0.0) {
+        return rivals;
+    }
+    for (const UnitFit& fit : fits) {
+        if (fit.score > fits.front().score - clearlyBetter) {
+            rivals.emplace_back(fit.system->id);
+        }
+    }
+    return rivals;
+}
+
 Proposal proposeUnits(const UnitEvidence& evidence) {
     const std::vector<UnitFit> fits = fitUnits(evidence);
     const UnitFit& best = fits.front();
+    const std::vector<std::string> alike = rivalSystems(fits);
     std::string rivals;
-    for (std::size_t i = 1; i < fits.size() && fits[i].score > best.score - clearlyBetter; ++i) {
-        rivals += (rivals.empty() ? "" : ", ") + std::string(fits[i].system->id);
+    for (std::size_t i = 1; i < alike.size(); ++i) {
+        rivals += (rivals.empty() ? "" : ", ") + alike[i];
     }
     if (best.score <= 0.0) {
         return {"", {"units.none", "no known system fits; the best would be {0}: {1}", {best.system->id, joined(best.reasons)}}};

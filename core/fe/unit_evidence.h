@@ -61,6 +61,9 @@ std::vector<UnitFit> fitUnits(const UnitEvidence& evidence);
 /// file is read in now. Null: no known system fits, or the present one does as well.
 const UnitFit* betterFit(const std::vector<UnitFit>& fits, const UnitSystem* now);
 
+/// Ids of the systems that fit about as well as the best one, that one first; empty: no known system fits.
+std::vector<std::string> rivalSystems(const std::vector<UnitFit>& fits);
+
 /// The system that fits clearly better than any other; else its rivals are named in the reason.
 Proposal proposeUnits(const UnitEvidence& evidence);
 

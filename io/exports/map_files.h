@@ -25,6 +25,9 @@ struct MapOrigin {
 /// none.
 std::string inputsLine(const MapOrigin& origin);
 
+/// What a map of a run is of, above its picture: the case, or the FE result where no case is known, and the scenario.
+std::string mapSubject(const RunOrigin& origin, const std::string& casePath);
+
 /// @param shown  what the frame at the time of the map was: simulated, or interpolated between two
 MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown);
 

@@ -1,4 +1,5 @@
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
@@ -72,6 +73,11 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
                     {"RUBBLE_VOLUME_M3", exactNumber(map.ledger.volume)},
                     {"RUBBLE_FRAGMENTS", std::to_string(map.ledger.fragments)}};
     return origin;
+}
+
+std::string mapSubject(const RunOrigin& origin, const std::string& casePath) {
+    const std::filesystem::path named(casePath.empty() ? origin.fePath : casePath);
+    return named.filename().string() + " · " + origin.scenarioName;
 }
 
 std::string inputsLine(const MapOrigin& origin) {

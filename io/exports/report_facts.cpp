@@ -22,6 +22,7 @@
 #include "io/exports/own_words.h"
 #include "io/exports/survey_files.h"
 #include "io/fe/fe_reader.h"
+#include "io/json/run_behind.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_cautions.h"
 #include "io/run/settled_files.h"
@@ -371,6 +372,9 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     facts.map = mapOfRun(mapped, std::nullopt, {}, true, execution);
     if (request.theCase != nullptr) {
         facts.photographs = photographsOfCase(mapped, *request.theCase, request.basePath, standingOf(*request.run), execution);
+        for (const CaseInput& input : evidenceFiles(request, InputRole::Photograph)) {
+            noteRunBehind(facts.findings, input.path, runWithin(input.path), request.run->origin().fingerprint.hex());
+        }
     }
     addSurveys(facts, request, execution);
     addAccuracy(facts, request, execution);

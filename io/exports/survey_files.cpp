@@ -58,6 +58,7 @@ SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, co
     request.registration = stated.registration;
     request.read = stated.read;
     request.edge = stated.held == PointsHeld::Outline;
+    request.run = origin.fingerprint.hex();
     return request;
 }
 

@@ -212,6 +212,40 @@ void noteFall(const FeResult::Contents& contents, const UnitEvidence& inFile, Fi
     }
 }
 
+// Systems that fit as well as the one that was taken, or better. Said wherever the result is opened, also where somebody has
+// chosen.
+void noteRivals(const FeResult::Contents& contents, const UnitEvidence& inFile, Findings& findings) {
+    for (const char* const said :
+         {"fe.units_open", "fe.units_declared", "fe.units_fall", "fe.units.too_large", "fe.units.too_small"}) {
+        if (findings.count(said) > 0) {
+            return;
+        }
+    }
+    const UnitSystem* const taken = systemOf(contents.units);
+    const std::vector<UnitFit> fits = fitUnits(inFile);
+    std::string others;
+    for (const std::string& id : rivalSystems(fits)) {
+        if (taken == nullptr || id != taken->id) {
+            others += (others.empty() ? "" : ", ") + id;
+        }
+    }
+    if (others.empty()) {
+        return;
+    }
+    const Message remedy{
+        "fe.units_rivals.remedy", "Ask who made the analysis which units it counts in, and say so in the report.", {}};
+    const std::string now = englishUnits(contents.units);
+    if (betterFit(fits, taken) == nullptr) {
+        findings.add({"fe.units_rivals",
+                      "Nothing in the file decides its units: it was taken to count in {0}, and would fit as well: {1}",
+                      {now, others}},
+                     remedy);
+    } else {
+        findings.add({"fe.units_better", "The file was taken to count in {0}; what it holds fits better: {1}", {now, others}},
+                     remedy);
+    }
+}
+
 std::string fallInWords(const UnitEvidence& inFile, const FileUnits& units) {
     if (!fallsByGravity(inFile)) {
         return {};
@@ -260,6 +294,7 @@ void bringIntoFrame(FeResult::Contents& contents, const ImportSettings& settings
                          decision.axisWhy + fallInWords(inFile, decision.units) + ")";
     notePlausibility(contents, inFile, contents.findings);
     noteFall(contents, inFile, contents.findings);
+    noteRivals(contents, inFile, contents.findings);
     const FrameTransform transform(decision.frame);
     Frame plain;
     plain.crs = decision.frame.crs;

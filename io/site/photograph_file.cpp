@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/json/run_behind.h"
 #include "io/site/exif_tags.h"
 #include "io/site/gdal_session.h"
 #include "io/site/heif_picture.h"
@@ -300,6 +301,7 @@ PhotographFile readPhotograph(const std::string& path) {
     }
     file.sha256 = sha256OfFile(path);
     addFindings(file, exif.state);
+    noteRunBehind(file.findings, path, runWithin(path), {});
     return file;
 }
 

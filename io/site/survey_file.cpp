@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/json/run_behind.h"
 #include "io/site/clouds/height_source.h"
 #include "io/site/height_reading.h"
 #include "io/site/input_files.h"
@@ -57,8 +58,8 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
 }  // namespace
 
 Outline readScope(const std::string& path, const Frame& frame, const Site& site, Findings& findings, const Execution& execution) {
-    SurveyInput read =
-        readSurvey(path, frame, site, Aabb(), execution, {.holds = SurveyRequest::Holds::Outline, .withFallen = true});
+    SurveyInput read = readSurvey(path, frame, site, Aabb(), execution,
+                                  {.holds = SurveyRequest::Holds::Outline, .withFallen = true, .evidence = false});
     findings.append(read.findings);
     return std::move(read.survey.footprint);
 }
@@ -118,6 +119,10 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     InputDigest digest = digestOfInput(path, InputRole::Survey, execution);
     input.sha256 = std::move(digest.sha256);
     input.fileSha256 = std::move(digest.fileSha256);
+    input.ofRun = runBehind(path);
+    if (request.evidence) {
+        noteRunBehind(input.findings, path, input.ofRun, request.run);
+    }
     return input;
 }
 

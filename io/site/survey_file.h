@@ -19,6 +19,7 @@ struct SurveyInput {
     std::string path;
     std::string sha256;      ///< of the file and what lies beside it (digestOfInput())
     std::string fileSha256;  ///< of the file alone
+    std::string ofRun;       ///< fingerprint of the simulated run that the file was made from, hex; empty: it was measured
     std::string crs;
     Frame frame;  ///< of the case that it was brought into
     Site site;
@@ -38,6 +39,8 @@ struct SurveyRequest {
     CloudRequest read = {};                         ///< of a survey that is a point cloud
     CloudRequest groundRead = {};                   ///< of a ground that is one
     bool edge = false;                              ///< measured points are the edge of the debris, in their order
+    std::string run = {};  ///< fingerprint of the run that it is held against, hex; empty: of none, or several
+    bool evidence = true;  ///< false: an area to be compared; who made it says nothing
 };
 
 /// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris

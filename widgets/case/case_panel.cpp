@@ -284,8 +284,8 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
         const Vec3 size = component.bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(component.bounds.sizes());
         m_table->item(row, NameColumn)
             ->setToolTip(tr("%1: %2, %3 × %4 × %5")
-                             .arg(QString::fromStdString(component.name), shownWith(component.mass / 1000.0, "t"),
-                                  shownIn(size.x(), "m"), shownIn(size.y(), "m"), shownLength(size.z())));
+                             .arg(QString::fromStdString(component.name), shownMass(component.mass), shownIn(size.x(), "m"),
+                                  shownIn(size.y(), "m"), shownLength(size.z())));
     }
     const int lines = std::min(12, std::max(1, m_table->rowCount()));
     m_table->setFixedHeight((lines + 1) * (m_table->fontMetrics().height() + 9) + 8);

@@ -16,7 +16,9 @@ FragmentsPanel::FragmentsPanel(QWidget* parent)
     m_count = debris->addValue(tr("Fragments"), {}, tr("Deactivated elements, each one rigid fragment"));
     m_mass = debris->addValue(tr("Mass"));
     m_smallest = debris->addValue(tr("Mass, from to"));
-    m_fastest = debris->addValue(tr("Fastest at hand-over"), tr("m/s"));
+    m_fastest = debris->addValue(tr("Fastest at hand-over"), tr("m/s"),
+                                 tr("One fragment by itself, as the FE result has it. A body moves with the mean momentum of its "
+                                    "cluster, so speeds of the run can be lower."));
     m_note = debris->addNote({});
     PanelGroup* births = addGroup(tr("Births"));
     m_births = births->addValue(tr("Birth times"));

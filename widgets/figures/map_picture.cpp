@@ -23,6 +23,7 @@
 #include "widgets/figures/palette.h"
 #include "widgets/figures/sheets/map_edges.h"
 #include "widgets/figures/sheets/map_window.h"
+#include "widgets/figures/sheets/map_words.h"
 #include "widgets/figures/sheets/sheet_text.h"
 #include "widgets/render/basics/colour_choice.h"
 
@@ -33,37 +34,6 @@ constexpr double mapTextPoints = 9.0;
 constexpr double smallPoints = 6.0;
 constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
 constexpr double aboveTitle = 4.2;  // lines that north takes above the legend
-
-QString fromView(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-/// Name of a layer of a map as people read it.
-QString layerName(const DebrisMap& map, MapLayer layer) {
-    const Message title = mapLayerTitle(map, layer);
-    QString name = QCoreApplication::translate("messages", title.pattern.c_str());
-    for (std::size_t i = 0; i < title.arguments.size(); ++i) {
-        name.replace(QStringLiteral("{%1}").arg(i), QString::fromStdString(englishText({"", "{0}", {title.arguments[i]}})));
-    }
-    return name;
-}
-
-/// What a unit of a layer is divided by where its numbers grow too long to be read.
-double unitScale(MapLayer layer) {
-    return layer == MapLayer::ImpactEnergy ? 1e6 : 1.0;
-}
-
-QString unitText(MapLayer layer) {
-    QString unit = (unitScale(layer) == 1e6 ? QStringLiteral("M") : QString()) + fromView(mapLayerRow(layer).unit);
-    unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
-    return unit;
-}
-
-/// A number of the legend, without powers of ten where thousands will do.
-QString legendNumber(double value) {
-    return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? countText(static_cast<std::size_t>(std::lround(value)))
-                                                              : numberText(value);
-}
 
 /// Light is little, dark is much; early is dark as in the views.
 QColor colourAt(MapLayer layer, double place) {
@@ -94,13 +64,16 @@ public:
           m_window(windowOf(map, style.outlines)),
           m_range(rangeOf(map.layer(layer), layer)),
           m_valued(std::any_of(map.layer(layer).begin(), map.layer(layer).end(), [](double v) { return std::isfinite(v); })),
-          m_image(style.pixels, QImage::Format_RGB32),
           m_text(mapTextPoints / 72.0 * style.dpi),
           m_small(smallPoints / 72.0 * style.dpi) {
-        m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
         m_line = QFontMetricsF(sheetFont(m_text)).height();
         suitLowPicture();
         layOut();
+        if (style.fitted && !map.cells.empty()) {
+            fit();
+        }
+        m_image = QImage(m_style.pixels, QImage::Format_RGB32);
+        m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
         if (layer == MapLayer::Component) {
             chooseCategories();
         }
@@ -124,6 +97,7 @@ public:
         }
         drawNorth(painter);
         drawLegend(painter);
+        drawHead(painter);
         drawFoot(painter);
         painter.end();
         setResolution(m_image, m_style.dpi);
@@ -141,12 +115,14 @@ private:
         return (m_style.cautions.empty() ? 0.0 : cautionHeight(m_text)) + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
     }
 
+    /// Room of the subject and of the sums, pixels.
+    double aboveMap() const { return m_style.subject.empty() ? 0.0 : 2.4 * m_line; }
+
     /// Where the column of the legend is low, north stands beside its title, and words are smaller.
     void suitLowPicture() {
         constexpr double smallest = 0.7;
-        const auto lines = [this] { return (m_style.pixels.height() - belowCaption()) / m_line - 4.2; };
-        // Title and bar, what is marked on the map, the scale.
-        const double needed = 7.2 + (showsLive() ? entryPitch : 0.0) + entryPitch * lineEntries();
+        const auto lines = [this] { return (m_style.pixels.height() - belowCaption() - aboveMap()) / m_line - 4.2; };
+        const double needed = linesOfLegend();
         m_low = lines() < needed + aboveTitle;
         if (lines() < needed) {
             m_text *= std::clamp(lines() / needed, smallest, 1.0);
@@ -154,13 +130,32 @@ private:
         }
     }
 
+    /// Title and bar, what is marked on the map, the scale.
+    double linesOfLegend() const { return 7.2 + (showsLive() ? entryPitch : 0.0) + entryPitch * lineEntries(); }
+
+    /// Takes away the room beside or below a map of another shape than the picture, as far as legend and caption can spare it.
+    void fit() {
+        constexpr double fewestLines = 40.0;  // across: a caption
+        const double below = m_field.bottom() < m_legend.top() ? 0.0 : m_field.height() - m_frame.height();
+        const double besides = m_field.bottom() < m_legend.top() ? 0.0 : m_field.width() - m_frame.width();
+        const double components = m_layer == MapLayer::Component ? 12.0 : 0.0;
+        const double least = (linesOfLegend() + aboveTitle + components + 4.2) * m_line + belowCaption() + aboveMap();
+        const QSize most = m_style.pixels;
+        m_style.pixels.setHeight(std::clamp(static_cast<int>(std::lround(most.height() - below)),
+                                            std::min(most.height(), static_cast<int>(least)), most.height()));
+        m_style.pixels.setWidth(std::clamp(static_cast<int>(std::lround(most.width() - besides)),
+                                           std::min(most.width(), static_cast<int>(fewestLines * m_line)), most.width()));
+        layOut();
+    }
+
     /// The map fills what legend, coordinates and caption leave.
     void layOut() {
         const double foot = 2.2 * m_line + belowCaption();
         const double left = 6.5 * m_small;
+        const double top = aboveMap() + m_line;
         m_legend =
-            QRectF(m_style.pixels.width() - 11.0 * m_line, m_line, 10.0 * m_line, m_style.pixels.height() - foot - 2.0 * m_line);
-        m_field = QRectF(left, m_line, m_legend.left() - left - m_line, m_style.pixels.height() - foot - m_line - 2.2 * m_small);
+            QRectF(m_style.pixels.width() - 11.0 * m_line, top, 10.0 * m_line, m_style.pixels.height() - foot - top - m_line);
+        m_field = QRectF(left, top, m_legend.left() - left - m_line, m_style.pixels.height() - foot - top - 2.2 * m_small);
         const double columns = 1.04 * m_window.columns();
         const double rows = 1.04 * m_window.rows();
         layOutBelow(left, foot, columns, rows);
@@ -185,7 +180,7 @@ private:
         if (m_style.pixels.width() > narrow * m_line || below < worth * beside) {
             return;
         }
-        m_field = QRectF(left, m_line, wide, below * rows);
+        m_field = QRectF(left, m_field.top(), wide, below * rows);
         const double top = m_field.bottom() + 2.2 * m_small + m_line;
         m_legend = QRectF(left, top, wide, std::min(m_style.pixels.height() - foot - top, legendLines * m_line));
     }
@@ -477,6 +472,18 @@ private:
         return bar.bottom() + 1.2 * m_line;
     }
 
+    /// What it is a map of, and how much lies there.
+    void drawHead(QPainter& painter) {
+        if (m_style.subject.empty()) {
+            return;
+        }
+        const QRectF line(m_field.left(), 0.4 * m_line, m_style.pixels.width() - m_field.left() - m_line, m_line);
+        writeEntry(painter, line, QString::fromStdString(m_style.subject));
+        if (m_map.members == 0 && !m_map.cells.empty()) {
+            writeEntry(painter, line.translated(0.0, entryPitch * m_line), debrisSums(m_map));
+        }
+    }
+
     void drawFoot(QPainter& painter) {
         const QString shown = QCoreApplication::translate("messages", m_style.shown.c_str());
         QString caption = m_map.members > 0
@@ -515,15 +522,15 @@ private:
 
     const DebrisMap& m_map;
     MapLayer m_layer;
-    const MapPictureStyle& m_style;
+    MapPictureStyle m_style;
     const Palette& m_palette;
     MapWindow m_window;
     MapRange m_range;
     bool m_valued;  ///< some cell has a value of the layer
-    QImage m_image;
     double m_text;
     double m_small;
     double m_line = 0.0;
+    QImage m_image;
     bool m_low = false;                 ///< the column of the legend has no room for all below each other
     std::vector<std::size_t> m_listed;  ///< components in the legend
     std::size_t m_unlisted = 0;

@@ -43,6 +43,8 @@ struct MapPictureStyle {
     std::optional<MapRing> ring;
     double contours = 0.0;               ///< m, between lines of equal height; 0: none. Of maps that have heights
     std::vector<MapOutline> outlines{};  ///< the picture reaches as far as those of the structure
+    std::string subject{};               ///< what it is a map of, above it, with the sums of its debris; empty: neither
+    bool fitted = false;                 ///< the picture is made as low or as narrow as the map; `pixels` is the most
 };
 
 /// One layer of a map, on white for print, with scale bar, arrow to the north, coordinates along the edges, legend with unit, and a

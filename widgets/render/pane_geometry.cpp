@@ -547,8 +547,21 @@ void PaneGeometry::select(const std::vector<ElementIndex>& selection) {
     ++m_selectionVersion;
 }
 
+std::size_t PaneGeometry::countAhead() {
+    const std::pair now(m_debrisSlot, m_status.state);
+    if (now != m_aheadOf) {
+        m_aheadOf = now;
+        m_ahead = 0;
+        const Activity& activity = m_data.fe->activity();
+        for (std::size_t f = 0; f < m_data.fragments->size(); ++f) {
+            m_ahead += activity.active(m_status.state, m_data.fragments->list[f].element) && born(f) ? 1 : 0;
+        }
+    }
+    return m_ahead;
+}
+
 void PaneGeometry::countShown(double time) {
-    m_status.fragments = m_status.clusters = 0;
+    m_status.fragments = m_status.clusters = m_status.ahead = 0;
     m_status.meeting.reset();
     m_status.released = m_islands.elements();
     m_status.bornByComponent.clear();
@@ -570,6 +583,7 @@ void PaneGeometry::countShown(double time) {
     m_status.fragments = counts.born;
     m_status.bornByComponent = counts.bornByComponent;
     m_status.clusters = counts.clusters;
+    m_status.ahead = countAhead();
     if (!m_meets.empty()) {
         m_status.meeting = 0;
         for (std::size_t f = 0; f < m_meets.size(); ++f) {

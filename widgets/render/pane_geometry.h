@@ -134,6 +134,7 @@ private:
     bool hidden(ElementIndex element) const { return !m_hidden.empty() && m_hidden[at(element)] != 0; }
     bool cutAway(const Vec3& point) const { return m_clip && (point - m_clip->point).dot(m_clip->normal) > 0.0; }
     void select(const std::vector<ElementIndex>& selection);
+    std::size_t countAhead();
     void countShown(double time);
     std::uint32_t componentOf(ElementIndex element) const;
 
@@ -173,6 +174,8 @@ private:
 
     std::uint64_t m_structureSlot = ~std::uint64_t{0};
     std::uint64_t m_debrisSlot = ~std::uint64_t{0};
+    std::pair<std::uint64_t, std::uint32_t> m_aheadOf{~std::uint64_t{0}, 0};  // slot and state that are counted below
+    std::size_t m_ahead = 0;                                                  // fragments
     std::size_t m_groupsShown = 0;
     std::size_t m_debrisPoints = 0;
     std::vector<std::uint32_t> m_visible;  ///< faces of the structure in m_structureSlot

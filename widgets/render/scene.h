@@ -49,6 +49,7 @@ struct PaneStatus {
     double resolution = 1.0;                   ///< share of the pixels in each direction; below 1 while simplified only
     std::size_t statesApart = 1;  ///< FE states from one to the next between which nodes move; more while simplified only
     std::size_t hidden = 0;       ///< elements left out of the picture; the counts above hold them all the same
+    std::size_t ahead = 0;        ///< fragments shown as born of elements that the FE result still has: births joined in windows
     std::optional<std::size_t> meeting = {};  ///< fragments shown as born that meet the filter of the view; unset: it has none
 };
 

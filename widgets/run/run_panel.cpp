@@ -155,12 +155,12 @@ void RunPanel::buildOutcome() {
     m_overlap = m_outcome->addValue(tr("Work of resolving overlap"));
     m_penetration = m_outcome->addValue(tr("Deepest contact"), tr("m"));
     m_released = m_outcome->addValue(
-        tr("Released structure"), {},
+        tr("Loose structure, released"), {},
         tr("Live islands without a path to a support that became rigid bodies when the FE result ended, apart from fragments"));
     m_islands =
         m_outcome->addValue(tr("Live islands held"), {}, tr("Parts of the structure alive at the end without a path to a support"));
     m_carried =
-        m_outcome->addValue(tr("Carried structure"), {},
+        m_outcome->addValue(tr("Loose structure, carried"), {},
                             tr("Loose islands that the engine moved from when they came loose, before the FE result ended"));
     m_ledger = m_outcome->addValue(tr("Ledger, fragments"), {},
                                    tr("Largest relative error of mass, momentum, angular momentum against the FE result"));

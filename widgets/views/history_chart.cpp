@@ -134,9 +134,8 @@ QString HistoryChart::words() const {
         return m_content.points.empty() ? QString() : tr("None of them is on its way yet.");
     }
     const QString instant = figures::timeText(now->time - m_content.timeOrigin);
-    const QString first =
-        tr("%1: %2 of fragments, %3 in the mean, %4 the fastest")
-            .arg(instant, shownWith(now->mass / 1000.0, "t"), shownWith(now->speed, "m/s"), shownWith(now->topSpeed, "m/s"));
+    const QString first = tr("%1: %2 of fragments, %3 in the mean, %4 the fastest")
+                              .arg(instant, shownMass(now->mass), shownWith(now->speed, "m/s"), shownWith(now->topSpeed, "m/s"));
     return tr("%1; at %2; kinetic %3, potential %4")
         .arg(first, shownWith(now->height, "m"), shownEnergy(now->kinetic), shownEnergy(now->potential));
 }

@@ -239,6 +239,7 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     const MapSubject subject{nullptr, path, reader, openInputsOfRun(path, run.origin(), arguments, session, &findings), {}};
     const Inputs& inputs = subject.inputs;
     request.frame = inputs.frame;
+    request.fingerprint = run.origin().fingerprint.hex();
     if (const auto pairs = arguments.value("--pairs")) {
         const PairFit fit = io::placeByPairs({request.cloud, *pairs, request.read, request.frame, request.site,
                                               io::boundsAtRest(inputs.fe->mesh()), pairsErrorFrom(arguments)});

@@ -196,6 +196,7 @@ Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input, cons
                         {"sha256", input.sha256},
                         {"kind", made.isFootprint ? "footprint" : "heights"},
                         {"crs", input.crs},
+                        {"of_run", input.ofRun.empty() ? Json() : Json(input.ofRun)},
                         {"taken", stated.taken.empty() ? Json() : Json(stated.taken)}};
     object["placed"] = registrationJson(stated.registration);
     object["time_s"] = made.time;

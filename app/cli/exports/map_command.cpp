@@ -139,7 +139,8 @@ Command mapCommand() {
         {"--out", "FILE", true, "a file to write: .tif, .gpkg, .csv or .png"},
         {"--time", "SECONDS", false, "instant on the file's clock, end, or fe_end: the last FE state (default: end)"},
     };
-    const std::vector<Option> size{{"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"}};
+    const std::vector<Option> size{
+        {"--size", "WxH", false, "pixels of a picture (default: 1600x1000, less where the map is of another shape)"}};
     return {
         "map",
         "RUN|FE|CASE",

@@ -10,6 +10,7 @@
 #include "app/cli/frame/picture_options.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/case/case_file.h"
 #include "io/exports/map_files.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_cautions.h"
@@ -71,6 +72,7 @@ MapRequest::MapRequest(const Arguments& arguments) {
     if (const auto size = arguments.value("--size")) {
         m_pixels = parsePictureSize(*size);
     }
+    m_case = io::isCaseFile(arguments.operand()) ? arguments.operand() : std::string();
 }
 
 void MapRequest::checkFormat(const std::string& option, const std::string& path) {
@@ -113,7 +115,9 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
     quietQt();
     figures::ensureGuiApplication();
     figures::MapPictureStyle style;
-    style.pixels = m_pixels;
+    style.pixels = m_pixels.value_or(style.pixels);
+    style.fitted = !m_pixels;
+    style.subject = io::mapSubject(run.origin(), m_case);
     style.place = io::SitePlace(origin.frame, origin.site).transform();
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;

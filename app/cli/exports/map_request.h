@@ -47,7 +47,8 @@ private:
     double m_contours = 0.5;       ///< m
     double m_drawnContours = 0.0;  // m, in a picture; 0: none
     std::vector<MapLayer> m_layers;
-    QSize m_pixels{1600, 1000};
+    std::string m_case;  // the case that was named; empty: a run or a result was
+    std::optional<QSize> m_pixels;
 };
 
 }  // namespace rubble::cli

@@ -102,7 +102,7 @@ void addCarried(FactList& facts, const CarriedStructure& carried) {
     if (carried.islands == 0 && carried.refused == 0) {
         return;
     }
-    facts.add("carried structure",
+    facts.add("loose structure, carried",
               counted(carried.islands, "island", "islands") + " with " + counted(carried.elements, "element", "elements") + ", " +
                   tonnesText(carried.mass) + ", went to the engine when they came loose, as " + englishInteger(carried.bodies) +
                   " bodies in all" +
@@ -123,7 +123,7 @@ void addIslands(FactList& facts, const LiveIslands& islands) {
                                   " elements were still moving at the FE end");
     if (islands.released > 0) {
         const LedgerErrors& e = islands.ledger;
-        facts.add("released structure",
+        facts.add("loose structure, released",
                   englishInteger(islands.released) + " of them as rigid bodies: " + englishInteger(islands.releasedElements) +
                       " elements, " + tonnesText(islands.releasedMass) + "; " + englishInteger(islands.occupied) +
                       " in occupied space, " + englishInteger(islands.stillMoving) + " still move at the end; against FE mass " +

@@ -246,7 +246,9 @@ bool FileCommands::mayLeave() {
         return true;
     }
     const auto answer =
-        QMessageBox::question(&m_window, tr("Save the case?"), tr("The settings of this case have changed since it was saved."),
+        QMessageBox::question(&m_window, tr("Save the case?"),
+                              m_document.path().isEmpty() ? tr("This case was never saved: its settings and its evidence would go.")
+                                                          : tr("The settings of this case have changed since it was saved."),
                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }

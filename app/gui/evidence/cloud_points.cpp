@@ -232,43 +232,44 @@ void CloudPoints::measure() {
     auto made = std::make_shared<PointsWork::Distances>();
     m_work.making = made;
     const std::string name = QFileInfo(QString::fromStdString(order->cloud.path)).fileName().toStdString();
-    m_work.measuring.start({Worker::Kind::Study,
-                            [made, order = *order, name,
-                             run = EvidenceRun(m_computation.inputs(), m_computation.currentRun())](const Execution& execution) {
-                                checkShowsDebris(order.survey);
-                                made->source = sourceOf(order.cloud);
-                                ScannedSite site = scannedSite(run.mapped(), order.survey.instant, fallenFrom, execution);
-                                made->time = site.shape.time;
-                                io::RunDistanceRequest request;
-                                request.cloud = order.cloud.path;
-                                request.read = order.cloud.read;
-                                request.frame = order.cloud.frame;
-                                request.site = order.cloud.site;
-                                request.placed = order.cloud.placed;
-                                request.scope = order.survey.scope;
-                                request.settings = order.settings;
-                                request.cell = order.cell;
-                                request.scanners = order.survey.scanners;
-                                if (!request.settings.registrationError) {
-                                    request.settings.registrationError = order.survey.offsetError;
-                                }
-                                made->made =
-                                    io::compareCloudWithSite(request, std::move(site.shape), site.ground, site.volumes, execution);
-                                made->made.compared.findings.append(order.said);
-                                const io::SitePlace place(order.cloud.frame, order.cloud.site);
-                                for (const Vec3& core : made->made.compared.cores) {
-                                    made->cores.push_back(place.toLocal(core));
-                                }
-                                made->points = distancePoints(*made, name);
-                            },
-                            [work = &m_work, made](const std::exception_ptr& thrown) {
-                                if (thrown == nullptr && made == work->making) {
-                                    work->distances.take(made);
-                                }
-                                const auto failure = failureOf(thrown);
-                                work->distances.end(failure ? &*failure : nullptr);
-                                emit work->changed();
-                            }});
+    m_work.measuring.start(
+        {Worker::Kind::Study,
+         [made, order = *order, name, fingerprint = m_computation.currentRun()->reader->origin().fingerprint.hex(),
+          run = EvidenceRun(m_computation.inputs(), m_computation.currentRun())](const Execution& execution) {
+             checkShowsDebris(order.survey);
+             made->source = sourceOf(order.cloud);
+             ScannedSite site = scannedSite(run.mapped(), order.survey.instant, fallenFrom, execution);
+             made->time = site.shape.time;
+             io::RunDistanceRequest request;
+             request.cloud = order.cloud.path;
+             request.fingerprint = fingerprint;
+             request.read = order.cloud.read;
+             request.frame = order.cloud.frame;
+             request.site = order.cloud.site;
+             request.placed = order.cloud.placed;
+             request.scope = order.survey.scope;
+             request.settings = order.settings;
+             request.cell = order.cell;
+             request.scanners = order.survey.scanners;
+             if (!request.settings.registrationError) {
+                 request.settings.registrationError = order.survey.offsetError;
+             }
+             made->made = io::compareCloudWithSite(request, std::move(site.shape), site.ground, site.volumes, execution);
+             made->made.compared.findings.append(order.said);
+             const io::SitePlace place(order.cloud.frame, order.cloud.site);
+             for (const Vec3& core : made->made.compared.cores) {
+                 made->cores.push_back(place.toLocal(core));
+             }
+             made->points = distancePoints(*made, name);
+         },
+         [work = &m_work, made](const std::exception_ptr& thrown) {
+             if (thrown == nullptr && made == work->making) {
+                 work->distances.take(made);
+             }
+             const auto failure = failureOf(thrown);
+             work->distances.end(failure ? &*failure : nullptr);
+             emit work->changed();
+         }});
     render::View view = m_area.views().view();
     view.cloud = order->survey.id;
     view.pointColour = render::PointColour::Distance;

@@ -263,6 +263,8 @@ void MapDisplay::saveTo(const QString& path) {
     const widgets::RunMapChoice& choice = m_panel->choice();
     figures::MapPictureStyle style = m_panel->style();
     style.provenance = io::footLine(made->run->origin());
+    style.subject = io::mapSubject(made->run->origin(), m_document.path().toStdString());
+    style.fitted = true;
     const double contours = choice.contours > 0.0 ? choice.contours : packageContours;
     m_computation.write(
         [path, made, style, contours, layer = choice.layer](const Execution& execution) {

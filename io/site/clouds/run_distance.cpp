@@ -8,6 +8,7 @@
 #include "core/base/outline_cover.h"
 #include "core/scenario/scope_cover.h"
 #include "io/base/file_words.h"
+#include "io/json/run_behind.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
 #include "io/site/surveys/survey_placing.h"
@@ -122,6 +123,7 @@ private:
     }
 
     void tell() {
+        noteRunBehind(m_made.compared.findings, m_request.cloud, runBehind(m_request.cloud), m_request.fingerprint);
         if (m_request.placed) {
             addPlacedFinding(m_made.compared.findings, m_request.cloud, *m_request.placed);
         }

@@ -18,9 +18,10 @@ namespace rubble::io {
 /// A cloud to be held against what a run says lies on the site.
 struct RunDistanceRequest {
     std::string cloud;
-    std::string run;    ///< its path, for people
-    CloudRequest read;  ///< how the cloud is read
-    Frame frame;        ///< of the case
+    std::string run;               ///< its path, for people
+    std::string fingerprint = {};  ///< of the run, hex; empty: not known
+    CloudRequest read;             ///< how the cloud is read
+    Frame frame;                   ///< of the case
     Site site;
     /// Where the scanners stood, as eastings, northings and heights in metres; empty: as the cloud says, else it was seen from
     /// above.

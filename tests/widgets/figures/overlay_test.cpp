@@ -119,7 +119,7 @@ TEST_F(Legends, ReleasedStructureIsCountedApart) {
     const Overlay fragments = overlayFor(render::ColourBy::Highlight);
     ASSERT_EQ(fragments.legend.size(), 3u);
     EXPECT_EQ(fragments.legend[1].text, "active structure 3");
-    EXPECT_EQ(fragments.legend[2].text, "released structure 6");
+    EXPECT_EQ(fragments.legend[2].text, "loose structure 6");
     EXPECT_EQ(fragments.legend[2].colour, palette(render::Theme::Light).released);
     EXPECT_EQ(overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe).legend[0].text, "active 9 of 10 elements");
     // In the look of its material it has no colour of its own, and a legend must not promise one.

@@ -252,14 +252,16 @@ Overlay overlayOf(const render::View& view, const render::Scene& scene, const re
         const bool byIsland = view.colourBy == render::ColourBy::Island;
         if (pane.content != render::PaneContent::Fe && data.fragments) {
             addFragments(overlay, view, scene, data, status, sceneColours(view.theme, view.colourMap));
+            if (status.ahead > 0) {
+                overlay.legend.push_back({QColor(), tr("born before the FE result deletes them: %1").arg(countText(status.ahead))});
+            }
             const bool plain = view.style == render::Style::Presentation || byIsland;
             overlay.legend.push_back({plain ? QColor() : p.structure, tr("active structure %1").arg(countText(status.active))});
             if (pane.content == render::PaneContent::Overlay) {
                 overlay.legend.push_back({p.outline, tr("intact structure"), true});
             }
             if (status.released > 0) {
-                overlay.legend.push_back(
-                    {plain ? QColor() : p.released, tr("released structure %1").arg(countText(status.released))});
+                overlay.legend.push_back({plain ? QColor() : p.released, tr("loose structure %1").arg(countText(status.released))});
             }
             if (view.style == render::Style::Presentation) {
                 addMaterials(overlay.legend, data, sceneColours(view.theme));
@@ -358,7 +360,7 @@ std::vector<LegendEntry> commonLegend(const render::View& view, const render::Sc
     if (byIsland) {
         legend.push_back({QColor(), tr("each loose island in a colour of its own")});
     } else if (released && view.style == render::Style::Analysis) {
-        legend.push_back({p.released, tr("released structure")});
+        legend.push_back({p.released, tr("loose structure")});
     }
     if (view.style == render::Style::Presentation) {
         addMaterials(legend, data, sceneColours(view.theme));

@@ -12647,6 +12647,30 @@
         <source>structure stands in the run over {0} of the surveyed debris, with {1} of its volume: the survey most likely shows that structure, and it counts as debris on that side alone</source>
         <translation>计算中有结构站立在测得堆积物的 {0} 之上，占其体积 {1}：测绘很可能显示了该结构，而它只在这一侧被计为堆积物</translation>
     </message>
+    <message>
+        <source>Ask who made the analysis which units it counts in, and say so in the report.</source>
+        <translation>请询问分析者所用的单位，并在报告中写明。</translation>
+    </message>
+    <message>
+        <source>Nothing in the file decides its units: it was taken to count in {0}, and would fit as well: {1}</source>
+        <translation>文件中没有任何内容能确定其单位：按 {0} 读取，同样相符的还有：{1}</translation>
+    </message>
+    <message>
+        <source>Take it out of the evidence; what it agrees with says nothing of a collapse.</source>
+        <translation>请将其从证据中去除；与它相符并不说明真实的坍塌。</translation>
+    </message>
+    <message>
+        <source>The evidence was made from a simulated run, {0}</source>
+        <translation>该证据由一次模拟运行生成：{0}</translation>
+    </message>
+    <message>
+        <source>The evidence was made from the very run that it is held against</source>
+        <translation>该证据正是由与之对比的这次运行生成的</translation>
+    </message>
+    <message>
+        <source>The file was taken to count in {0}; what it holds fits better: {1}</source>
+        <translation>文件按 {0} 读取；其内容更符合：{1}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -14582,6 +14606,10 @@
         <source>Cases, FE results, runs and figures of them (*);;Cases (*.rubble);;Runs (*.run.h5)</source>
         <translation>案例、有限元结果、计算及其图片 (*);;案例 (*.rubble);;计算 (*.run.h5)</translation>
     </message>
+    <message>
+        <source>This case was never saved: its settings and its evidence would go.</source>
+        <translation>此案例从未保存：其设置和证据将会丢失。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::FileKinds</name>
@@ -15892,10 +15920,6 @@
         <translation>激活结构 %1</translation>
     </message>
     <message>
-        <source>released structure %1</source>
-        <translation>释放的结构 %1</translation>
-    </message>
-    <message>
         <source>active %1 of %2 elements</source>
         <translation>激活 %1，共 %2 个单元</translation>
     </message>
@@ -16002,10 +16026,6 @@
     <message>
         <source>active structure</source>
         <translation>未失效结构</translation>
-    </message>
-    <message>
-        <source>released structure</source>
-        <translation>已释放结构</translation>
     </message>
     <message>
         <source>a file has the name of the folder</source>
@@ -16198,6 +16218,18 @@
     <message>
         <source>(%1 of %2 points drawn)</source>
         <translation>（绘出 %2 个点中的 %1 个）</translation>
+    </message>
+    <message>
+        <source>born before the FE result deletes them: %1</source>
+        <translation>早于有限元结果删除而生成：%1</translation>
+    </message>
+    <message>
+        <source>loose structure %1</source>
+        <translation>松脱结构 %1</translation>
+    </message>
+    <message>
+        <source>loose structure</source>
+        <translation>松脱结构</translation>
     </message>
 </context>
 <context>
@@ -17769,6 +17801,14 @@
     <message>
         <source>This layer is empty here: no cell has a value</source>
         <translation>此图层在这里是空的：没有单元有值</translation>
+    </message>
+    <message>
+        <source>%1 fragments, %2, on %3</source>
+        <translation>%1 个碎块，%2，覆盖 %3</translation>
+    </message>
+    <message>
+        <source>; highest cell, in the mean: %1</source>
+        <translation>；最高单元格（平均）：%1</translation>
     </message>
 </context>
 <context>
@@ -21674,6 +21714,10 @@ What the file fits: %2.</source>
         <source>%1 at %2</source>
         <translation>%2 时 %1 个</translation>
     </message>
+    <message>
+        <source>One fragment by itself, as the FE result has it. A body moves with the mean momentum of its cluster, so speeds of the run can be lower.</source>
+        <translation>单个碎块在有限元结果中的速度。刚体按其簇的平均动量运动，因此运行中的速度可能较低。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::GridPanel</name>
@@ -24865,10 +24909,6 @@ Program: %3</source>
         <translation>m</translation>
     </message>
     <message>
-        <source>Released structure</source>
-        <translation>释放的结构</translation>
-    </message>
-    <message>
         <source>Live islands without a path to a support that became rigid bodies when the FE result ended, apart from fragments</source>
         <translation>有限元结果结束时没有路径通向支座而成为刚体的存活部分，不含碎块</translation>
     </message>
@@ -24929,10 +24969,6 @@ Program: %3</source>
         <translation>活动至多</translation>
     </message>
     <message>
-        <source>Carried structure</source>
-        <translation>引擎带动的结构</translation>
-    </message>
-    <message>
         <source>Loose islands that the engine moved from when they came loose, before the FE result ended</source>
         <translation>有限元结果结束之前，自松脱起由引擎移动的松散孤立部分</translation>
     </message>
@@ -24963,6 +24999,14 @@ Program: %3</source>
     <message>
         <source>Stop the run (Esc); what is computed so far stays in the views</source>
         <translation>停止计算（Esc）；至此已计算的内容仍在视图中</translation>
+    </message>
+    <message>
+        <source>Loose structure, released</source>
+        <translation>松脱结构，释放</translation>
+    </message>
+    <message>
+        <source>Loose structure, carried</source>
+        <translation>松脱结构，由引擎带动</translation>
     </message>
 </context>
 <context>

@@ -145,6 +145,56 @@ TEST(ResultFrame, OneCollapseInFiveSystemsGivesTheSameFragments) {
     }
 }
 
+/// One cube that neither falls nor dies at once: its size, its time and perhaps its density are all that tells its units.
+void writeStill(const std::string& path, double density, double size) {
+    ExodusBuilder builder;
+    builder.addCubes(1, "block", 1);
+    for (Vec3& node : builder.nodes) {
+        node *= size;
+    }
+    if (density > 0.0) {
+        builder.blocks.front().attributes = {density};
+        builder.blocks.front().attributeNames = {"density"};
+        builder.blocks.front().attributeCount = 1;
+    }
+    builder.times = {0.0, 1.0};
+    builder.element.push_back({"STATUS", [](std::size_t k, std::size_t) { return k == 0 ? 1.0 : 0.0; }});
+    builder.write(path);
+}
+
+TEST(ResultFrame, UnitsThatTheFileDoesNotDecideAreAFindingWhereverItIsOpened) {
+    const TemporaryFolder folder;
+    writeStill(folder / "bare.exo", 0.0, 20.0);
+    const auto bare = openFe(folder / "bare.exo", {}, {}, Execution{});
+    ASSERT_EQ(bare->contents().findings.count("fe.units_rivals"), 1);
+    EXPECT_EQ(bare->contents().findings.count("fe.units_better"), 0);
+    // Somebody who chose is asked for the source of the choice as well.
+    const auto chosen = openFe(folder / "bare.exo", importAs("kg-m-s", "z"), {}, Execution{});
+    EXPECT_EQ(chosen->contents().findings.count("fe.units_rivals"), 1);
+    const auto open = openFe(folder / "bare.exo", importAs("auto", "z"), {}, Execution{});
+    EXPECT_EQ(open->contents().findings.count("fe.units_open"), 1);
+    EXPECT_EQ(open->contents().findings.count("fe.units_rivals"), 0) << "said already";
+
+    // Tungsten in three systems, read in a fourth in which it weighs as air does.
+    writeStill(folder / "heavy.exo", 18.62, 23.0);
+    const auto heavy = openFe(folder / "heavy.exo", importAs("kg-m-s", "z"), {}, Execution{});
+    ASSERT_EQ(heavy->contents().findings.count("fe.units_better"), 1);
+    for (const Finding& finding : heavy->contents().findings.list()) {
+        if (finding.what.id == "fe.units_better") {
+            EXPECT_EQ(englishText(finding.what),
+                      "The file was taken to count in kg-m-s; what it holds fits better: t-m-s, g-cm-s, g-cm-us");
+        }
+    }
+    const auto tonnes = openFe(folder / "heavy.exo", importAs("t-m-s", "z"), {}, Execution{});
+    EXPECT_EQ(tonnes->contents().findings.count("fe.units_better"), 0);
+    EXPECT_EQ(tonnes->contents().findings.count("fe.units_rivals"), 1);
+
+    writeCollapse(folder / "si.exo", {}, "z");
+    const auto clear = openFe(folder / "si.exo", {}, {}, Execution{});
+    EXPECT_EQ(clear->contents().findings.count("fe.units_rivals") + clear->contents().findings.count("fe.units_better"), 0)
+        << "density and gravity decide";
+}
+
 TEST(ResultFrame, WhatWasDecidedIsKnownAgainOnceItIsRecorded) {
     const TemporaryFolder folder;
     writeCollapse(folder / "mm.exo", unitsCalled("t-mm-s"), "y", {512300.0, 0.0, 0.0});

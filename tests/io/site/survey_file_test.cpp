@@ -105,6 +105,31 @@ TEST_F(SurveyFile, AnOutlineWithoutItsSystemIsSaid) {
     EXPECT_EQ(readSurvey(path, frame, Site(), Aabb(), Execution()).findings.count("survey.unplaced"), 1);
 }
 
+TEST_F(SurveyFile, WhatWasMadeOfASimulatedRunIsSaidToBeNoEvidence) {
+    const std::string path = writePolygon("a.geojson", "[1,1],[9,1],[9,5],[1,1]");
+    const auto note = [&](const std::string& provenance, const std::string& run) {
+        std::ofstream(path + ".provenance.json") << provenance;
+        SurveyRequest request;
+        request.run = run;
+        const SurveyInput input = readSurvey(path, frame, Site(), Aabb(), Execution(), request);
+        return std::array{static_cast<std::int64_t>(input.ofRun.size()), input.findings.count("evidence.of_run"),
+                          input.findings.count("evidence.of_this_run")};
+    };
+    const std::string of = R"({"build":"Rubble 0.2.0","fingerprint":"00112233445566778899aabbccddeeff"})";
+    EXPECT_EQ(note(of, {}), (std::array<std::int64_t, 3>{32, 1, 0}));
+    EXPECT_EQ(note(of, "ffffffffffffffffffffffffffffffff"), (std::array<std::int64_t, 3>{32, 1, 0}));
+    EXPECT_EQ(note(of, "00112233445566778899aabbccddeeff"), (std::array<std::int64_t, 3>{32, 0, 1}));
+    for (const char* none : {"", "{", "[1]", R"({"build":"x","fingerprint":7})",
+                             R"({"build":"Rubble 0.2.0","fingerprint":"0011","simulated":false})"}) {
+        EXPECT_EQ(note(none, {}), (std::array<std::int64_t, 3>{0, 0, 0})) << none;
+    }
+    // Who drew the area to be compared is of no account.
+    std::ofstream(path + ".provenance.json") << of;
+    Findings findings;
+    readScope(path, frame, Site(), findings, Execution());
+    EXPECT_EQ(findings.count("evidence.of_run"), 0);
+}
+
 TEST_F(SurveyFile, WhatHasNoPlaceInTheCaseIsRefused) {
     frame.crs = "EPSG:32633";
     writePolygon("a.geojson", "[1000,1000],[1010,1000],[1010,1004],[1000,1000]");

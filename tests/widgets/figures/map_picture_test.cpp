@@ -116,6 +116,41 @@ TEST_F(MapPicture, EveryLayerIsDrawnOnWhite) {
     EXPECT_EQ(pictures.size(), 11u);
 }
 
+TEST_F(MapPicture, APictureIsFittedToItsMapAndSaysWhatItIsOf) {
+    const QImage plain = mapPicture(map, MapLayer::Height, style);
+    style.subject = "arch.rubble · As computed";
+    const QImage named = mapPicture(map, MapLayer::Height, style);
+    EXPECT_EQ(named.size(), plain.size());
+    const auto inked = [](const QImage& image, int rows) {
+        std::size_t count = 0;
+        for (int y = 0; y < rows; ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                count += image.pixelColor(x, y).lightness() < 128 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    EXPECT_EQ(inked(plain, 14), 0u);
+    EXPECT_GT(inked(named, 30), 200u) << "case, scenario and sums stand above the map";
+
+    DebrisMap across = map;
+    for (MapCell& cell : across.cells) {
+        cell.i *= 8;
+    }
+    style.fitted = true;
+    const QImage low = mapPicture(across, MapLayer::Height, style);
+    EXPECT_EQ(low.width(), style.pixels.width());
+    EXPECT_LT(low.height(), style.pixels.height()) << "no empty room above and below a map that lies across";
+    DebrisMap along = map;
+    for (MapCell& cell : along.cells) {
+        cell.j *= 8;
+    }
+    style.pixels = {1600, 500};
+    const QImage narrow = mapPicture(along, MapLayer::Height, style);
+    EXPECT_LT(narrow.width(), 1600);
+    EXPECT_EQ(narrow.height(), 500);
+}
+
 TEST_F(MapPicture, ASystemWithoutAPlaceOfTheModelIsNotClaimed) {
     const QImage local = mapPicture(map, MapLayer::Mass, style);
     style.system = "EPSG:25832";

@@ -62,7 +62,7 @@ class Legends : public testing::Test {
 protected:
     Overlay overlayFor(render::ColourBy colourBy, render::PaneContent content = render::PaneContent::Fragments) {
         m_view.colourBy = colourBy;
-        m_view.time = 0.5;
+        m_view.time = m_time;
         m_scene.update(m_view, 1280, 800);
         for (const render::Pane& pane : render::panesOf(m_view.layout, 1280, 800)) {
             if (pane.content == content) {
@@ -79,7 +79,23 @@ protected:
     }
     render::Scene m_scene;
     render::View m_view;
+    double m_time = 0.5;  // s
 };
+
+TEST_F(Legends, FragmentsThatTheFeResultStillHasAreCounted) {
+    FragmentSettings joined;
+    joined.birthWindow = 0.5;
+    m_scene.setData(scenes::ballisticRun(scenes::collapsingWall(), 1.0, true, joined));
+    // Half of the wall dies at 0.4 s; the window hands it over with the other half.
+    m_time = 0.3;
+    const Overlay early = overlayFor(render::ColourBy::Highlight);
+    ASSERT_EQ(early.legend.size(), 3u);
+    EXPECT_EQ(early.legend[0].text, "fragments 12");
+    EXPECT_EQ(early.legend[1].text, "born before the FE result deletes them: 6");
+    EXPECT_EQ(overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe).legend[0].text, "active 10 of 16 elements");
+    m_time = 0.5;
+    EXPECT_EQ(overlayFor(render::ColourBy::Highlight).legend.size(), 2u) << "both views have the same deaths again";
+}
 
 TEST_F(Legends, CountWhatTheViewShows) {
     const Overlay fragments = overlayFor(render::ColourBy::Highlight);

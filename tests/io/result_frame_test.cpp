@@ -158,6 +158,9 @@ void writeStill(const std::string& path, double density, double size) {
         builder.blocks.front().attributeCount = 1;
     }
     builder.times = {0.0, 1.0};
+    for (const char* name : {"disp_x", "disp_y", "disp_z"}) {
+        builder.nodal.push_back({name, [](std::size_t, std::size_t) { return 0.0; }});
+    }
     builder.element.push_back({"STATUS", [](std::size_t k, std::size_t) { return k == 0 ? 1.0 : 0.0; }});
     builder.write(path);
 }

@@ -210,6 +210,7 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
         rebuildTriangles();
         countShown(shown);
     }
+    m_status.ahead = m_slots ? countAhead() : 0;
     if (changed || moved) {
         place(shown);
         m_placedTime = shown;
@@ -561,7 +562,7 @@ std::size_t PaneGeometry::countAhead() {
 }
 
 void PaneGeometry::countShown(double time) {
-    m_status.fragments = m_status.clusters = m_status.ahead = 0;
+    m_status.fragments = m_status.clusters = 0;
     m_status.meeting.reset();
     m_status.released = m_islands.elements();
     m_status.bornByComponent.clear();
@@ -583,7 +584,6 @@ void PaneGeometry::countShown(double time) {
     m_status.fragments = counts.born;
     m_status.bornByComponent = counts.bornByComponent;
     m_status.clusters = counts.clusters;
-    m_status.ahead = countAhead();
     if (!m_meets.empty()) {
         m_status.meeting = 0;
         for (std::size_t f = 0; f < m_meets.size(); ++f) {

@@ -134,6 +134,7 @@ private:
     bool hidden(ElementIndex element) const { return !m_hidden.empty() && m_hidden[at(element)] != 0; }
     bool cutAway(const Vec3& point) const { return m_clip && (point - m_clip->point).dot(m_clip->normal) > 0.0; }
     void select(const std::vector<ElementIndex>& selection);
+    /// Fragments shown as born of elements that the FE result still has.
     std::size_t countAhead();
     void countShown(double time);
     std::uint32_t componentOf(ElementIndex element) const;

@@ -106,7 +106,8 @@ TEST_F(SurveyFile, AnOutlineWithoutItsSystemIsSaid) {
 }
 
 TEST_F(SurveyFile, WhatWasMadeOfASimulatedRunIsSaidToBeNoEvidence) {
-    const std::string path = writePolygon("a.geojson", "[1,1],[9,1],[9,5],[1,1]");
+    frame.crs = "EPSG:32633";
+    const std::string path = writePolygon("a.geojson", "[14.345,47.95],[14.346,47.95],[14.346,47.951],[14.345,47.95]");
     const auto note = [&](const std::string& provenance, const std::string& run) {
         std::ofstream(path + ".provenance.json") << provenance;
         SurveyRequest request;

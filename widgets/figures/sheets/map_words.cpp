@@ -17,7 +17,7 @@ struct MapWords {
 
 QString quantity(double value, const char* unit) {
     const ShownUnit shown = shownUnit(unit);
-    return numberText(value * shown.perSi) + QChar(0x00A0) + shown.name;
+    return legendNumber(value * shown.perSi) + QChar(0x00A0) + shown.name;
 }
 
 }  // namespace

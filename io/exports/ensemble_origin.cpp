@@ -1,5 +1,6 @@
 #include "io/exports/ensemble_origin.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/base/build.h"
@@ -66,6 +67,11 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
     }
     document["cautions"] = cautionsJson(cautions);
     origin.provenance = jsonText(document);
+    for (const EnsembleInput& input : inputs) {
+        if (input.role == "fe") {
+            origin.subject += (origin.subject.empty() ? "" : ", ") + std::filesystem::path(input.path).filename().string();
+        }
+    }
     origin.facts = {{"RUBBLE_CLASS", ensembleClass(report)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},
                     {"RUBBLE_CRS", crs},

@@ -19,6 +19,7 @@ struct MapOrigin {
     Site site;
     std::vector<std::pair<std::string, std::string>> facts;  ///< key and value, in the order in which they are written
     std::string provenance;                                  ///< the sidecar, JSON
+    std::string subject;                                     ///< what it is a map of, above its picture
 };
 
 /// The inputs of a map of several, for the line below its picture: "inputs" and the first digits of each digest; empty: it names

@@ -55,6 +55,7 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
         document["map"]["components"].push_back(map.components[c]);
     }
     origin.provenance = jsonText(document);
+    origin.subject = mapSubject(from, {});
     const std::string cautions = pictureCautions(runCautions(standingOf(run)));
     origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},

@@ -184,7 +184,7 @@ void printEnsemble(std::ostream& out, const EnsembleReport& report) {
 std::vector<Option> EnsembleMaps::options() {
     return {{"--out", "FILE|FOLDER", true, "a map to write: .tif, .csv or .png; into a folder all of them"},
             {"--layers", "A,B", false, "layers of the map, by the names in the manual (default: all); a picture shows the first"},
-            {"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"}};
+            {"--size", "WxH", false, "pixels of a picture (default: 1600x1000, less where the map is of another shape)"}};
 }
 
 EnsembleMaps::EnsembleMaps(const Arguments& arguments, std::vector<MapLayer> pictured)
@@ -221,7 +221,9 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         quietQt();
         figures::ensureGuiApplication();
         figures::MapPictureStyle style;
-        style.pixels = m_pixels;
+        style.pixels = m_pixels.value_or(style.pixels);
+        style.fitted = !m_pixels;
+        style.subject = origin.subject;
         style.place = io::SitePlace(origin.frame, origin.site).transform();
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;

@@ -2,6 +2,7 @@
 
 #include <QSize>
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ private:
     std::vector<std::string> m_paths;
     std::vector<MapLayer> m_layers;    ///< asked for; empty: all
     std::vector<MapLayer> m_pictured;  ///< in a folder
-    QSize m_pixels{1600, 1000};
+    std::optional<QSize> m_pixels;
 };
 
 }  // namespace rubble::cli

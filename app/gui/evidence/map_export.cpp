@@ -28,7 +28,10 @@ void writeMapFile(const QString& path, const DebrisMap& map, MapLayer layer, con
     if (suffix == QLatin1String("csv")) {
         io::writeMapCsv(file, map, map.present(), origin, execution);
     } else if (suffix == QLatin1String("png")) {
-        figures::writePng(file, figures::mapPicture(map, layer, pictureStyle(origin)));
+        figures::MapPictureStyle style = pictureStyle(origin);
+        style.subject = origin.subject;
+        style.fitted = true;
+        figures::writePng(file, figures::mapPicture(map, layer, style));
         io::writeMapProvenance(file, origin);
     } else {
         io::writeMapTiff(file, map, map.present(), origin, execution);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/types.h>
 
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -83,6 +86,29 @@ private:
         static std::unique_ptr<Made> all;
         return all;
     }
+};
+
+/// Tests of a page in a browser. Nothing is run where there is none: then `m_browser` is null.
+template <class Page>
+class PageTest : public testing::Test {
+protected:
+    using Shared = PageForAll<Page>;
+
+    static void TearDownTestSuite() { Shared::end(); }
+    void SetUp() override {
+        m_browser = Shared::browser();
+        if (m_browser == nullptr) {
+            std::cout << "not run: no Chromium here\n";
+        }
+    }
+    void TearDown() override {
+        if (m_browser != nullptr) {
+            EXPECT_THAT(m_browser->complaints(), testing::IsEmpty());
+        }
+    }
+    nlohmann::json said(const std::string& expression) { return m_browser->evaluate(expression); }
+
+    Browser* m_browser = nullptr;
 };
 
 }  // namespace rubble

@@ -45,15 +45,11 @@ private:
 };
 
 /// That page in a browser, opened anew for each test; nothing is run where there is none.
-class PageLook : public testing::Test {
+class PageLook : public PageTest<WalledPage> {
 protected:
-    using Shared = PageForAll<WalledPage>;
-
-    static void TearDownTestSuite() { Shared::end(); }
     void SetUp() override {
-        m_browser = Shared::browser();
+        PageTest::SetUp();
         if (m_browser == nullptr) {
-            std::cout << "not run: no Chromium here\n";
             return;
         }
         m_notes = Shared::page()->notes;
@@ -62,12 +58,11 @@ protected:
         said("page.jump(page.player.end)");
     }
     void TearDown() override {
-        if (m_browser) {
-            EXPECT_THAT(m_browser->complaints(), testing::IsEmpty());
+        PageTest::TearDown();
+        if (m_browser != nullptr) {
             EXPECT_EQ(said("page.player.renderer.gl.getError()"), 0);
         }
     }
-    nlohmann::json said(const std::string& expression) { return m_browser->evaluate(expression); }
     /// Pixels of the pane of the fragments that become {darker, brighter} by a change of the page.
     nlohmann::json changedBy(const std::string& change) {
         return said(
@@ -82,7 +77,6 @@ protected:
     }
 
     std::string m_notes;
-    Browser* m_browser = nullptr;
 };
 
 TEST_F(PageLook, BeginsWithMaterials) {

@@ -49,15 +49,11 @@ private:
 };
 
 /// The page of the small collapse in a browser, opened anew for each test; nothing is run where there is none.
-class PageInBrowser : public testing::Test {
+class PageInBrowser : public PageTest<SmallPage> {
 protected:
-    using Shared = PageForAll<SmallPage>;
-
-    static void TearDownTestSuite() { Shared::end(); }
     void SetUp() override {
-        m_browser = Shared::browser();
+        PageTest::SetUp();
         if (m_browser == nullptr) {
-            std::cout << "not run: no Chromium here\n";
             return;
         }
         m_page = Shared::page()->path();
@@ -66,12 +62,11 @@ protected:
     }
     /// Nobody was asked for anything but the page itself, and nothing went wrong.
     void TearDown() override {
-        if (m_browser) {
+        PageTest::TearDown();
+        if (m_browser != nullptr) {
             EXPECT_THAT(m_browser->requests(), testing::Each(testing::EndsWith("small.html")));
-            EXPECT_THAT(m_browser->complaints(), testing::IsEmpty());
         }
     }
-    nlohmann::json said(const std::string& expression) { return m_browser->evaluate(expression); }
     /// A copy of the page, changed; its path. It ends as the page does, for the sake of TearDown().
     std::string changed(const std::function<void(std::string&)>& change) {
         std::string text = textOf(m_page);
@@ -87,7 +82,6 @@ protected:
 
     io::TemporaryFolder m_folder;
     std::string m_page;
-    Browser* m_browser = nullptr;
     std::string m_ready;
 };
 

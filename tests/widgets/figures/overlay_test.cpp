@@ -277,11 +277,13 @@ TEST_F(Legends, PointsOfACloudSayHowManyTheyAreAndWhatTheirColoursSay) {
     EXPECT_TRUE(told.contains(QStringLiteral("simulated site above, up to 1.3 m")));
     EXPECT_TRUE(told.contains(QStringLiteral("below, up to 0.5 m")));
     EXPECT_TRUE(told.contains(QStringLiteral("level of detection not known · 7")));
-    EXPECT_TRUE(told.contains(QStringLiteral(
-        "within the level of detection, 0.043 m in the median, without the error of the registration, which is not known")));
+    EXPECT_TRUE(told.contains(QStringLiteral("within the level of detection, 0.043 m in the median")));
+    const QString unknownError = QStringLiteral("without the registration's error: not known");
+    EXPECT_TRUE(told.contains(unknownError));
     points = std::make_shared<render::SitePoints>(*points);
     points->registered = true;
     EXPECT_TRUE(lines().contains(QStringLiteral("within the level of detection, 0.043 m in the median")));
+    EXPECT_FALSE(lines().contains(unknownError));
 }
 
 TEST_F(Legends, ALegendThatNeedsLinesStandsInTheStripThatIsKeptForIt) {

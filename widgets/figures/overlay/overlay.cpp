@@ -160,11 +160,10 @@ void addPoints(std::vector<LegendEntry>& legend, const render::SitePoints& point
     }
     if (std::isfinite(points.detection)) {
         const QString level = lengthText(points.detection > 0.0 ? twoDigitsUp(points.detection) : 0.0);
-        legend.push_back({colourOf(withinDetection), points.registered
-                                                         ? tr("within the level of detection, %1 in the median").arg(level)
-                                                         : tr("within the level of detection, %1 in the median, without the "
-                                                              "error of the registration, which is not known")
-                                                               .arg(level)});
+        legend.push_back({colourOf(withinDetection), tr("within the level of detection, %1 in the median").arg(level)});
+        if (!points.registered) {
+            legend.push_back({QColor(), tr("without the registration's error: not known")});
+        }
     }
     if (points.unknown > 0) {
         legend.push_back({colourOf(detectionUnknown), tr("level of detection not known · %1").arg(countText(points.unknown))});

@@ -22,8 +22,7 @@
 #include "app/gui/stage/view_area.h"
 #include "app/gui/views/inspection.h"
 #include "core/fe/units.h"
-#include "tests/app/gui/workbench.h"
-#include "tests/support/small_collapse.h"
+#include "tests/app/gui/window/hour_of_use.h"
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/case/case_panel.h"
@@ -43,34 +42,8 @@ namespace rubble {
 namespace {
 
 /// What stood in the way of somebody who used the window for an hour and had not built it.
-class SecondHour : public FreshWorkbench {
+class SecondHour : public HourOfUse {
 protected:
-    void TearDown() override {
-        session->document().undoStack().setClean();
-        session->computation().cancel();
-        FreshWorkbench::TearDown();
-        figures::setResultSpan(0.0);
-    }
-    QString smallAs(const char* name) {
-        return QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QLatin1String(name)).toStdString()));
-    }
-    void openAndAwait(const QString& path) {
-        window->open(path);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && session->document().openPath() == path; }, patience));
-    }
-    /// The small collapse in other times: no two of them are one result.
-    QString timedAs(const char* name, double perSecond) {
-        const QString path = folder.filePath(QLatin1String(name));
-        io::ExodusBuilder builder = cli::smallCollapse();
-        for (double& time : builder.times) {
-            time *= perSecond;
-        }
-        builder.write(path.toStdString());
-        return path;
-    }
-    void clickPanel(PanelDeck::Entry entry) {
-        QTest::mouseClick(window->rooms().deck->rail().findChildren<QAbstractButton*>().at(entry), Qt::LeftButton);
-    }
     QString shown(const char* name) { return window->findChild<QLabel*>(QLatin1String(name))->text(); }
 
     QTemporaryDir folder;

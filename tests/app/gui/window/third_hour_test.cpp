@@ -18,8 +18,7 @@
 #include "app/gui/case/new_case.h"
 #include "app/gui/case/project_display.h"
 #include "io/run/run_history.h"
-#include "tests/app/gui/workbench.h"
-#include "tests/support/small_collapse.h"
+#include "tests/app/gui/window/hour_of_use.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/prediction_box.h"
@@ -38,37 +37,11 @@ namespace rubble {
 namespace {
 
 /// What somebody met who saw the window for the first time, with a result of microseconds and with runs that were cancelled.
-class ThirdHour : public FreshWorkbench {
+class ThirdHour : public HourOfUse {
 protected:
-    void TearDown() override {
-        session->document().undoStack().setClean();
-        session->computation().cancel();
-        FreshWorkbench::TearDown();
-        figures::setResultSpan(0.0);
-    }
     /// The small collapse in 70 microseconds, this far [m] above its ground.
-    QString blast(double lift = 0.0) {
-        const QString path = folder.filePath(QStringLiteral("blast.exo"));
-        io::ExodusBuilder builder = cli::smallCollapse();
-        for (double& time : builder.times) {
-            time *= 1.4e-4;
-        }
-        for (Vec3& node : builder.nodes) {
-            node.z() += lift;
-        }
-        builder.write(path.toStdString());
-        return path;
-    }
-    QString small() {
-        return QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
-    }
-    void openAndAwait(const QString& path) {
-        window->open(path);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && session->document().openPath() == path; }, patience));
-    }
-    void clickPanel(PanelDeck::Entry entry) {
-        QTest::mouseClick(window->rooms().deck->rail().findChildren<QAbstractButton*>().at(entry), Qt::LeftButton);
-    }
+    QString blast(double lift = 0.0) { return timedAs("blast.exo", 1.4e-4, lift); }
+    QString small() { return smallAs("small.exo"); }
     /// The sentence of a panel that holds these words; empty: there is none.
     static QString noticeWith(const QWidget& panel, const QString& words) {
         for (const auto* notice : panel.findChildren<widgets::Notice*>()) {

@@ -11,6 +11,7 @@
 #include "core/fe/components.h"
 #include "io/fe/fe_reader.h"
 #include "tests/support/exodus_builder.h"
+#include "tests/support/finding_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -90,7 +91,8 @@ TEST_F(ExodusReaderTest, ReadsMeshTimesAndFields) {
         EXPECT_TRUE(state->velocities[2].isApprox(Vec3(1, 2, -9.81 * 3)));
         EXPECT_TRUE(fe->contents().hasVelocity);
         EXPECT_EQ(fe->contents().sha256.size(), 64u);
-        EXPECT_TRUE(fe->contents().findings.empty());
+        EXPECT_EQ(fe->contents().findings.count("fe.units_rivals"), 1) << "a size alone tells no units";
+        EXPECT_EQ(fe->contents().findings.list().size(), 1u);
         EXPECT_TRUE(fe->contents().deathTime.empty());
     }
 }
@@ -187,12 +189,12 @@ TEST_F(ExodusReaderTest, WithoutAFlagAllIsActiveAndTheVariablesThatExistAreOffer
     const auto fe = open(builder);
     EXPECT_THAT(activity(*fe), ::testing::Each(std::string("111")));
     EXPECT_EQ(fe->contents().findings.count("fe.no_deaths"), 3);
-    EXPECT_THAT(englishText(fe->contents().findings.list().back().remedy), HasSubstr(".deaths.csv"));
+    EXPECT_THAT(remedyOf(fe->contents().findings, "fe.no_deaths"), HasSubstr(".deaths.csv"));
     builder.element.emplace_back("Damage", [](std::size_t, std::size_t) { return 0.0; });
     builder.element.emplace_back("EQPS", [](std::size_t, std::size_t) { return 0.0; });
     const auto named = open(builder);
     EXPECT_THAT(activity(*named), ::testing::Each(std::string("111")));
-    EXPECT_THAT(englishText(named->contents().findings.list().back().remedy),
+    EXPECT_THAT(remedyOf(named->contents().findings, "fe.no_deaths"),
                 ::testing::AllOf(HasSubstr("--set status_variable=NAME"), HasSubstr("\"Damage\", \"EQPS\"")));
     EXPECT_EQ(
         named->state(1)->positions,

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "io/fe/ansys/rst_reader.h"
 #include "io/fe/fe_reader.h"
+#include "tests/support/finding_text.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
@@ -184,7 +185,7 @@ TEST_F(GridTest, WithoutFlagAndMissingCellsTheArraysAreListed) {
     const auto fe = open("wall.0.vtk");
     EXPECT_EQ(fe->activity().activeCount(1), 2u);
     ASSERT_EQ(fe->contents().findings.count("fe.no_deaths"), 2);
-    EXPECT_THAT(englishText(fe->contents().findings.list().back().remedy), HasSubstr("other"));
+    EXPECT_THAT(remedyOf(fe->contents().findings, "fe.no_deaths"), HasSubstr("other"));
     ImportSettings settings;
     settings.statusVariable = "nonsense";
     EXPECT_THROW(open("wall.0.vtk", settings), UsageError);

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/fe/fe_reader.h"
 #include "tests/io/fe/med/med_builder.h"
+#include "tests/support/finding_text.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 
@@ -60,7 +61,8 @@ TEST_F(MedReader, AnElementThatNoFieldHasValuesOnAnyMoreIsDead) {
     const Findings& findings = fe->contents().findings;
     EXPECT_EQ(findings.count("med.skin"), 2);
     EXPECT_EQ(findings.count("med.inferred"), 1);
-    EXPECT_EQ(findings.list().size(), 2u) << "solids are numbered as MED numbers them";
+    EXPECT_EQ(findings.count("fe.units_rivals"), 1);
+    EXPECT_EQ(findings.list().size(), 3u) << "solids are numbered as MED numbers them";
 }
 
 TEST_F(MedReader, NodesThatTheDisplacementLeavesOutTakeTheirElementsWithThem) {
@@ -88,7 +90,7 @@ TEST_F(MedReader, AFieldOfActivityCountsByItsName) {
     const auto unknown = open(rows);
     EXPECT_THAT(active(*unknown), ElementsAre(2, 2, 2));
     ASSERT_EQ(unknown->contents().findings.count("fe.no_deaths"), 2);
-    EXPECT_THAT(englishText(unknown->contents().findings.list().back().remedy), HasSubstr("\"RESU____GONE\""));
+    EXPECT_THAT(remedyOf(unknown->contents().findings, "fe.no_deaths"), HasSubstr("\"RESU____GONE\""));
     ImportSettings settings;
     settings.statusVariable = "GONE";
     EXPECT_THAT(active(*open(rows, settings)), ElementsAre(2, 1, 1));
@@ -162,7 +164,7 @@ TEST_F(MedReader, EveryTypeOfCellIsKnownByItsCorners) {
                                         {S::Hexahedron, 3}}));
     EXPECT_EQ(fe->contents().findings.count("med.skipped_cell"), 1);
     for (const Finding& finding : fe->contents().findings.list()) {
-        EXPECT_THAT(finding.what.id, testing::AnyOf("med.skipped_cell", "fe.no_deaths", "pieces.doubled"))
+        EXPECT_THAT(finding.what.id, testing::AnyOf("med.skipped_cell", "fe.no_deaths", "pieces.doubled", "fe.units_rivals"))
             << "no solid is inside out";
     }
 }

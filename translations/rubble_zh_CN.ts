@@ -16192,10 +16192,6 @@
         <translation>在检测限之内，中位数 %1</translation>
     </message>
     <message>
-        <source>within the level of detection, %1 in the median, without the error of the registration, which is not known</source>
-        <translation>在检测限之内，中位数 %1，未计入未知的配准误差</translation>
-    </message>
-    <message>
         <source>level of detection not known · %1</source>
         <translation>检测限未知 · %1</translation>
     </message>
@@ -16230,6 +16226,10 @@
     <message>
         <source>loose structure</source>
         <translation>松脱结构</translation>
+    </message>
+    <message>
+        <source>without the registration&apos;s error: not known</source>
+        <translation>不含配准误差：未知</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,8 @@ protected:
     void clickPanel(PanelDeck::Entry entry) {
         QTest::mouseClick(window->rooms().deck->rail().findChildren<QAbstractButton*>().at(entry), Qt::LeftButton);
     }
+
+    QTemporaryDir folder;
 };
 
 }  // namespace rubble

@@ -45,8 +45,6 @@ namespace {
 class SecondHour : public HourOfUse {
 protected:
     QString shown(const char* name) { return window->findChild<QLabel*>(QLatin1String(name))->text(); }
-
-    QTemporaryDir folder;
 };
 
 TEST_F(SecondHour, ARunFileOpensInItsCaseWhereverItLies) {

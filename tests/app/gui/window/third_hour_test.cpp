@@ -76,7 +76,6 @@ protected:
             },
             patience));
     }
-    QTemporaryDir folder;
 };
 
 TEST_F(ThirdHour, BirthsOfABlastThatAreJoinedAreAFindingAndOneClickPartsThem) {

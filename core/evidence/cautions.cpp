@@ -1,6 +1,7 @@
 #include "core/evidence/cautions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/evidence/photographs/match_doubts.h"
@@ -48,6 +49,20 @@ Caution singleRunCaution() {
         {"caution.single_run", "a single run: what is not known of friction, restitution and births is not in its figures", {}}};
 }
 
+Caution ensembleCaution(std::size_t members, double mean, double worst) {
+    const Message what =
+        std::isfinite(mean) && std::isfinite(worst)
+            ? Message{"caution.ensemble",
+                      "of {0} members: the probability of a cell may be off by {1} in the mean and by {2} at most, one standard "
+                      "error; that covers what was varied and nothing else",
+                      {members, mean, worst}}
+            : Message{"caution.ensemble_unknown",
+                      "of {0} members: how far the probability of a cell may be off is not known, and nothing but what was varied "
+                      "is in it",
+                      {members}};
+    return {"ensemble", HealthGrade::Finding, what};
+}
+
 RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bool acknowledged) {
     RunStanding standing;
     standing.reached = result.endTime;
@@ -62,6 +77,20 @@ RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bo
 std::vector<Caution> runCautions(const RunStanding& run) {
     std::vector<Caution> list;
     addLimits(list, run);
+    if (run.outgrown) {
+        list.push_back({"other_settings",
+                        HealthGrade::Finding,
+                        {"caution.other_settings", "the case has other settings or inputs now than this run was made with", {}}});
+    }
+    if (!run.unsaidUnits.empty()) {
+        list.push_back(
+            {"units_unsaid",
+             HealthGrade::Finding,
+             {"caution.units_unsaid",
+              "nobody has said which units the FE result counts in: it would fit {0} as well, with other lengths, masses "
+              "and times",
+              {run.unsaidUnits}}});
+    }
     if (!run.complete) {
         list.push_back({"not_complete",
                         HealthGrade::Finding,

@@ -15,8 +15,8 @@ namespace rubble {
 
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
-    std::string_view key;  ///< "tainted", "limits_passed", "not_complete", "still_moving", "no_place", "single_run", "bodies",
-                           ///< "poor_camera", "not_at_rest", "stated_camera"
+    std::string_view key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
+                           ///< "no_place", "single_run", "bodies", "poor_camera", "not_at_rest", "stated_camera", "ensemble"
     HealthGrade grade{};
     Message what;
 
@@ -31,6 +31,11 @@ Caution noPlaceCaution(const std::string& system);
 /// Beside figures of one run, of one set of values.
 Caution singleRunCaution();
 
+/// Beside figures and maps of an ensemble.
+/// @param members  that are done
+/// @param mean, worst  standard error of the probability of a cell, in the mean of all and of the worst; not a number: not known
+Caution ensembleCaution(std::size_t members, double mean, double worst);
+
 /// How far a run has come and what it is worth.
 struct RunStanding {
     bool complete = true;
@@ -41,6 +46,8 @@ struct RunStanding {
     std::vector<HealthBreach> breaches;
     bool acknowledged = false;  ///< someone vouches for it in spite of its breaches
     std::string unplaced{};     ///< coordinate system that the case names without a place of the model in it; empty: none
+    std::string unsaidUnits{};  ///< systems of units that the FE result would fit as well; empty: its units are known
+    bool outgrown = false;      ///< the case that it is shown in has other settings by now
 };
 
 /// Of a run that is complete.

@@ -382,6 +382,17 @@ std::vector<std::string> rivalSystems(const std::vector<UnitFit>& fits) {
     return rivals;
 }
 
+std::string unsaidUnits(const Findings& findings) {
+    for (const Finding& finding : findings.list()) {
+        const std::vector<Argument>& told = finding.what.arguments;
+        if ((finding.what.id == "fe.units_rivals" || finding.what.id == "fe.units_better") && told.size() == 2) {
+            const auto* others = std::get_if<std::string>(&told[1].value);
+            return others != nullptr ? *others : std::string();
+        }
+    }
+    return {};
+}
+
 Proposal proposeUnits(const UnitEvidence& evidence) {
     const std::vector<UnitFit> fits = fitUnits(evidence);
     const UnitFit& best = fits.front();

@@ -64,6 +64,9 @@ const UnitFit* betterFit(const std::vector<UnitFit>& fits, const UnitSystem* now
 /// Ids of the systems that fit about as well as the best one, that one first; empty: no known system fits.
 std::vector<std::string> rivalSystems(const std::vector<UnitFit>& fits);
 
+/// What the findings of an FE result say of units that nobody has said: ids of the systems that fit as well; empty: nothing.
+std::string unsaidUnits(const Findings& findings);
+
 /// The system that fits clearly better than any other; else its rivals are named in the reason.
 Proposal proposeUnits(const UnitEvidence& evidence);
 

@@ -5,6 +5,8 @@
 
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
+#include "core/base/unknown.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "io/json/ensemble_json.h"
 #include "io/run/run_cautions.h"
 #include "io/run/run_json.h"
@@ -61,7 +63,12 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
                        {"members", map.members},
                        {"hypotheses", map.hypotheses},
                        {"thresholds_m", map.thresholds}};
-    std::vector<Caution> cautions;
+    std::vector<Caution>& cautions = origin.cautions;
+    if (map.has(MapLayer::Probability)) {
+        const std::vector<ConvergenceRow> rows = convergenceOf(report);
+        cautions.push_back(ensembleCaution(report.done().size(), rows.empty() ? unknown : rows.back().probabilityError,
+                                           rows.empty() ? unknown : rows.back().worstError));
+    }
     if (const std::string named = unplacedSystem(frame, site); !named.empty()) {
         cautions.push_back(noPlaceCaution(named));
     }

@@ -56,7 +56,8 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     }
     origin.provenance = jsonText(document);
     origin.subject = mapSubject(from, {});
-    const std::string cautions = pictureCautions(runCautions(standingOf(run)));
+    origin.cautions = runCautions(standingOf(run));
+    const std::string cautions = pictureCautions(origin.cautions);
     origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},

@@ -212,9 +212,20 @@ void noteFall(const FeResult::Contents& contents, const UnitEvidence& inFile, Fi
     }
 }
 
-// Systems that fit as well as the one that was taken, or better. Said wherever the result is opened, also where somebody has
-// chosen.
-void noteRivals(const FeResult::Contents& contents, const UnitEvidence& inFile, Findings& findings) {
+/// Ids of the systems that fit about as well as the one that was taken, or better.
+std::string rivalsOf(const std::vector<UnitFit>& fits, const UnitSystem* taken) {
+    std::string others;
+    for (const std::string& id : rivalSystems(fits)) {
+        if (taken == nullptr || id != taken->id) {
+            others += (others.empty() ? "" : ", ") + id;
+        }
+    }
+    return others;
+}
+
+// What nobody has chosen and the file does not decide, and what fits better than a choice. A choice among equals is a fact.
+void noteRivals(FeResult::Contents& contents, const UnitEvidence& inFile, const ImportSettings& settings) {
+    Findings& findings = contents.findings;
     for (const char* const said :
          {"fe.units_open", "fe.units_declared", "fe.units_fall", "fe.units.too_large", "fe.units.too_small"}) {
         if (findings.count(said) > 0) {
@@ -223,26 +234,22 @@ void noteRivals(const FeResult::Contents& contents, const UnitEvidence& inFile, 
     }
     const UnitSystem* const taken = systemOf(contents.units);
     const std::vector<UnitFit> fits = fitUnits(inFile);
-    std::string others;
-    for (const std::string& id : rivalSystems(fits)) {
-        if (taken == nullptr || id != taken->id) {
-            others += (others.empty() ? "" : ", ") + id;
-        }
-    }
+    const std::string others = rivalsOf(fits, taken);
     if (others.empty()) {
         return;
     }
-    const Message remedy{
-        "fe.units_rivals.remedy", "Ask who made the analysis which units it counts in, and say so in the report.", {}};
     const std::string now = englishUnits(contents.units);
-    if (betterFit(fits, taken) == nullptr) {
-        findings.add({"fe.units_rivals",
-                      "Nothing in the file decides its units: it was taken to count in {0}, and would fit as well: {1}",
-                      {now, others}},
-                     remedy);
-    } else {
+    if (betterFit(fits, taken) != nullptr) {
         findings.add({"fe.units_better", "The file was taken to count in {0}; what it holds fits better: {1}", {now, others}},
-                     remedy);
+                     {"fe.units_better.remedy", "Ask who made the analysis, and set the units of the file.", {}});
+    } else if (decidedBy(settings.units) == Decided::ByName) {
+        contents.unitsFrom += "; the file would fit " + others + " as well";
+    } else {
+        findings.add(
+            {"fe.units_rivals",
+             "Nobody has said which units the file counts in: it was taken to count in {0}, and would fit as well: {1}",
+             {now, others}},
+            {"fe.units_rivals.remedy", "Ask who made the analysis, and set the units of the file, also if they are these.", {}});
     }
 }
 
@@ -294,7 +301,7 @@ void bringIntoFrame(FeResult::Contents& contents, const ImportSettings& settings
                          decision.axisWhy + fallInWords(inFile, decision.units) + ")";
     notePlausibility(contents, inFile, contents.findings);
     noteFall(contents, inFile, contents.findings);
-    noteRivals(contents, inFile, contents.findings);
+    noteRivals(contents, inFile, settings);
     const FrameTransform transform(decision.frame);
     Frame plain;
     plain.crs = decision.frame.crs;

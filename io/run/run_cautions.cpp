@@ -22,6 +22,8 @@ RunStanding standingOf(const RunReader& run) {
         standing = standingOf(*result, count, taintOf(run).acknowledgement.has_value());
     }
     standing.unplaced = unplacedSystem(run.origin().frame, run.origin().site);
+    standing.unsaidUnits = run.origin().unsaidUnits;
+    standing.outgrown = run.outgrown();
     if (run.result()) {
         return standing;
     }

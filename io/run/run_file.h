@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -31,6 +32,8 @@ struct RunOrigin {
     std::string scenarioName;
     std::string build;
     Digest fingerprint;
+    std::string
+        unsaidUnits{};  ///< systems that the FE result would fit as well where nobody has said its units; empty: known, or old
 };
 
 /// Writes a run as it is made (*.run.h5): HDF5, chunked, compressed, single writer with readers (SWMR); every dataset exists before
@@ -73,6 +76,13 @@ public:
     virtual std::shared_ptr<const Sizing> sizing() const = 0;
     /// What all stages found, from the components to the simulation (the latter once it is complete).
     virtual Findings findings() const = 0;
+
+    /// Whether the case that it is shown in has other settings by now: its exports say so. Set and read from any thread.
+    void setOutgrown(bool outgrown) { m_outgrown = outgrown; }
+    bool outgrown() const { return m_outgrown; }
+
+private:
+    std::atomic<bool> m_outgrown = false;
 };
 
 /// @param cacheBytes  frames kept in memory at most

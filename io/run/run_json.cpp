@@ -236,6 +236,9 @@ json originJson(const RunOrigin& origin) {
     object["scenario_name"] = origin.scenarioName;
     object["build"] = origin.build;
     object["fingerprint"] = origin.fingerprint.hex();
+    if (!origin.unsaidUnits.empty()) {
+        object["units_fit_as_well"] = origin.unsaidUnits;
+    }
     return object;
 }
 
@@ -265,6 +268,9 @@ RunOrigin originFromJson(const JsonCursor& object) {
     origin.scenarioName = object["scenario_name"].text();
     origin.build = object["build"].text();
     origin.fingerprint = digestFromJson(object["fingerprint"]);
+    if (object.has("units_fit_as_well")) {
+        origin.unsaidUnits = object["units_fit_as_well"].text();
+    }
     return origin;
 }
 

@@ -105,6 +105,7 @@ const words = {
     byMaterial: ['material', '材料'],
     materials: [['stone', 'concrete', 'steel', 'masonry', 'soil', 'water bed'], ['石材', '混凝土', '钢', '砌体', '土', '水底']],
     assumed: ['{0} (assumed)', '{0}（假定）'],
+    asMaterial: ['as {0}, for no material has its density', '按{0}处理：没有材料具有此密度'],
     colours: ['Colours of fragments', '碎块颜色'],
     highlight: ['highlighted', '突出显示'],
     byComponent: ['component', '构件'],

@@ -207,8 +207,7 @@ class Page {
         }
         // What the page says at more length stands above.
         const said = (key) => ['tainted', 'not_complete'].includes(key) || (key === 'limits_passed' && health.acknowledged);
-        lines.push(...cautions.filter((caution) => caution.grade !== 'notice' && !said(caution.key))
-            .map((caution) => saySentence(caution.what)));
+        lines.push(...cautions.filter((caution) => !said(caution.key)).map((caution) => saySentence(caution.what)));
         document.getElementById('warnings').replaceChildren(...lines.map((line) => make('p', { role: 'note' }, line)));
     }
 
@@ -407,7 +406,9 @@ class Page {
         const names = words.materials[speech.chinese ? 1 : 0];
         return names.flatMap((name, kind) => {
             const own = materials.filter((material) => material.kind === kind);
-            const text = own.some((material) => material.assumed) ? say('assumed', name) : name;
+            const guessed = own.filter((material) => material.assumed);
+            const fits = own.length > guessed.length || guessed.some((material) => material.fits);
+            const text = guessed.length === 0 ? name : say(fits ? 'assumed' : 'asMaterial', name);
             return own.length > 0 ? [entry(materialTones[kind], text)] : [];
         });
     }

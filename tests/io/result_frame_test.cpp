@@ -171,9 +171,12 @@ TEST(ResultFrame, UnitsThatTheFileDoesNotDecideAreAFindingWhereverItIsOpened) {
     const auto bare = openFe(folder / "bare.exo", {}, {}, Execution{});
     ASSERT_EQ(bare->contents().findings.count("fe.units_rivals"), 1);
     EXPECT_EQ(bare->contents().findings.count("fe.units_better"), 0);
-    // Somebody who chose is asked for the source of the choice as well.
+    EXPECT_NE(unsaidUnits(bare->contents().findings).find("t-mm-s"), std::string::npos);
+    // Somebody who chooses settles it; that others would fit stays a fact.
     const auto chosen = openFe(folder / "bare.exo", importAs("kg-m-s", "z"), {}, Execution{});
-    EXPECT_EQ(chosen->contents().findings.count("fe.units_rivals"), 1);
+    EXPECT_EQ(chosen->contents().findings.count("fe.units_rivals"), 0);
+    EXPECT_EQ(unsaidUnits(chosen->contents().findings), "");
+    EXPECT_NE(chosen->contents().unitsFrom.find("; the file would fit t-m-s"), std::string::npos) << chosen->contents().unitsFrom;
     const auto open = openFe(folder / "bare.exo", importAs("auto", "z"), {}, Execution{});
     EXPECT_EQ(open->contents().findings.count("fe.units_open"), 1);
     EXPECT_EQ(open->contents().findings.count("fe.units_rivals"), 0) << "said already";
@@ -190,7 +193,7 @@ TEST(ResultFrame, UnitsThatTheFileDoesNotDecideAreAFindingWhereverItIsOpened) {
     }
     const auto tonnes = openFe(folder / "heavy.exo", importAs("t-m-s", "z"), {}, Execution{});
     EXPECT_EQ(tonnes->contents().findings.count("fe.units_better"), 0);
-    EXPECT_EQ(tonnes->contents().findings.count("fe.units_rivals"), 1);
+    EXPECT_EQ(tonnes->contents().findings.count("fe.units_rivals"), 0);
 
     writeCollapse(folder / "si.exo", {}, "z");
     const auto clear = openFe(folder / "si.exo", {}, {}, Execution{});

@@ -148,6 +148,16 @@ void NewCaseUnits::setEvidence(const Evidence& evidence) {
     showFits();
 }
 
+QString NewCaseUnits::rivals() const {
+    QStringList others;
+    for (const std::string& id : rivalSystems(m_evidence.fits)) {
+        if (id != m_taken) {
+            others << QString::fromStdString(id);
+        }
+    }
+    return m_taken.empty() ? QString() : others.join(QStringLiteral(", "));
+}
+
 // A proposal that was taken is said as such; one that was not asks for a decision.
 void NewCaseUnits::showProposals() {
     const auto show = [](Notice& notice, QPushButton& button, const Proposal& proposal, const std::string& taken,

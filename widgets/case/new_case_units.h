@@ -27,6 +27,10 @@ public:
     /// @param fe    null until a file is read; @param mass  kg, of all elements, NaN while it is not known
     void setContent(const FeResult* fe, double mass);
     void setEvidence(const Evidence& evidence);
+    /// Id of the system that the file was read in; empty: none, or not known.
+    const std::string& taken() const { return m_taken; }
+    /// Ids of the systems that fit about as well as the one that was taken; empty: it fits best.
+    QString rivals() const;
 
 private:
     void buildTable();

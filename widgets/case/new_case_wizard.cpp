@@ -132,6 +132,8 @@ QWidget* NewCaseWizard::buildButtons() {
     }
     m_undo->setShortcut(QKeySequence::Undo);
     m_redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+    connect(m_units, &Panel::edited, this,
+            [this](const QString& key) { m_unitsChosen = m_unitsChosen || key == QLatin1String("units"); });
     connect(m_undo, &QPushButton::clicked, this, &NewCaseWizard::undoRequested);
     connect(m_redo, &QPushButton::clicked, this, &NewCaseWizard::redoRequested);
     connect(m_stop, &QPushButton::clicked, this, &NewCaseWizard::stopRequested);
@@ -171,22 +173,48 @@ void NewCaseWizard::setOddDensities(const QString& components) {
     m_oddDensities = components;
 }
 
-bool NewCaseWizard::mayGoOn() {
-    if (m_oddDensities.isEmpty() || m_oddDensities == m_acceptedDensities) {
-        return true;
-    }
-    QMessageBox box(QMessageBox::Warning, tr("Densities of no material"),
-                    tr("No material has the density of %1 in these units.").arg(m_oddDensities), QMessageBox::NoButton, this);
-    box.setInformativeText(
-        tr("Masses, and all that follows from them, would be wrong by the same factor. Choose the units that the file "
-           "is in, or set the densities under Components."));
+bool NewCaseWizard::goesOn(const QString& title, const QString& what, const QString& why, const QString& onward) {
+    QMessageBox box(QMessageBox::Warning, title, what, QMessageBox::NoButton, this);
+    box.setInformativeText(why);
     QPushButton* back = box.addButton(tr("Back to the units"), QMessageBox::RejectRole);
-    QPushButton* on = box.addButton(tr("Go on all the same"), QMessageBox::AcceptRole);
+    QPushButton* on = box.addButton(onward, QMessageBox::AcceptRole);
     box.setDefaultButton(back);
     box.setEscapeButton(back);
     box.exec();
     if (box.clickedButton() != on) {
         go(Units);
+        return false;
+    }
+    return true;
+}
+
+bool NewCaseWizard::acceptsUnits() {
+    const QString rivals = m_units->rivals();
+    if (m_unitsChosen || rivals.isEmpty()) {
+        return true;
+    }
+    const QString taken = QString::fromStdString(m_units->taken());
+    m_unitsChosen = goesOn(tr("Units that nobody has said"), tr("The file fits %1 as well as %2.").arg(rivals, taken),
+                           tr("Nothing in it decides. Ask who made the analysis: lengths, masses and times would be wrong by "
+                              "powers of ten."),
+                           tr("They are %1").arg(taken));
+    if (m_unitsChosen) {
+        emit unitsAccepted();
+    }
+    return m_unitsChosen;
+}
+
+bool NewCaseWizard::mayGoOn() {
+    if (!acceptsUnits()) {
+        return false;
+    }
+    if (m_oddDensities.isEmpty() || m_oddDensities == m_acceptedDensities) {
+        return true;
+    }
+    if (!goesOn(tr("Densities of no material"), tr("No material has the density of %1 in these units.").arg(m_oddDensities),
+                tr("Masses, and all that follows from them, would be wrong by the same factor. Choose the units that the file "
+                   "is in, or set the densities under Components."),
+                tr("Go on all the same"))) {
         return false;
     }
     m_acceptedDensities = m_oddDensities;

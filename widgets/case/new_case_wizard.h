@@ -53,6 +53,8 @@ signals:
     void createRequested();
     void undoRequested();
     void redoRequested();
+    /// Somebody goes on with units that the file does not decide: they are chosen now.
+    void unitsAccepted();
     /// What is being read shall stop.
     void stopRequested();
     /// Another language is spoken: what was put together from words of core is to be said anew.
@@ -67,8 +69,12 @@ private:
     QWidget* buildSteps();
     QWidget* buildButtons();
     void showState();
-    /// Whether to leave the units as they are; asks where a density is that of no material.
+    /// Whether to leave the units as they are; asks where nobody chose among those that fit, and where a density is that of no
+    /// material.
     bool mayGoOn();
+    bool acceptsUnits();
+    /// Asks; goes back to the units unless somebody goes on.
+    bool goesOn(const QString& title, const QString& what, const QString& why, const QString& onward);
     /// Whether what was chosen may be given up; asks where something was.
     bool mayLeave();
     /// Gives the new case up by hand.
@@ -94,6 +100,7 @@ private:
     QPushButton* m_stop;
     QString m_oddDensities;
     QString m_acceptedDensities;  ///< that were gone on with all the same
+    bool m_unitsChosen = false;   ///< by hand
     bool m_ready = false;
 };
 

@@ -228,9 +228,7 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
         style.provenance = io::inputsLine(origin);
-        if (const std::string named = io::unplacedSystem(origin.frame, origin.site); !named.empty()) {
-            style.cautions = pictureCautions({noPlaceCaution(named)});
-        }
+        style.cautions = pictureCautions(origin.cautions);
         figures::writePng(path, figures::mapPicture(map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {

@@ -8,6 +8,7 @@
 #include "app/cli/run/effects_output.h"
 #include "core/analysis/accuracy/loose_beside.h"
 #include "core/base/message.h"
+#include "core/fe/unit_evidence.h"
 #include "io/run/run_cautions.h"
 
 namespace rubble::cli {
@@ -409,6 +410,7 @@ std::optional<Finding> RunReport::beside() const {
 std::vector<Caution> RunReport::cautions() const {
     RunStanding standing = standingOf(*results.simulation, results.fragments->size(), taint.acknowledgement.has_value());
     standing.unplaced = io::unplacedSystem(subject.inputs.frame, subject.theCase.site);
+    standing.unsaidUnits = unsaidUnits(subject.inputs.fe->contents().findings);
     return runCautions(standing);
 }
 

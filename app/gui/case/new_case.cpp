@@ -107,6 +107,12 @@ void NewCase::connectWizard() {
     }
     connect(&wizard, &QDialog::finished, this, &NewCase::finished);
     connect(&wizard, &widgets::NewCaseWizard::createRequested, this, &NewCase::make);
+    connect(&wizard, &widgets::NewCaseWizard::unitsAccepted, this, [this] {
+        // The case says then that somebody has chosen.
+        if (decidedBy(m_document.scenario().import.units) != Decided::ByName) {
+            edit(QStringLiteral("units"), ParameterValue(m_wizard->units().taken()));
+        }
+    });
     connect(&wizard, &widgets::NewCaseWizard::undoRequested, this, [this] { m_document.undoStack().undo(); });
     connect(&wizard, &widgets::NewCaseWizard::redoRequested, this, [this] { m_document.undoStack().redo(); });
     connect(&wizard, &widgets::NewCaseWizard::stopRequested, this, [this] {
@@ -231,6 +237,9 @@ void NewCase::showResults() {
     audit();
     showSummary();
     showUndo();
+    if (m_makeOnceRead && fe != nullptr && !m_computation.failure() && !m_computation.importStale(m_document.scenario())) {
+        make();
+    }
 }
 
 void NewCase::lookForEvidence() {
@@ -368,7 +377,9 @@ void NewCase::showFailure(const Failure& failure) {
 }
 
 void NewCase::make() {
-    if (m_computation.inputs().fe == nullptr) {
+    // Units that were chosen with the last click are read first.
+    m_makeOnceRead = m_computation.importStale(m_document.scenario());
+    if (m_computation.inputs().fe == nullptr || m_makeOnceRead) {
         return;
     }
     Opened opened;

@@ -67,6 +67,7 @@ private:
     std::unique_ptr<widgets::NewCaseWizard> m_wizard;
     ComponentDisplay* m_components;
     std::shared_ptr<const FeResult> m_judged;     // that evidence was looked for in
+    bool m_makeOnceRead = false;                  // the case was asked for while its units are read anew
     bool m_unitsTaken = false;                    // the best that the file fits was looked for
     std::shared_ptr<const Components> m_audited;  // that the account of deaths is about
     // Last, so that it has ended before anything it uses goes.

@@ -130,6 +130,11 @@ MapDisplay::MapDisplay(Session& session, Playback& playback, DockArea& docks, Ac
     connect(&m_computation, &Computation::runReopened, this, &MapDisplay::refresh);
     connect(&m_computation, &Computation::prepared, this, &MapDisplay::refresh);
     connect(&m_document, &Document::surveysChanged, this, &MapDisplay::refresh);
+    connect(&m_document, &Document::scenarioChanged, this, [this] {
+        if (wanted()) {
+            m_rest.start();  // a run that the case has outgrown says so on its map
+        }
+    });
     connect(&m_work, &MapWork::changed, this, &MapDisplay::show);
     // What is told since is about something else.
     connect(&session, &Session::told, this, [this] { m_waitTold = false; });
@@ -207,7 +212,6 @@ void MapDisplay::show() {
         content.map = std::shared_ptr<const RunMap>(made, &made->map);
         content.place = pictureStyle(io::mapOrigin(*made->run, made->map.map, made->map.shown));
         content.place.provenance.clear();
-        content.place.cautions = widgets::cautionWords(runCautions(io::standingOf(*made->run))).toStdString();
         content.place.outlines = made->outlines;
     } else {
         const auto& failure = m_work.answer.failure();
@@ -263,6 +267,7 @@ void MapDisplay::saveTo(const QString& path) {
     const widgets::RunMapChoice& choice = m_panel->choice();
     figures::MapPictureStyle style = m_panel->style();
     style.provenance = io::footLine(made->run->origin());
+    style.cautions = widgets::cautionWords(runCautions(io::standingOf(*made->run))).toStdString();
     style.subject = io::mapSubject(made->run->origin(), m_document.path().toStdString());
     style.fitted = true;
     const double contours = choice.contours > 0.0 ? choice.contours : packageContours;

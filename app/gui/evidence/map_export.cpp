@@ -15,9 +15,7 @@ figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin) {
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;
     style.provenance = io::inputsLine(origin);
-    if (const std::string named = io::unplacedSystem(origin.frame, origin.site); !named.empty()) {
-        style.cautions = widgets::cautionWords({noPlaceCaution(named)}).toStdString();
-    }
+    style.cautions = widgets::cautionWords(origin.cautions).toStdString();
     return style;
 }
 

@@ -492,6 +492,12 @@ bool Computation::runStale(const Scenario& scenario) const {
     return stageKey(m_opened.inputs, now, Stage::Simulation) != stageKey(m_opened.inputs, m_run->scenario, Stage::Simulation);
 }
 
+void Computation::judgeRun(const Scenario& scenario) const {
+    if (m_run != nullptr && m_run->reader != nullptr) {
+        m_run->reader->setOutgrown(!m_run->running && runStale(scenario));
+    }
+}
+
 widgets::StageState Computation::state(Stage stage, const Scenario& scenario) const {
     using widgets::StageState;
     if (stage == Stage::Import && m_opener.busy()) {

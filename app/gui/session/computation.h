@@ -156,6 +156,8 @@ public:
     /// Whether the FE result was read with other import settings than the scenario's.
     bool importStale(const Scenario& scenario) const;
     bool runStale(const Scenario& scenario) const;
+    /// The case has this scenario now: what is exported of the run says whether it has outgrown the run.
+    void judgeRun(const Scenario& scenario) const;
     /// The state of a stage as the rail shows it, with its progress.
     widgets::StageState state(Stage stage, const Scenario& scenario) const;
     double fraction(Stage stage) const;

@@ -19,8 +19,41 @@ void dropFile(const RunRecord& run) {
     }
 }
 
+/// Id of the units that settings read a file in; words of case files where nothing else is known.
+std::string unitsOf(const ImportSettings& settings, const Frame& frame) {
+    if (decidedBy(settings.units) == Decided::ByFrame && frame.metresPerUnit == 1.0) {
+        return "kg-m-s";
+    }
+    return std::string(unitChoices()[settings.units]);
+}
+
+/// A run stands on the FE result as it was read then: read otherwise, places and masses of the two would be mixed.
+void checkReading(const std::string& path, const io::RunOrigin& run, const ImportSettings& now, const Frame& frame) {
+    const std::string then = unitsOf(run.scenario.import, run.frame);
+    const std::string units = unitsOf(now, frame);
+    if (then != units || run.frame.metresPerUnit != frame.metresPerUnit) {
+        throw UsageError({"gui.run_in_other_units",
+                          "{0} was made of the FE result in the units {1}; the case reads it in {2}",
+                          {path, then, units}},
+                         {"gui.run_in_other_units.remedy",
+                          "Set the units of the file to {0} under Case to show this run, or simulate anew.",
+                          {then}});
+    }
+    ImportSettings like = run.scenario.import;
+    like.units = now.units;
+    like.upAxis = now.upAxis;
+    if (!(like == now) || run.frame.upAxis != frame.upAxis || run.frame.origin != frame.origin) {
+        throw UsageError(
+            {"gui.run_read_otherwise",
+             "{0} was made of the FE result with another axis, origin, active flag or displacement than the case has now",
+             {path}},
+            {"gui.run_read_otherwise.remedy", "Set them back under Case to show this run, or simulate anew.", {}});
+    }
+}
+
 /// Reads a run that was kept. What it was made from comes from its own file, the components from its settings.
-void readKept(RunRecord& record, const Inputs& inputs, const Results& previous, const Execution& execution) {
+void readKept(RunRecord& record, const Inputs& inputs, const ImportSettings& import, const Results& previous,
+              const Execution& execution) {
     record.reader = io::openRun(record.path.toStdString());
     const io::RunOrigin& origin = record.reader->origin();
     if (origin.feSha256 != inputs.fe->contents().sha256) {
@@ -28,6 +61,7 @@ void readKept(RunRecord& record, const Inputs& inputs, const Results& previous, 
             {"gui.run_of_another", "{0} was made from another FE result than the one that is open", {record.path.toStdString()}},
             {"gui.run_of_another.remedy", "Open the case that it belongs to.", {}});
     }
+    checkReading(record.path.toStdString(), origin, import, inputs.frame);
     record.scenario = origin.scenario;
     record.scenarioName = QString::fromStdString(origin.scenarioName);
     record.results = run(inputs, origin.scenario, Stage::Clusters, previous, nullptr, execution);
@@ -72,9 +106,9 @@ void Computation::readRun(const QString& path, double wallSeconds,
     record->kept = true;
     record->wallSeconds = wallSeconds;
     m_worker.start({Worker::Kind::Reopen,
-                    [record, inputs = m_opened.inputs, previous = m_results](const Execution& execution) {
+                    [record, inputs = m_opened.inputs, import = m_import, previous = m_results](const Execution& execution) {
                         execution.report({"gui.opening_run", "Opening the run", {}}, 0.0);
-                        readKept(*record, inputs, previous, execution);
+                        readKept(*record, inputs, import, previous, execution);
                     },
                     [this, record, take, fe = m_opened.inputs.fe](const std::exception_ptr& thrown) {
                         if (const auto failure = failureOf(thrown)) {

@@ -50,6 +50,12 @@ RunControl::RunControl(Session& session, const Shown& shown, Actions& actions, Q
     connect(&m_computation, &Computation::runBegun, this, &RunControl::runBegun);
     connect(&m_computation, &Computation::runEnded, this, &RunControl::runEnded);
     connect(&m_computation, &Computation::runReopened, this, &RunControl::runReopened);
+    const auto judge = [this] { m_computation.judgeRun(m_document.scenario()); };
+    connect(&m_document, &Document::replaced, this, judge);
+    connect(&m_document, &Document::scenarioChanged, this, judge);
+    connect(&m_computation, &Computation::prepared, this, judge);
+    connect(&m_computation, &Computation::runEnded, this, judge);
+    connect(&m_computation, &Computation::runReopened, this, judge);
     connect(&m_shown.accuracy, &AccuracyDisplay::changed, this, &RunControl::changed);
     connect(&m_shown.calibration, &CalibrationDisplay::changed, this, &RunControl::changed);
     connect(&m_shown.validation, &ValidationDisplay::changed, this, &RunControl::changed);

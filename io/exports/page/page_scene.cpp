@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/fe/components.h"
+#include "core/fe/material.h"
 #include "io/exports/page/page_export.h"
 #include "io/exports/page/page_structure.h"
 #include "io/run/fragment_places.h"
@@ -181,13 +182,14 @@ void addShapes(nlohmann::json& about) {
     }
 }
 
-/// Of each component the number of its material, and whether that was guessed from a density.
+/// Of each component the number of its material, whether that was guessed from a density, and whether some material has that.
 nlohmann::json materialsOf(const Components& components, const Scenario& scenario) {
     nlohmann::json materials = nlohmann::json::array();
     for (const Component& component : components.list) {
         const auto settings = scenario.components.find(component.name);
         const bool given = settings != scenario.components.end() && settings->second.material.has_value();
-        materials.push_back({{"kind", static_cast<int>(component.material)}, {"assumed", !given}});
+        materials.push_back(
+            {{"kind", static_cast<int>(component.material)}, {"assumed", !given}, {"fits", someMaterialFits(component.density)}});
     }
     return materials;
 }

@@ -231,7 +231,8 @@ void ReportSections::addComponents() {
         guessed += isSaid ? 0 : 1;
         const QString material = nameOf(component.material);
         const bool fits = someMaterialFits(component.density);
-        const QString guess = fits ? tr("%1, by its density").arg(material) : tr("as %1, for none has its density").arg(material);
+        const QString guess =
+            fits ? tr("%1, by its density").arg(material) : tr("as %1, for no material has its density").arg(material);
         table.rows.push_back({escaped(component.name), isSaid ? material : guess, reportNumber(component.density, 4),
                               count(static_cast<std::int64_t>(component.elements.size())), tonnes(component.mass), count(born[c]),
                               tonnes(mass[c])});

@@ -62,19 +62,16 @@ public:
 
     std::uint32_t bit(BitModel& model) {
         const std::uint32_t parted = model.m_zeroShare * (m_length >> 13);
-        const bool one = m_value >= parted;
-        if (one) {
-            m_value -= parted;
-            m_length -= parted;
-        } else {
-            m_length = parted;
-            ++model.m_zeros;
-        }
+        // By masks, as no processor foretells bits. What is below the parted share is a 0.
+        const auto zero = static_cast<std::uint32_t>((std::uint64_t{m_value} - parted) >> 32);
+        m_value -= parted & ~zero;
+        m_length = parted + ((m_length - 2 * parted) & ~zero);
+        model.m_zeros -= zero;
         widen();
         if (--model.m_left == 0) [[unlikely]] {
             model.learn();
         }
-        return one ? 1 : 0;
+        return 1 + zero;
     }
 
     std::uint32_t symbol(SymbolModel& model) {
@@ -86,11 +83,14 @@ public:
             ++at;
         }
         const std::uint32_t low = at[0].from * unit;
-        // What is above the last symbol is its as well. By a mask: no processor foretells which symbol it is.
-        const std::uint32_t high = at[1].from * unit;
-        const std::uint32_t last = 0U - static_cast<std::uint32_t>(at[1].from > SymbolModel::wholeShare);
+        // What is above the last symbol is its as well. The product is made in any case: a compiler that leaves it out makes a
+        // branch, and no processor foretells which symbol it is.
+        const std::uint32_t next = at[1].from;
+        std::uint32_t high = next * unit;
+        asm("" : "+r"(high));
+        high = next > SymbolModel::wholeShare ? m_length : high;
         m_value -= low;
-        m_length = (high ^ ((high ^ m_length) & last)) - low;
+        m_length = high - low;
         ++at->count;
         const auto found = static_cast<std::uint32_t>(at - entries);
         --model.m_left;

@@ -65,7 +65,7 @@ inline std::uint32_t IntegerDecoder::difference(ArithmeticDecoder& decoder) {
         return std::uint32_t{1} << 31;
     }
     SymbolModel& model = m_differences[m_length];
-    if (!model.started()) {
+    if (!model.started()) [[unlikely]] {
         model.start(std::uint32_t{1} << std::min(m_length, modelledBits));
     }
     std::uint32_t code = decoder.symbol(model);

@@ -38,6 +38,10 @@ std::uint32_t wideLengthContext(std::uint32_t bits, std::uint32_t most, bool sin
     return std::min(bits & ~1U, most) + (single ? 1 : 0);
 }
 
+std::int32_t moved(std::int32_t from, std::int32_t step) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(from) + static_cast<std::uint32_t>(step));
+}
+
 std::uint32_t symbolOf(ArithmeticDecoder& decoder, SymbolModel& model, std::uint32_t symbols) {
     if (!model.started()) {
         model.start(symbols);
@@ -179,12 +183,9 @@ void LazLayers::decode(unsigned char* record) {
     const std::size_t context = (last.echo == 1 ? 1U : 0U) + (last.echo >= last.echoes ? 2U : 0U) + (last.timeChanged ? 4U : 0U);
     const std::uint32_t changed = symbolOf(*m_layers[Place].decoder, m_channels[m_now]->changes[context], 128);
     Channel& channel = channelOf(changed);
-    const bool timeChanges = (changed & 16) != 0;
-    decodeEchoes(channel, changed, timeChanges);
-    decodePlace(channel, timeChanges);
-    decodeMarks(channel, timeChanges);
-    channel.timeChanged = timeChanges;
-    decodeColour((changed & 64) != 0);
+    channel.timeChanged = (changed & 16) != 0;
+    decodeEchoes(channel, changed, channel.timeChanged);
+    decodeLayers(channel, (changed & 64) != 0);
     write(channel, record);
 }
 
@@ -210,45 +211,82 @@ void LazLayers::decodeEchoes(Channel& channel, std::uint32_t changed, bool timeC
     }
 }
 
-void LazLayers::decodePlace(Channel& channel, bool timeChanges) {
-    ArithmeticDecoder& decoder = *m_layers[Place].decoder;
+/// Layers take turns, symbol by symbol: each waits for the one before it in its layer only, so that a processor works on some.
+void LazLayers::decodeLayers(Channel& channel, bool switched) {
+    ArithmeticDecoder& place = *m_layers[Place].decoder;
     const bool single = channel.echoes == 1;
-    const std::size_t kind = 2 * wideEchoKind(channel.echoes, channel.echo) + (timeChanges ? 1 : 0);
-    const auto moved = [](std::int32_t from, std::int32_t step) {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(from) + static_cast<std::uint32_t>(step));
-    };
-    const std::int32_t stepX = channel.stepX.decode(decoder, channel.stepsX[kind].median(), single ? 1 : 0);
+    const std::size_t ends = channel.ends();
+    const std::size_t kind = 2 * wideEchoKind(channel.echoes, channel.echo) + (channel.timeChanged ? 1 : 0);
+    Palette* const palette = paletteOf(switched);
+    ArithmeticDecoder* const colour = palette != nullptr && m_layers[Colour].there() ? &*m_layers[Colour].decoder : nullptr;
+    ArithmeticDecoder* const time = channel.timeChanged && m_layers[Time].there() ? &*m_layers[Time].decoder : nullptr;
+    ArithmeticDecoder* const bright = m_layers[Intensity].there() ? &*m_layers[Intensity].decoder : nullptr;
+
+    if (colour != nullptr) {
+        palette->colours.decodeChanged(*colour, m_colour);
+    }
+    channel.stepX.decodeLength(place, single ? 1 : 0);
+    if (bright != nullptr) {
+        channel.brightness.decodeLength(*bright, static_cast<std::uint32_t>(ends));
+    }
+    if (colour != nullptr) {
+        palette->colours.decodePart<0>(*colour);
+    }
+    const std::int32_t stepX = channel.stepX.decodeRest(place, channel.stepsX[kind].median());
+    if (time != nullptr) {
+        channel.times.decodeCode(*time);
+    }
+    if (colour != nullptr) {
+        palette->colours.decodePart<1>(*colour);
+    }
     channel.stepsX[kind].add(stepX);
     channel.x = moved(channel.x, stepX);
-    const std::int32_t stepY =
-        channel.stepY.decode(decoder, channel.stepsY[kind].median(), wideLengthContext(channel.stepX.length(), 20, single));
+    channel.stepY.decodeLength(place, wideLengthContext(channel.stepX.length(), 20, single));
+    if (bright != nullptr) {
+        std::uint16_t& intensity = channel.intensities[2 * ends + (channel.timeChanged ? 1 : 0)];
+        intensity = static_cast<std::uint16_t>(channel.brightness.decodeRest(*bright, intensity));
+        channel.intensity = intensity;
+    }
+    if (colour != nullptr) {
+        palette->colours.decodePart<2>(*colour);
+    }
+    const std::int32_t stepY = channel.stepY.decodeRest(place, channel.stepsY[kind].median());
+    if (time != nullptr) {
+        channel.times.decodeLength(*time);
+    }
+    if (colour != nullptr) {
+        palette->colours.decodePart<4>(*colour);
+    }
     channel.stepsY[kind].add(stepY);
     channel.y = moved(channel.y, stepY);
+    std::int32_t& height = channel.heights[levelOf(channel.echoes, channel.echo)];
+    const std::uint32_t bits = (channel.stepX.length() + channel.stepY.length()) / 2;
     if (m_layers[Height].there()) {
-        std::int32_t& height = channel.heights[levelOf(channel.echoes, channel.echo)];
-        const std::uint32_t bits = (channel.stepX.length() + channel.stepY.length()) / 2;
-        height = channel.height.decode(*m_layers[Height].decoder, height, wideLengthContext(bits, 18, single));
-        channel.z = height;
+        channel.height.decodeLength(*m_layers[Height].decoder, wideLengthContext(bits, 18, single));
     }
-}
-
-void LazLayers::decodeMarks(Channel& channel, bool timeChanges) {
-    const std::size_t ends = channel.ends();
+    if (time != nullptr) {
+        channel.time = channel.times.decodeRest(*time);
+    }
+    if (colour != nullptr) {
+        palette->colours.decodePart<3>(*colour);
+    }
     if (m_layers[Class].there()) {
         SymbolModel& model = channel.classes[(channel.number & 31U) * 2 + (ends == 3 ? 1 : 0)];
         channel.number = symbolOf(*m_layers[Class].decoder, model, 256);
     }
+    if (m_layers[Height].there()) {
+        height = channel.height.decodeRest(*m_layers[Height].decoder, height);
+        channel.z = height;
+    }
+    if (colour != nullptr) {
+        palette->colours.decodePart<5>(*colour);
+        m_colour = palette->colours.colour();
+    }
+    if (palette != nullptr) {
+        m_palettes[m_known]->last = m_colour;
+    }
     if (m_layers[Flags].there()) {
         channel.flags = symbolOf(*m_layers[Flags].decoder, channel.flagSets[channel.flags], 64);
-    }
-    if (m_layers[Intensity].there()) {
-        std::uint16_t& intensity = channel.intensities[2 * ends + (timeChanges ? 1 : 0)];
-        intensity = static_cast<std::uint16_t>(
-            channel.brightness.decode(*m_layers[Intensity].decoder, intensity, static_cast<std::uint32_t>(ends)));
-        channel.intensity = intensity;
-    }
-    if (timeChanges && m_layers[Time].there()) {
-        channel.time = channel.times.decode(*m_layers[Time].decoder);
     }
 }
 
@@ -258,23 +296,21 @@ void LazLayers::startPalette(std::size_t channel) {
     m_palettes[channel]->last = m_colour;
 }
 
-void LazLayers::decodeColour(bool switched) {
+/// What the colour of the next point is decoded by, from that which m_colour is then; null: there are no colours.
+LazLayers::Palette* LazLayers::paletteOf(bool switched) {
     if (m_layout.colour < 0) {
-        return;
+        return nullptr;
     }
     const std::size_t channel = m_turns == Turns::Item3 && !switched ? 0 : m_now;
-    std::size_t known = m_turns == Turns::Item4 ? channel : m_colourNow;
+    m_known = m_turns == Turns::Item4 ? channel : m_colourNow;
     if (m_palettes[channel] == nullptr) {
         m_colour = m_palettes[m_colourNow]->last;
         startPalette(channel);
-        known = channel;
+        m_known = channel;
     }
     m_colourNow = channel;
-    std::uint64_t& last = m_palettes[known]->last;
-    if (m_layers[Colour].there()) {
-        last = m_palettes[channel]->colours.decode(*m_layers[Colour].decoder, last);
-    }
-    m_colour = last;
+    m_colour = m_palettes[m_known]->last;
+    return m_palettes[channel].get();
 }
 
 void LazLayers::write(const Channel& channel, unsigned char* record) const {

@@ -57,9 +57,8 @@ private:
     void startPalette(std::size_t channel);
     Channel& channelOf(std::uint32_t changed);
     void decodeEchoes(Channel& channel, std::uint32_t changed, bool timeChanges);
-    void decodePlace(Channel& channel, bool timeChanges);
-    void decodeMarks(Channel& channel, bool timeChanges);
-    void decodeColour(bool switched);
+    void decodeLayers(Channel& channel, bool switched);
+    Palette* paletteOf(bool switched);
     void write(const Channel& channel, unsigned char* record) const;
 
     LasLayout m_layout;
@@ -72,6 +71,7 @@ private:
     std::array<std::unique_ptr<Palette>, 4> m_palettes;
     std::size_t m_now = 0;
     std::size_t m_colourNow = 0;  ///< channel that colours are decoded by
+    std::size_t m_known = 0;      ///< channel whose last colour the next one is told from
     std::uint64_t m_colour = 0;
 };
 

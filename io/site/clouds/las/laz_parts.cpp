@@ -18,28 +18,36 @@ std::int32_t multiple(std::int32_t difference, std::int32_t factor) {
 }
 
 /// One number if all bits of the mask are set, the other if none is.
-std::int32_t chosen(std::int32_t mask, std::int32_t one, std::int32_t other) {
+std::int64_t chosen(std::int64_t mask, std::int64_t one, std::int64_t other) {
     return other ^ ((one ^ other) & mask);
 }
 
-/// A step of a colour foretold by what another did, within a byte.
-std::uint32_t foretold(std::uint32_t last, std::int32_t change) {
-    return static_cast<std::uint32_t>(std::clamp(static_cast<std::int32_t>(last) + change, 0, 255));
+/// One number of 32 bits less another where it is the lesser, else 0.
+std::int64_t shortfall(std::int64_t one, std::int64_t other) {
+    const std::int64_t beyond = one - other;
+    return beyond & beyond >> 63;
 }
 
 }  // namespace
 
 void RunningMedian::add(std::int32_t number) {
     // By masks: a compiler makes branches of conditions here, and no processor foretells them.
-    const std::array<std::int32_t, 5> old = m_sorted;
-    const std::int32_t greatest = m_dropGreatest;
-    m_dropGreatest = -static_cast<std::int32_t>((number < old[2]) | ((number == old[2]) & (greatest == 0)));
+    const std::int64_t added = number;
+    const std::array<std::int64_t, 5> old{m_sorted[0], m_sorted[1], m_sorted[2], m_sorted[3], m_sorted[4]};
+    const std::int64_t greatest = m_dropGreatest;
+    // By the side of the new one; at the median itself it is dropped on the other side than now.
+    m_dropGreatest = static_cast<std::int32_t>((added - old[2] - (greatest + 1)) >> 63);
     // The four that stay, with the new one put between them.
-    const std::array<std::int32_t, 4> stays{chosen(greatest, old[0], old[1]), chosen(greatest, old[1], old[2]),
+    const std::array<std::int64_t, 4> stays{chosen(greatest, old[0], old[1]), chosen(greatest, old[1], old[2]),
                                             chosen(greatest, old[2], old[3]), chosen(greatest, old[3], old[4])};
-    m_sorted = {std::min(stays[0], number), std::max(stays[0], std::min(stays[1], number)),
-                std::max(stays[1], std::min(stays[2], number)), std::max(stays[2], std::min(stays[3], number)),
-                std::max(stays[3], number)};
+    // Each place takes the lesser of what stays and what is to be put; the greater is put behind it.
+    std::int64_t rest = added;
+    for (std::size_t k = 0; k < stays.size(); ++k) {
+        const std::int64_t less = stays[k] + shortfall(rest, stays[k]);
+        m_sorted[k] = static_cast<std::int32_t>(less);
+        rest += stays[k] - less;
+    }
+    m_sorted[4] = static_cast<std::int32_t>(rest);
 }
 
 void LazTimes::start(std::uint64_t time) {
@@ -148,23 +156,6 @@ void LazColours::start() {
     for (SymbolModel& model : m_differences) {
         model.start(256);
     }
-}
-
-void LazColours::takePart(ArithmeticDecoder& decoder, std::size_t part) {
-    const std::size_t half = part % 2;
-    const auto byteOf = [](std::uint64_t colour, std::size_t of) { return static_cast<std::uint32_t>(colour >> 8 * of & 0xffU); };
-    const auto moved = [&](std::size_t of) {
-        return static_cast<std::int32_t>(byteOf(m_now, of)) - static_cast<std::int32_t>(byteOf(m_before, of));
-    };
-    const std::uint32_t before = byteOf(m_before, part);
-    std::uint32_t expected = before;
-    if (part > 3) {
-        expected = foretold(expected, (moved(half) + moved(2 + half)) / 2);
-    } else if (part > 1) {
-        expected = foretold(expected, moved(half));
-    }
-    const std::uint32_t byte = (decoder.symbol(m_differences[part]) + expected) & 0xffU;
-    m_now ^= std::uint64_t{before ^ byte} << 8 * part;
 }
 
 }  // namespace rubble::io

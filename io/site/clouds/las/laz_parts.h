@@ -104,13 +104,19 @@ public:
     template <std::size_t Part>
     void decodePart(ArithmeticDecoder& decoder) {
         if ((m_bits >> Part & 1) != 0) {
-            takePart(decoder, Part);
+            takePart<Part>(decoder);
         }
     }
     std::uint64_t colour() const { return (m_bits & 64) != 0 ? m_now : (m_now & 0xffffU) * 0x1'0001'0001U; }
 
 private:
-    void takePart(ArithmeticDecoder& decoder, std::size_t part);
+    /// How far a byte moved since the last colour.
+    std::int32_t moved(std::size_t of) const {
+        const auto byteOf = [of](std::uint64_t colour) { return static_cast<std::int32_t>(colour >> 8 * of & 0xffU); };
+        return byteOf(m_now) - byteOf(m_before);
+    }
+    template <std::size_t Part>
+    void takePart(ArithmeticDecoder& decoder);
 
     std::uint32_t m_bits = 0;  ///< by byte: it changed; the seventh: it is no grey
     std::uint64_t m_before = 0;
@@ -118,5 +124,19 @@ private:
     SymbolModel m_changed;
     std::array<SymbolModel, 6> m_differences;
 };
+
+template <std::size_t Part>
+void LazColours::takePart(ArithmeticDecoder& decoder) {
+    constexpr std::size_t half = Part % 2;
+    const auto before = static_cast<std::uint32_t>(m_before >> 8 * Part & 0xffU);
+    std::uint32_t expected = before;
+    // What other bytes did foretells this one, within a byte.
+    if constexpr (Part > 1) {
+        const std::int32_t change = Part > 3 ? (moved(half) + moved(2 + half)) / 2 : moved(half);
+        expected = static_cast<std::uint32_t>(std::clamp(static_cast<std::int32_t>(before) + change, 0, 255));
+    }
+    const std::uint32_t byte = (decoder.symbol(m_differences[Part]) + expected) & 0xffU;
+    m_now ^= std::uint64_t{before ^ byte} << 8 * Part;
+}
 
 }  // namespace rubble::io

@@ -53,11 +53,11 @@ Caution ensembleCaution(std::size_t members, double mean, double worst) {
     const Message what =
         std::isfinite(mean) && std::isfinite(worst)
             ? Message{"caution.ensemble",
-                      "of {0} members: the probability of a cell may be off by {1} in the mean and by {2} at most, one standard "
+                      "members: {0}; the probability of a cell may be off by {1} in the mean and by {2} at most, one standard "
                       "error; that covers what was varied and nothing else",
                       {members, mean, worst}}
             : Message{"caution.ensemble_unknown",
-                      "of {0} members: how far the probability of a cell may be off is not known, and nothing but what was varied "
+                      "members: {0}; how far the probability of a cell may be off is not known, and nothing but what was varied "
                       "is in it",
                       {members}};
     return {"ensemble", HealthGrade::Finding, what};

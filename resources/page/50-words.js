@@ -37,6 +37,8 @@ const words = {
     health: ['Health', '健康'],
     about: ['Source', '来源'],
     fePane: ['Conventional FE result', '常规有限元结果'],
+    bodiesPane: ['Bodies that are not let go yet', '尚未放开的物体'],
+    given: ['given', '给定'],
     fragmentPane: ['Fragments', '碎块'],
     between: ['interpolated', '插值'],
     atState: ['state {0} of {1}', '状态 {0}/{1}'],

@@ -314,11 +314,12 @@ class Page {
 
     caption() {
         const { player } = this;
+        const table = this.facts.scene.looseBodies;
         const { structure } = player;
         const state = structure.stateAt(player.time);
         const between = structure.shareAt(player.time) > 0 && !(player.playing && player.slow) ? `, ${say('between')}` : '';
         const captions = [
-            `${say('fePane')} (${say('computed')}): ${say('atState', state + 1, structure.times.length)}${between}; ` +
+            `${say(table ? 'bodiesPane' : 'fePane')} (${say(table ? 'given' : 'computed')}): ${say('atState', state + 1, structure.times.length)}${between}; ` +
                 say('activeCount', sayCount(player.activeCount)),
             `${say('fragmentPane')} (${say('simulated')}${player.betweenFrames() ? `, ${say('between')}` : ''}): ` +
                 say('pieceCount', sayCount(player.pieceCount))];

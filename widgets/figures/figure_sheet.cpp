@@ -117,10 +117,10 @@ void dress(render::View& view, render::Style style) {
     }
 }
 
-QString paneName(render::PaneContent content) {
+QString paneName(render::PaneContent content, bool looseBodies) {
     switch (content) {
         case render::PaneContent::Fe:
-            return tr("Conventional FE result");
+            return looseBodies ? tr("Bodies that are not let go yet") : tr("Conventional FE result");
         case render::PaneContent::Overlay:
             return tr("Fragments and intact outline");
         case render::PaneContent::Plan:
@@ -261,6 +261,9 @@ SheetLegend legendOf(const Sheet& sheet) {
 }
 
 QString classWords(render::PaneContent content, const render::PaneStatus& status) {
+    if (content == render::PaneContent::Fe && status.looseBodies) {
+        return tr("given");
+    }
     if (content == render::PaneContent::Fe) {
         return status.interpolated ? tr("computed, between two states")
                : status.afterFeEnd ? tr("computed, last state")
@@ -279,7 +282,7 @@ QString classWords(render::PaneContent content, const render::PaneStatus& status
 QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status, double timeOrigin,
                      const QString& stage, std::size_t outside) {
     const QString letter = QStringLiteral("%1) ").arg(QChar(static_cast<char16_t>('a' + index % 26)));
-    const QString name = stage.isEmpty() ? paneName(content) : stage;
+    const QString name = stage.isEmpty() ? paneName(content, status.looseBodies) : stage;
     if (status.states == 0) {
         return letter + name;
     }

@@ -174,7 +174,7 @@ SheetLegend legendOf(const Sheet& sheet);
 void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout);
 
 /// What a pane shows, without a time: "Conventional FE result".
-QString paneName(render::PaneContent content);
+QString paneName(render::PaneContent content, bool looseBodies = false);
 
 /// "a) Conventional FE result (t = 1.68 s, computed)": the class of what is shown always stands in the brackets.
 /// @param stage    instead of the name of what is shown, empty: none

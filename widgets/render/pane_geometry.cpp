@@ -60,6 +60,7 @@ PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allF
     }
     m_status.states = static_cast<std::uint32_t>(data.fe->stateCount());
     m_status.elements = data.fe->mesh().elementCount();
+    m_status.looseBodies = data.fe->contents().looseBodies;
     makeFaces(m_data.fragments && m_data.trajectory && m_data.trajectory->frameCount() > 0);
 }
 

@@ -32,6 +32,7 @@ struct PaneStatus {
     bool interpolated = false;  ///< between two FE states (FE pane) or two frames (fragments pane)
     bool afterFeEnd = false;    ///< the structure is held at the last FE state
     bool waitsForRun = false;   ///< the run has not got to the view's time; the last computed instant is shown
+    bool looseBodies = false;   ///< of a table of bodies: there is no FE result
     bool simulated = false;     ///< bodies come from a trajectory; else fragments stand at their birth place
     FrameKind kind = FrameKind::Fe;
     std::size_t elements = 0;                  ///< of the model

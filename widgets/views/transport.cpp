@@ -115,7 +115,7 @@ void Transport::offerRates() {
     }
 }
 
-void Transport::setSpan(double last, double feEnd) {
+void Transport::setSpan(double last, double feEnd, bool looseBodies) {
     if (m_offered != usualRate()) {
         offerRates();
         emit ratePicked(m_offered);
@@ -123,8 +123,8 @@ void Transport::setSpan(double last, double feEnd) {
     m_last = last;
     m_feEnd = feEnd;
     const QString end = tr("of %1").arg(figures::timeText(last - m_origin));
-    m_span->setText(last > feEnd + 1e-9 ? end + QLatin1Char('\n') + tr("FE ends at %1").arg(figures::timeText(feEnd - m_origin))
-                                        : end);
+    const QString until = (looseBodies ? tr("all let go by %1") : tr("FE ends at %1")).arg(figures::timeText(feEnd - m_origin));
+    m_span->setText(last > feEnd + 1e-9 ? end + QLatin1Char('\n') + until : end);
 }
 
 void Transport::setTimeOrigin(double origin) {

@@ -18,7 +18,8 @@ public:
     void setTime(double time);
     /// @param last   s, the latest instant that can be shown
     /// @param feEnd  s, end of the FE result
-    void setSpan(double last, double feEnd);
+    /// @param looseBodies  there is none: it is when the last body of a table is let go
+    void setSpan(double last, double feEnd, bool looseBodies = false);
     void setPlaying(bool playing);
     void setRate(double rate);
     void setAvailable(bool available);

@@ -160,7 +160,7 @@ void Playback::refresh(bool runStale) {
     m_timeline.setRange(first, std::max(last, axisEnd));
     m_timeline.setFeEnd(feEnd);
     m_timeline.setComputed(first, record != nullptr ? record->newest : first, runStale);
-    m_transport.setSpan(last, feEnd);
+    m_transport.setSpan(last, feEnd, fe->contents().looseBodies);
 }
 
 // Where nothing has died yet there is nothing to see of a run.

@@ -226,6 +226,7 @@ PageScene packedScene(const RunReader& run, const FeResult& fe, const PagePrecis
     scene.about["placeStep"] = precision.placeStep;
     scene.about["cornerStep"] = precision.cornerStep;
     scene.about["components"] = run.componentNames();
+    scene.about["looseBodies"] = fe.contents().looseBodies;
     scene.about["materials"] = materialsOf(components, scenario);
     return scene;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 namespace {
@@ -54,6 +55,30 @@ TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     run.acknowledged = true;
     EXPECT_EQ(find(runCautions(run), "tainted"), nullptr);
     EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what), "1 limit of health passed, acknowledged");
+}
+
+TEST(Cautions, OtherSettingsAndUnitsThatNobodySaidAreToldInPictures) {
+    RunStanding run = rested();
+    EXPECT_EQ(find(runCautions(run), "other_settings"), nullptr);
+    EXPECT_EQ(find(runCautions(run), "units_unsaid"), nullptr);
+    run.outgrown = true;
+    run.unsaidUnits = "g-cm-s, g-cm-us";
+    const std::vector<Caution> list = runCautions(run);
+    for (const char* key : {"other_settings", "units_unsaid"}) {
+        ASSERT_NE(find(list, key), nullptr) << key;
+        EXPECT_TRUE(find(list, key)->inPictures()) << key;
+    }
+    EXPECT_EQ(englishText(find(list, "units_unsaid")->what),
+              "nobody has said which units the FE result counts in: it would fit g-cm-s, g-cm-us as well, with other lengths, "
+              "masses and times");
+}
+
+TEST(Cautions, AnEnsembleSaysHowFarItsProbabilitiesMayBeOff) {
+    EXPECT_EQ(pictureCautions({ensembleCaution(16, 0.09, 0.11)}),
+              "members: 16; the probability of a cell may be off by 0.09 in the mean and by 0.11 at most, one standard error; that "
+              "covers what was varied and nothing else");
+    EXPECT_EQ(pictureCautions({ensembleCaution(1, std::nan(""), std::nan(""))}),
+              "members: 1; how far the probability of a cell may be off is not known, and nothing but what was varied is in it");
 }
 
 TEST(Cautions, ASystemWithoutAPlaceInItIsToldInPictures) {

@@ -209,7 +209,7 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
 
 QString captionText(render::PaneContent content, const render::PaneStatus& status) {
     const bool fe = content == render::PaneContent::Fe;
-    const QString name = fe                                        ? tr("Conventional FE result")
+    const QString name = fe                                        ? paneName(content, status.looseBodies)
                          : content == render::PaneContent::Overlay ? tr("Fragments and intact outline")
                          : content == render::PaneContent::Plan    ? tr("Fragments in plan")
                                                                    : tr("Fragments");

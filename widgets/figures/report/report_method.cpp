@@ -8,11 +8,19 @@ void ReportSections::equation(const char* notation, const QString& words, const 
 
 void ReportSections::addMethod() {
     heading(tr("Method"));
-    text(tr(
-        "A finite-element analysis of a collapse deactivates the elements that fail; from then on they are not part of it. Each "
-        "deactivated element is turned into a rigid fragment with the place, shape and velocity it had when it was last active. A "
-        "physics engine carries the fragments from there until they lie at rest. The procedure follows Xu, Lu, Guan and Ren, "
-        "Automation in Construction 35 (2013) 471–481, with the departures that are named below."));
+    if (m_facts.fe->contents().looseBodies) {
+        text(
+            tr("There is no FE analysis: a table names bodies, and when and how each is let go. A physics engine carries them from "
+               "there until they lie at rest. What is said of elements and fragments below holds for these bodies."));
+    } else {
+        text(tr(
+            "A finite-element analysis of a collapse deactivates the elements that fail; from then on they are not part of it. "
+            "Each "
+            "deactivated element is turned into a rigid fragment with the place, shape and velocity it had when it was last "
+            "active. A "
+            "physics engine carries the fragments from there until they lie at rest. The procedure follows Xu, Lu, Guan and Ren, "
+            "Automation in Construction 35 (2013) 471–481, with the departures that are named below."));
+    }
     addFragmentMethod();
     addGridMethod();
     addMotionMethod();

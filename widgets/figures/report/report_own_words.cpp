@@ -46,7 +46,10 @@ void ReportSections::addPlainSummary() {
 void ReportSections::addAlternatives() {
     heading(tr("Other causes"));
     if (m_facts.words.alternatives.empty() && !m_facts.causes) {
-        text(tr("This report is about the cause that the FE result assumes. It does not say which other causes were considered."));
+        text(m_facts.fe->contents().looseBodies
+                 ? tr("This report is about the bodies of a table and assumes no cause.")
+                 : tr("This report is about the cause that the FE result assumes. It does not say which other causes were "
+                      "considered."));
         return;
     }
     ownWords(m_facts.words.alternatives);

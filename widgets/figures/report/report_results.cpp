@@ -11,9 +11,14 @@ namespace rubble::figures {
 
 void ReportSections::addResults() {
     heading(tr("Results"));
+    const bool bodies = m_facts.fe->contents().looseBodies;
     text(
-        tr("The first figures set what the FE result alone shows against the fragments. The tables and the map after them say how "
-           "much lies where; brackets hold what the repeats came to."));
+        bodies
+            ? tr("The first figures show the bodies that are not let go yet, and those that are. The tables and the map after them "
+                 "say how much lies where; brackets hold what the repeats came to.")
+            : tr("The first figures set what the FE result alone shows against the fragments. The tables and the map after them "
+                 "say how "
+                 "much lies where; brackets hold what the repeats came to."));
     const auto figure = [this](const QImage& picture, const QString& caption) {
         if (!picture.isNull()) {
             ReportFigure made;
@@ -23,10 +28,14 @@ void ReportSections::addResults() {
             m_blocks.push_back(std::move(made));
         }
     };
-    figure(m_pictures.pairs,
-           tr("The collapse at three instants: the conventional FE result (computed), and the fragments (simulated) with the "
-              "structure that still stands, from the same camera"));
-    figure(m_pictures.end, tr("The conventional FE result (computed) and the fragments (simulated) at the end"));
+    figure(
+        m_pictures.pairs,
+        bodies
+            ? tr("Three instants: the bodies that are not let go yet (given), and those that are (simulated), from the same camera")
+            : tr("The collapse at three instants: the conventional FE result (computed), and the fragments (simulated) with the "
+                 "structure that still stands, from the same camera"));
+    figure(m_pictures.end, bodies ? tr("The bodies (simulated) at the end")
+                                  : tr("The conventional FE result (computed) and the fragments (simulated) at the end"));
     addMeasures();
     figure(m_pictures.map, tr("Mass of the simulated debris per area at the end"));
     addComponentDebris();

@@ -141,19 +141,20 @@ void ReportSections::addSummary() {
     const QString spread = m_facts.floor
                                ? tr("Ranges are those over the run and its %1 repeats.").arg(m_facts.floor->repeats.size())
                                : tr("No repeats were made: the spread of these figures is not known.");
-    m_blocks.push_back(
-        ReportList{{tr("%1 elements of %2 were deactivated and became fragments of together %3 t.")
-                        .arg(count(static_cast<std::int64_t>(m_facts.fragments->size())),
-                             count(static_cast<std::int64_t>(m_facts.fe->mesh().elementCount())), tonnes(m_facts.atRest.mass)),
-                    tr("At the end, %1 s on the clock of the FE result, the debris covers %2 m² in cells of 1 m; 95 % of its mass "
-                       "lies within %3 m of the plan of what collapsed.")
-                        .arg(reportSeconds(run.endTime),
-                             rangedNumber(m_facts.atRest.footprintArea, rangeOver(m_facts, &DebrisFigures::footprintArea)),
-                             rangedNumber(m_facts.atRest.runOut, rangeOver(m_facts, &DebrisFigures::runOut))),
-                    tr("The highest of these cells lies %1 m above the ground in the mean; %2 % of the bodies are at rest.")
-                        .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
-                             reportNumber(100.0 * run.asleepAtEnd)),
-                    spread, unknowns}});
+    m_blocks.push_back(ReportList{
+        {(m_facts.fe->contents().looseBodies ? tr("%1 elements of %2 of the table's bodies were let go, of together %3 t.")
+                                             : tr("%1 elements of %2 were deactivated and became fragments of together %3 t."))
+             .arg(count(static_cast<std::int64_t>(m_facts.fragments->size())),
+                  count(static_cast<std::int64_t>(m_facts.fe->mesh().elementCount())), tonnes(m_facts.atRest.mass)),
+         tr("At the end, %1 s on the clock of the FE result, the debris covers %2 m² in cells of 1 m; 95 % of its mass "
+            "lies within %3 m of the plan of what collapsed.")
+             .arg(reportSeconds(run.endTime),
+                  rangedNumber(m_facts.atRest.footprintArea, rangeOver(m_facts, &DebrisFigures::footprintArea)),
+                  rangedNumber(m_facts.atRest.runOut, rangeOver(m_facts, &DebrisFigures::runOut))),
+         tr("The highest of these cells lies %1 m above the ground in the mean; %2 % of the bodies are at rest.")
+             .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
+                  reportNumber(100.0 * run.asleepAtEnd)),
+         spread, unknowns}});
     text(source());
     addCautions();
 }

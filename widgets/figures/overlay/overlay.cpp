@@ -209,7 +209,8 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
 
 QString captionText(render::PaneContent content, const render::PaneStatus& status) {
     const bool fe = content == render::PaneContent::Fe;
-    const QString name = fe                                        ? paneName(content, status.looseBodies)
+    const QString name = fe && status.looseBodies                  ? tr("Bodies that are not let go yet")
+                         : fe                                      ? tr("Conventional FE result")
                          : content == render::PaneContent::Overlay ? tr("Fragments and intact outline")
                          : content == render::PaneContent::Plan    ? tr("Fragments in plan")
                                                                    : tr("Fragments");

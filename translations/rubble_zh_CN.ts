@@ -150,6 +150,10 @@
         <source>cancelled at %1</source>
         <translation>于 %1 取消</translation>
     </message>
+    <message>
+        <source>interrupted at %1</source>
+        <translation>于 %1 中断</translation>
+    </message>
 </context>
 <context>
     <name>actions</name>
@@ -13607,7 +13611,7 @@
     </message>
     <message>
         <source>%1 of “%2”</source>
-        <comment>a setting, and the component that it is of</comment>
+        <comment>setting-of-component</comment>
         <translation>“%2”的%1</translation>
     </message>
 </context>
@@ -13727,6 +13731,10 @@
     <message>
         <source>Nothing was taken back.</source>
         <translation>没有撤销过的更改。</translation>
+    </message>
+    <message>
+        <source>The run was interrupted at %1: simulate it to its end first.</source>
+        <translation>计算于 %1 中断：请先模拟到结束。</translation>
     </message>
 </context>
 <context>
@@ -14790,6 +14798,18 @@
         <source>The mesh of surroundings</source>
         <translation>周边网格</translation>
     </message>
+    <message>
+        <source>Without terrain</source>
+        <translation>不用地形</translation>
+    </message>
+    <message>
+        <source>Let the debris fall on level ground again; can be undone</source>
+        <translation>让堆积物重新落在水平地面上；可撤销</translation>
+    </message>
+    <message>
+        <source>The terrain %1 cannot be used.</source>
+        <translation>地形 %1 无法使用。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Inspection</name>
@@ -15822,8 +15842,8 @@
         <translation>尚无可查看的内容</translation>
     </message>
     <message>
-        <source>The case is open, but its FE result is not. What is wrong is said here and in the Case panel; what can be mended is offered above.</source>
-        <translation>案例已打开，但其有限元结果未打开。此处和“案例”面板说明了问题；可修复之处列于上方。</translation>
+        <source>The case is open, but there is nothing to view of it. What is wrong is said here and in the Case panel.</source>
+        <translation>案例已打开，但没有可查看的内容。此处和“案例”面板说明了问题。</translation>
     </message>
 </context>
 <context>
@@ -19437,6 +19457,10 @@ What the file fits: %2.</source>
         <source>Choose a terrain…</source>
         <translation>选择地形…</translation>
     </message>
+    <message>
+        <source>%1, not read</source>
+        <translation>%1，未读取</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::CasePreview</name>
@@ -20517,6 +20541,14 @@ What the file fits: %2.</source>
     <message>
         <source>most</source>
         <translation>最大值</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>the same in all members</source>
+        <translation>所有成员相同</translation>
     </message>
 </context>
 <context>
@@ -25358,10 +25390,6 @@ Program: %3</source>
     <message>
         <source>Highest speed</source>
         <translation>最高速度</translation>
-    </message>
-    <message>
-        <source>m/s</source>
-        <translation>m/s</translation>
     </message>
     <message>
         <source>Bulking of the pile</source>

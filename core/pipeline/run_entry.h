@@ -12,14 +12,15 @@ namespace rubble {
 
 /// One run of a case as its history keeps it: what was run, when, and what came of it.
 struct RunEntry {
-    std::string when;        ///< UTC of its end, "2024-05-31T08:15:30Z"
+    std::string when;        ///< UTC of its end, or of its begin while nobody knows the end, "2024-05-31T08:15:30Z"
     std::string scenarioId;  ///< of the case
     std::string scenarioName;
     Digest fingerprint;  ///< of inputs, settings and build
     std::string feSha256;
     std::string build;
-    bool live = false;      ///< at the pace of the collapse
-    bool complete = false;  ///< false: cancelled or failed; figures below are then those known
+    bool live = false;         ///< at the pace of the collapse
+    bool complete = false;     ///< false: cancelled, failed or interrupted; figures below are then those known
+    bool interrupted = false;  ///< its program ended before the run did
     double wallSeconds = 0.0;
     std::int64_t fragments = 0;
     std::int64_t bodies = 0;   ///< most at one time
@@ -35,6 +36,8 @@ struct RunEntry {
     Digest trajectoryHash;                  ///< of a complete run
     std::string file;                       ///< where its run file was kept, absolute; empty if it was not
 
+    /// It was written down at its begin, and nobody has said since what came of it.
+    bool hasOnlyBegun() const { return interrupted && endTime == 0.0; }
     /// Its figures should not be relied on until someone vouches for them.
     bool tainted() const { return grade == HealthGrade::Tainted && !acknowledged; }
 

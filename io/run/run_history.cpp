@@ -42,6 +42,7 @@ nlohmann::json entryJson(const RunEntry& run) {
             {"build", run.build},
             {"live", run.live},
             {"complete", run.complete},
+            {"interrupted", run.interrupted},
             {"wall_s", jsonNumber(run.wallSeconds)},
             {"fragments", run.fragments},
             {"bodies", run.bodies},
@@ -78,7 +79,8 @@ RunEntry entryFrom(const JsonCursor& entry) {
     run.bulkingFactor = entry["bulking_factor"].anyNumber();
     run.energyDrift = entry["energy_drift"].anyNumber();
     run.breaches = entry["breaches"].integer();
-    // Earlier versions kept neither.
+    // Earlier versions kept none of these.
+    run.interrupted = entry.has("interrupted") && entry["interrupted"].flag();
     run.grade = entry.has("grade") ? gradeFrom(entry["grade"]) : std::nullopt;
     run.acknowledged = entry.has("acknowledged") && entry["acknowledged"].flag();
     run.trajectoryHash = digestFromJson(entry["trajectory_hash"]);

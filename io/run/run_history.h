@@ -10,8 +10,8 @@ namespace rubble::io {
 /// Where the history of a case is kept: CASE.rubble.runs.json beside it. The case itself does not change when it is run.
 std::string runHistoryPath(const std::string& casePath);
 
-/// All runs of a history file in the order in which they ended; empty if there is none. Throws WorldError, ParseError naming file
-/// and place.
+/// All runs of a history file in the order in which they ended, a run that has only begun as one that was interrupted; empty if
+/// there is none. Throws WorldError, ParseError naming file and place.
 std::vector<RunEntry> readRunHistory(const std::string& file);
 
 /// Writes it atomically. Throws WorldError; the old file is then unchanged.

@@ -148,6 +148,7 @@ TEST_F(EnsembleBox, MembersSeedAndCellsAreTheirOwnEdits) {
 
 TEST(EnsemblePage, ShowsTheSpreadOfTheMembersThatAreDone) {
     EnsemblePage page;
+    const int needed = page.minimumSizeHint().height();
     EXPECT_TRUE(page.spread().isHidden() || !page.spread().isVisible());
     auto report = std::make_shared<EnsembleReport>();
     for (int m = 0; m < 3; ++m) {
@@ -174,6 +175,9 @@ TEST(EnsemblePage, ShowsTheSpreadOfTheMembersThatAreDone) {
     const auto head = [&](int column) { return page.spread().horizontalHeaderItem(column)->text(); };
     EXPECT_EQ(head(4), QStringLiteral("least")) << "two members have no one in twenty";
     EXPECT_EQ(page.spread().item(0, 4)->text(), QStringLiteral("100.0"));
+    EXPECT_EQ(page.spread().item(1, 3)->text(), QStringLiteral("none")) << "the same in all members";
+    EXPECT_EQ(page.spread().item(3, 1)->text(), QStringLiteral("1,000,000"));
+    EXPECT_EQ(page.minimumSizeHint().height(), needed) << "the window would grow while members come in";
     EXPECT_EQ(head(6), QStringLiteral("most"));
     EXPECT_EQ(page.spread().item(0, 6)->text(), QStringLiteral("110.0"));
     auto many = std::make_shared<EnsembleReport>(*report);

@@ -7,6 +7,7 @@
 #include <QTableWidget>
 
 #include "widgets/case/scenario_comparison.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/run/run_list.h"
 
 namespace rubble::widgets {
@@ -33,6 +34,33 @@ TEST(RunVerdict, SaysWhatTheFiguresAreWorth) {
     EXPECT_EQ(runVerdict(runOf(true, 2, std::nullopt)), QStringLiteral("2 limits passed")) << "of a history without grades";
     EXPECT_EQ(runVerdict(runOf(false, 0, HealthGrade::Notice)), QStringLiteral("cancelled at 3.20 s"));
     EXPECT_EQ(runVerdict(runOf(false, 1, HealthGrade::Tainted)), QStringLiteral("cancelled at 3.20 s · tainted: 1 limit passed"));
+}
+
+TEST(RunVerdict, NobodyCancelledWhatEndedWithItsProgram) {
+    RunEntry run = runOf(false, 0, HealthGrade::Notice);
+    run.interrupted = true;
+    EXPECT_EQ(runVerdict(run), QStringLiteral("interrupted at 3.20 s"));
+}
+
+TEST(RunVerdict, UnitsOfComparedSettingsAreThoseOfThePanels) {
+    Scenario moon;
+    moon.simulation.gravity = 1.62;
+    ScenarioComparison comparison;
+    comparison.setContent({{QStringLiteral("a"), QStringLiteral("earth"), {}, Scenario(), taintedRun, false},
+                           {QStringLiteral("b"), QStringLiteral("moon"), {}, moon, taintedRun, false}});
+    ASSERT_EQ(comparison.settings().rowCount(), 1);
+    EXPECT_EQ(comparison.settings().item(0, 2)->text(), QStringLiteral("1.62"));
+    EXPECT_EQ(comparison.settings().item(0, 3)->text(), QStringLiteral("m/s²"));
+    figures::chooseUnits(figures::UnitSet::UsCustomary);
+    comparison.choose(QStringLiteral("a"), QStringLiteral("b"));
+    EXPECT_EQ(comparison.settings().item(0, 2)->text(), QStringLiteral("5.31496"));
+    EXPECT_EQ(comparison.settings().item(0, 3)->text(), QStringLiteral("ft/s²"));
+    QStringList units;
+    for (int row = 0; row < comparison.results().rowCount(); ++row) {
+        units << comparison.results().item(row, 3)->text();
+    }
+    figures::chooseUnits(figures::UnitSet::Si);
+    EXPECT_TRUE(units.contains(QStringLiteral("ft/s"))) << "feet were said to be metres";
 }
 
 TEST(RunVerdict, StandsInTheListOfRuns) {

@@ -132,6 +132,48 @@ TEST(Wording, TipsOfSettingsNameOthersAsTheirFieldsDo) {
     }
 }
 
+// "raise “Steps per second” or substeps": what is called otherwise beside its field is no key on screen.
+TEST(Wording, NoMessageHasAKeyOfASettingInTheWindow) {
+    WholeCatalogue chinese;
+    const QStringList sources = chinese.of("messages").keys();
+    QStringList keys;
+    for (const Parameter& row : parameterTable()) {
+        const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
+        if (!row.keyed() && key.contains(u'_')) {
+            keys << key;
+        }
+    }
+    ASSERT_GT(keys.size(), 30);
+    // A translation has no English word where it does not mean the setting.
+    const QStringList wordsOfChinese{QStringLiteral("substeps"), QStringLiteral("iterations"), QStringLiteral("multiple"),
+                                     QStringLiteral("solver"), QStringLiteral("revival")};
+    static const QRegularExpression apart(QStringLiteral("[^A-Za-z0-9_]+"));
+    for (const bool translated : {false, true}) {
+        if (translated) {
+            QCoreApplication::installTranslator(&chinese);
+        }
+        for (const QString& source : sources) {
+            const QString words = worded(Message{"x", source.toStdString(), {}});
+            const QStringList parts = words.split(apart);
+            for (const QString& key : translated ? keys + wordsOfChinese : keys) {
+                EXPECT_FALSE(parts.contains(key)) << key.toStdString() << ": " << words.toStdString();
+            }
+        }
+    }
+    EXPECT_FALSE(worded(Message{"x", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}})
+                     .contains(QStringLiteral("substeps")));
+    QCoreApplication::removeTranslator(&chinese);
+    EXPECT_EQ(worded(Message{"x", "raise step_rate or substeps", {}}), QStringLiteral("raise “Steps per second” or “Substeps”"));
+}
+
+TEST(Wording, UnitsOfSentencesAreRaised) {
+    EXPECT_EQ(worded(Message{"x", "set it in kg/m3, m/s2 or kN/m3; {2} beam2 m3x", {}}),
+              QStringLiteral("set it in kg/m³, m/s² or kN/m³; {2} beam2 m3x"));
+    for (const Parameter& row : parameterTable()) {
+        EXPECT_FALSE(shownHelp(row).contains(QRegularExpression(QStringLiteral("/m[23]\\b|/s2\\b")))) << row.key;
+    }
+}
+
 TEST(Wording, NoMessageNamesAnOptionInTheWindow) {
     WholeCatalogue chinese;
     const QStringList sources = chinese.of("messages").keys();

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/scenario/parameters.h"
+#include "core/scenario/setting_names.h"
 #include "widgets/basics/fixed_number.h"
 #include "widgets/basics/language.h"
 #include "widgets/figures/report/spoken_text.h"
@@ -111,59 +112,17 @@ QString withNamesOfOptions(QString text) {
     return text;
 }
 
-/// The same of settings of one component or pair: component[NAME].density is “Density”, component[{0}].density that of “{0}”.
-QString withNamesOfKeyed(QString text) {
-    static const QRegularExpression keyed(QStringLiteral("\\b([a-z]+)\\[([^\\]]+)\\]\\.([a-z_]+)( ?= ?(true|false))?"));
-    qsizetype from = 0;
-    for (auto found = keyed.match(text); found.hasMatch(); found = keyed.match(text, from)) {
-        const std::string key = QStringLiteral("%1[*].%2").arg(found.captured(1), found.captured(3)).toStdString();
-        const auto rows = parameterTable();
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Parameter& each) { return each.key == key; });
-        from = found.capturedEnd();
-        if (row == rows.end()) {
-            continue;
-        }
-        const QString name = QStringLiteral("“%1”").arg(said("parameters", row->label));
-        const QString subject = found.captured(2);
-        QString shown = subject == QLatin1String("NAME")
-                            ? name
-                            : QCoreApplication::translate("rubble", "%1 of “%2”", "a setting, and the component that it is of")
-                                  .arg(name, subject);
-        if (!found.captured(5).isEmpty()) {
-            shown += QStringLiteral(" = ") + shownValue(found.captured(5) == QLatin1String("true"));
-        }
-        text.replace(found.capturedStart(), found.capturedLength(), shown);
-        from = found.capturedStart() + shown.size();
-    }
-    return text;
-}
-
 /// Settings have their keys in files and on the command line; on screen they have the names that stand beside their fields.
-QString withNamesOfSettings(QString text) {
-    if (!text.contains(u'_') && !text.contains(QStringLiteral(" = ")) && !text.contains(u'[')) {
-        return text;
-    }
-    text = withNamesOfKeyed(std::move(text));
-    for (const Parameter& row : parameterTable()) {
-        const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
-        if (row.keyed() || !text.contains(key)) {
-            continue;
-        }
-        const QString name = QStringLiteral("“%1”").arg(said("parameters", row.label));
-        static const QString valued = QStringLiteral("\\b%1 ?= ?(\\w[\\w.-]*\\w|\\w)");
-        const QRegularExpression setting(valued.arg(key));
-        for (auto found = setting.match(text); found.hasMatch(); found = setting.match(text)) {
-            const QString value = found.captured(1);
-            const bool isSwitch = value == QLatin1String("true") || value == QLatin1String("false");
-            const QString shown = isSwitch ? shownValue(value == QLatin1String("true")) : shownName(value.toStdString());
-            text.replace(found.capturedStart(), found.capturedLength(), QStringLiteral("%1 = %2").arg(name, shown));
-        }
-        // Others are words as well: friction, gravity.
-        if (key.contains(u'_')) {
-            text.replace(QRegularExpression(QStringLiteral("\\b%1\\b").arg(key)), name);
-        }
-    }
-    return text;
+QString withNamesOfSettings(const QString& text) {
+    // Where a name stands before another, the comment tells which text of the catalogue is meant.
+    [[maybe_unused]] static const auto of = QT_TRANSLATE_NOOP3("rubble", "%1 of “%2”", "setting-of-component");
+    const auto say = [](std::string_view context, std::string_view english, std::string_view comment) {
+        const std::string in(context);
+        const std::string words(english);
+        const std::string told(comment);
+        return QCoreApplication::translate(in.c_str(), words.c_str(), told.empty() ? nullptr : told.c_str()).toStdString();
+    };
+    return QString::fromStdString(withSettingNames(text.toStdString(), say));
 }
 
 /// @param asItIs  it is a name or a key
@@ -184,7 +143,7 @@ QString shownArgument(const Argument& argument, bool asItIs) {
 }  // namespace
 
 QString worded(const Message& message) {
-    const QString pattern = withNamesOfSettings(withNamesOfOptions(patternOf(message.pattern)));
+    const QString pattern = figures::raisedUnits(withNamesOfSettings(withNamesOfOptions(patternOf(message.pattern))));
     QString text;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
         const qsizetype close = pattern[i] == u'{' ? pattern.indexOf(u'}', i) : -1;
@@ -365,7 +324,7 @@ QString shownName(std::string_view name) {
 }
 
 QString shownHelp(const Parameter& row) {
-    return withNamesOfSettings(said("parameters", row.help));
+    return figures::raisedUnits(withNamesOfSettings(said("parameters", row.help)));
 }
 
 QString shownValue(const ParameterValue& value) {

@@ -185,10 +185,10 @@ void CasePanel::setContent(const std::shared_ptr<const FeResult>& fe, const std:
 
 void CasePanel::setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings) {
     m_terrainFindings = findings;
-    m_terrain->setText(terrain == nullptr ? tr("level")
-                                          : m_terrain->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
+    const QString name = m_terrain->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150);
+    m_terrain->setText(terrain != nullptr ? name : path.isEmpty() ? tr("level") : tr("%1, not read").arg(name));
     m_terrain->setToolTip(terrain == nullptr
-                              ? QString()
+                              ? path
                               : tr("%1\n%2 × %3 heights, %4 apart, %5 to %6")
                                     .arg(path, shownCount(static_cast<std::int64_t>(terrain->nx())),
                                          shownCount(static_cast<std::int64_t>(terrain->ny())), shownLength(terrain->cell(), 4),

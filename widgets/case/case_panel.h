@@ -24,7 +24,8 @@ public:
 
     /// @param fe, components  null while there are none
     void setContent(const std::shared_ptr<const FeResult>& fe, const std::shared_ptr<const Components>& components);
-    /// The terrain and what was found when it was read, shown with the next content. @param terrain  null: there is none
+    /// The terrain and what was found when it was read, shown with the next content. @param terrain  null: there is none,
+    /// or it could not be read where `path` names one
     void setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings);
     /// What is drawn around the structure. @param collided  debris falls on the meshes
     void setSurroundings(bool orthophoto, std::size_t meshes, bool collided);

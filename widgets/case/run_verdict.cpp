@@ -27,8 +27,10 @@ QString runVerdict(const RunEntry& run) {
     if (run.complete) {
         return run.breaches == 0 ? QCoreApplication::translate("RunVerdict", "sound") : verdictOfHealth(run);
     }
-    const QString cancelled = QCoreApplication::translate("RunVerdict", "cancelled at %1").arg(figures::timeText(run.endTime));
-    return run.breaches == 0 ? cancelled : cancelled + QStringLiteral(" · ") + verdictOfHealth(run);
+    const QString stopped = (run.interrupted ? QCoreApplication::translate("RunVerdict", "interrupted at %1")
+                                             : QCoreApplication::translate("RunVerdict", "cancelled at %1"))
+                                .arg(figures::timeText(run.endTime));
+    return run.breaches == 0 ? stopped : stopped + QStringLiteral(" · ") + verdictOfHealth(run);
 }
 
 }  // namespace rubble::widgets

@@ -9,7 +9,8 @@ namespace rubble::widgets {
 
 /// "2 limits passed"
 QString limitsPassed(std::int64_t count);
-/// What came of a run, wherever runs are listed: "sound", "tainted: 2 limits passed", "cancelled at 3.20 s".
+/// What came of a run, wherever runs are listed: "sound", "tainted: 2 limits passed", "cancelled at 3.20 s",
+/// "interrupted at 3.20 s" where its program ended before it.
 QString runVerdict(const RunEntry& run);
 
 }  // namespace rubble::widgets

@@ -18,6 +18,7 @@
 #include "widgets/basics/wording.h"
 #include "widgets/case/run_verdict.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
 
@@ -51,6 +52,12 @@ void addRow(QTableWidget& to, const QString& label, const QString& left, const Q
         }
         to.setItem(row, column, item);
     }
+}
+
+/// A value of a setting in the unit that is shown. @param perSi  of that unit
+QString settingShown(const ParameterValue& value, double perSi) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? QLocale().toString(*number * perSi, 'g', 6) : shownValue(value);
 }
 
 QString text(std::string_view view) {
@@ -161,7 +168,14 @@ void ScenarioComparison::showSettings(const ScenarioSide& left, const ScenarioSi
     for (const SettingDifference& each : differencesBetween(left.scenario, right.scenario)) {
         const QString label =
             text(each.row->label) + (each.subject.empty() ? QString() : u' ' + QString::fromStdString(each.subject));
-        addRow(*m_settings, label, shownValue(each.first), shownValue(each.second), text(each.row->unit), text(each.row->help));
+        const auto sizeOf = [](const ParameterValue& value) {
+            const auto* number = std::get_if<double>(&value);
+            return number != nullptr ? std::abs(*number) : 0.0;
+        };
+        // One unit for both, in which the larger one is readable.
+        const figures::ShownUnit unit = figures::shownUnit(each.row->unit, std::max(sizeOf(each.first), sizeOf(each.second)));
+        addRow(*m_settings, label, settingShown(each.first, unit.perSi), settingShown(each.second, unit.perSi), unit.name,
+               shownHelp(*each.row));
     }
     if (!(left.scenario.regrouping == right.scenario.regrouping)) {
         const auto steps = [](const Scenario& scenario) {
@@ -201,7 +215,7 @@ void ScenarioComparison::showResults(const ScenarioSide& left, const ScenarioSid
     row(tr("Step, mean"), tr("ms"), [](const RunEntry& run) { return shownNumber(run.msPerStep, 2); });
     row(tr("The end"), {}, [](const RunEntry& run) { return figures::timeText(run.endTime); });
     row(tr("Asleep at the end"), {}, [](const RunEntry& run) { return shownShare(run.asleepAtEnd); });
-    row(tr("Highest speed"), tr("m/s"), [](const RunEntry& run) { return shownIn(run.maxSpeed, "m/s"); });
+    row(tr("Highest speed"), figures::shownUnit("m/s").name, [](const RunEntry& run) { return shownIn(run.maxSpeed, "m/s"); });
     row(tr("Bulking of the pile"), {}, [](const RunEntry& run) { return shownNumber(run.bulkingFactor); });
     row(tr("Energy drift"), {}, [](const RunEntry& run) { return shownShare(run.energyDrift, 2); });
     row(tr("What came of it"), {}, [](const RunEntry& run) { return runVerdict(run); });

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QToolButton>
@@ -34,7 +35,7 @@ constexpr int headingHeight = 30;
 /// With as many digits as the standard error of the mean leaves.
 QString deserved(double value, double error, std::string_view unit) {
     if (!(error > 0.0) || !(value != 0.0)) {
-        return shownIn(value, unit);
+        return shownIn(value, unit, 4);
     }
     const int digits =
         2 + static_cast<int>(std::floor(std::log10(std::abs(value)))) - static_cast<int>(std::floor(std::log10(error)));
@@ -58,7 +59,17 @@ EnsemblePage::EnsemblePage(QWidget* parent)
       m_error(new QLabel) {
     setObjectName(QStringLiteral("panelBody"));
     setAttribute(Qt::WA_StyledBackground);
-    auto* column = new QVBoxLayout(this);
+    // What a study brings never makes the window higher than its screen.
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto* body = new QWidget;
+    body->setObjectName(QStringLiteral("panelBody"));
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(body);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    outer->addWidget(scroll);
+    auto* column = new QVBoxLayout(body);
     column->setContentsMargins(16, 12, 16, 12);
     column->setSpacing(8);
     auto* title = new QLabel(tr("Where debris may lie"));
@@ -248,16 +259,18 @@ void EnsemblePage::showSpread() {
         m_spread->insertRow(line);
         const QString name = tr("%1, %2").arg(said("messages", row.name), figures::shownUnit(row.unit).name);
         const auto shown = [&](double value) { return deserved(value, spread.standardError, row.unit); };
+        const bool same = spread.deviation == 0.0;
         const std::array<QString, 7> texts{name,
                                            shown(spread.mean),
-                                           shownIn(spread.standardError, row.unit, 2),
-                                           shownIn(spread.deviation, row.unit, 2),
+                                           same ? tr("none") : shownIn(spread.standardError, row.unit, 2),
+                                           same ? tr("none") : shownIn(spread.deviation, row.unit, 2),
                                            shown(spread.lower()),
                                            shown(spread.middle),
                                            shown(spread.upper())};
         for (int i = 0; i < static_cast<int>(texts.size()); ++i) {
             const QString& text = texts[static_cast<std::size_t>(i)];
-            m_spread->setItem(line, i, tableCell(text, i == 0, QStringLiteral("%1: %2").arg(name, text)));
+            const QString tip = same && (i == 2 || i == 3) ? tr("the same in all members") : text;
+            m_spread->setItem(line, i, tableCell(text, i == 0, QStringLiteral("%1: %2").arg(name, tip)));
         }
     }
     m_spread->resizeColumnsToContents();

@@ -1,5 +1,6 @@
 #include "widgets/figures/shown_units.h"
 
+#include <QRegularExpression>
 #include <array>
 #include <atomic>
 
@@ -75,10 +76,20 @@ ShownUnit shownUnit(std::string_view unit, double value) {
                                                    : ShownUnit{QString::fromUtf8(row.usCustomary), row.perUsCustomary};
         }
     }
-    return {plain.replace(QStringLiteral("m2"), QStringLiteral("m²"))
-                .replace(QStringLiteral("m3"), QStringLiteral("m³"))
-                .replace(QStringLiteral("s2"), QStringLiteral("s²")),
-            1.0};
+    return {raisedUnits(plain), 1.0};
+}
+
+QString raisedUnits(QString text) {
+    // Only where a unit ends with them: "m3/m2", "kN/m3", "m/s2", but no name such as "beam2" or "form3".
+    static const QRegularExpression powers(
+        QStringLiteral("(?<![A-Za-z0-9_])((?:[kM]?[A-Za-z]{1,2}/)?(?:[ckm]?m|s))([23])(?![0-9A-Za-z_])"));
+    if (!text.contains(u'2') && !text.contains(u'3')) {
+        return text;
+    }
+    for (auto found = powers.match(text); found.hasMatch(); found = powers.match(text)) {
+        text.replace(found.capturedStart(2), 1, found.captured(2) == QLatin1String("2") ? u'²' : u'³');
+    }
+    return text;
 }
 
 FileUnits::FileUnits() {

@@ -26,6 +26,9 @@ ShownUnit shownUnit(std::string_view unit);
 /// The same for a value of this size, in SI: a time is told in the unit that suits it.
 ShownUnit shownUnit(std::string_view unit, double value);
 
+/// A unit as people write it, also within a sentence: "kg/m³" for "kg/m3". The one place where digits are raised.
+QString raisedUnits(QString text);
+
 /// While one lives, what this thread draws or says is for a file: SI.
 class FileUnits {
 public:

@@ -64,7 +64,7 @@ void writePage(const std::string& path, const std::shared_ptr<const io::RunReade
     extras.surroundings = scene.surroundings;
     extras.orthophoto = scene.orthophoto;
     extras.validation = io::keptValidations();
-    extras.chinese = figures::chineseWords();
+    extras.chinese = figures::chineseWords(true);
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, session.execution()).map);
     addPictures(extras, scene, *run, photographs, session);
     if (scene.orthophoto != nullptr) {

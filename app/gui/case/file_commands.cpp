@@ -275,7 +275,7 @@ bool FileCommands::saveAs() {
 
 bool FileCommands::saveTo(const QString& path) {
     return m_session.writeNow(path, [&] {
-        if (QFileInfo::exists(path) && !QFileInfo(path).permission(QFile::WriteOwner)) {
+        if (Document::isReadOnly(path)) {
             throw WorldError({"gui.read_only", "{0} is to be read only", {path.toStdString()}},
                              {"gui.read_only.remedy", "Save the case under another name.", {}});
         }

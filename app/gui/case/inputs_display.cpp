@@ -59,6 +59,8 @@ InputsDisplay::InputsDisplay(Session& session, QBoxLayout& notices, QWidget& win
     });
     connect(&m_document, &Document::inputsChanged, this, &InputsDisplay::refresh);
     connect(&m_computation, &Computation::inputsFound, this, &InputsDisplay::refresh);
+    connect(&m_computation, &Computation::failed, this, &InputsDisplay::refresh);
+    connect(&m_computation, &Computation::prepared, this, &InputsDisplay::refresh);
     refresh();
 }
 
@@ -103,6 +105,15 @@ void InputsDisplay::show(const CaseInput& input) {
         return;
     }
     const std::string path = io::inputPath(m_document.base().toStdString(), input);
+    const bool isTerrain = input.role == InputRole::Terrain;
+    const Choice without{QStringLiteral("without"), tr("Without terrain"),
+                         tr("Let the debris fall on level ground again; can be undone"), true};
+    if (isTerrain && m_computation.terrainFailed() && QFileInfo::exists(QString::fromStdString(path))) {
+        bar(input.id).setContent(tr("The terrain %1 cannot be used.").arg(QFileInfo(QString::fromStdString(path)).fileName()),
+                                 m_computation.failure()->what(), {without, locate});
+        bar(input.id).show();
+        return;
+    }
     for (const io::FoundInput& found : m_computation.foundInputs()) {
         if (found.id != input.id || found.path != path) {
             continue;
@@ -111,7 +122,9 @@ void InputsDisplay::show(const CaseInput& input) {
         if (!found.exists) {
             bar(input.id).setContent(tr("%1 %2 is missing.").arg(role, name),
                                      tr("It should lie in %1.").arg(QFileInfo(QString::fromStdString(path)).absolutePath()),
-                                     {Choice{locate.id, locate.text, locate.tip, true}});
+                                     isTerrain ? std::vector<Choice>{{locate.id, locate.text, locate.tip, true},
+                                                                     {without.id, without.text, without.tip, false}}
+                                               : std::vector<Choice>{{locate.id, locate.text, locate.tip, true}});
             bar(input.id).show();
         } else if (!input.sha256.empty() && !found.sha256.empty() && found.sha256 != input.sha256) {
             bar(input.id).setContent(tr("%1 %2 has changed since the case was saved.").arg(role, name),
@@ -140,6 +153,8 @@ void InputsDisplay::choose(const std::string& id, const QString& what) {
         if (!path.isEmpty()) {
             locate(id, path);
         }
+    } else if (what == QLatin1String("without")) {
+        emit withoutTerrainRequested();
     } else if (what == QLatin1String("accept")) {
         accept(id);
     } else if (what == QLatin1String("use")) {

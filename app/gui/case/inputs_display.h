@@ -21,8 +21,8 @@ namespace widgets {
 class NoticeBar;
 }
 
-/// Says above the centre which inputs of the case are missing or no longer what they were, and mends it: by another place, or by
-/// taking them as they are.
+/// Says above the centre which inputs of the case are missing, cannot be used or are no longer what they were, and mends it: by
+/// another place, by taking them as they are, or without them.
 class InputsDisplay : public QObject {
     Q_OBJECT
 
@@ -36,6 +36,9 @@ public:
     void accept(const std::string& id);
     /// What stands in the bars.
     QStringList texts() const;
+
+signals:
+    void withoutTerrainRequested();
 
 private:
     /// A file that was chosen although it is another.

@@ -29,6 +29,7 @@ ProjectDisplay::ProjectDisplay(Session& session, PanelDeck& deck, ViewArea& area
       m_history(buildHistory(session.document(), docks)) {
     m_inputs->setParent(this);
     m_scenarios->setParent(this);
+    connect(m_inputs, &InputsDisplay::withoutTerrainRequested, &actions[ActionId::NoTerrain], &QAction::trigger);
     connect(m_recovery, &Recovery::recoverRequested, this, &ProjectDisplay::recoverRequested);
     connect(m_start, &StartDisplay::openRequested, this, &ProjectDisplay::openRequested);
     connect(m_keptRuns, &KeptRunsDisplay::openRequested, this, &ProjectDisplay::openRequested);

@@ -23,13 +23,21 @@ namespace {
 
 const QString stateEnding = QStringLiteral(".runs.json");
 
-/// Runs that are known already gain at most the file where they were kept.
+/// Also of one whose begin or end alone one of them knows: nothing else is written into the file of a run.
+bool sameOrBegun(const RunEntry& a, const RunEntry& b) {
+    return sameRun(a, b) || ((a.interrupted || b.interrupted) && !a.file.empty() && a.file == b.file);
+}
+
+/// Runs that are known already gain at most the file where they were kept, and their end.
 void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
     for (const RunEntry& run : from) {
-        const auto known = std::find_if(to.begin(), to.end(), [&run](const RunEntry& each) { return sameRun(each, run); });
+        const auto known = std::find_if(to.begin(), to.end(), [&run](const RunEntry& each) { return sameOrBegun(each, run); });
         if (known == to.end()) {
             to.push_back(run);
             continue;
+        }
+        if (known->hasOnlyBegun() && !run.hasOnlyBegun()) {
+            *known = run;
         }
         if (known->file.empty()) {
             known->file = run.file;
@@ -62,18 +70,15 @@ RunHistory::RunHistory(Session& session, const QString& folder, QObject* parent)
         if (!m_document.empty() && m_document.path() != m_loadedFor) {
             m_loadedFor = m_document.path();
             addNew(m_runs, read(sidecar()));
+            adoptBegun();
             m_shown.reset();
-            if (!m_runs.empty()) {
+            if (!m_runs.empty() || !m_unlisted.empty()) {
                 store();
             }
             emit changed();
         }
     });
-    connect(&m_computation, &Computation::runBegun, this, [this] {
-        m_began = true;
-        m_shown.reset();
-        emit changed();
-    });
+    connect(&m_computation, &Computation::runBegun, this, &RunHistory::began);
     connect(&m_computation, &Computation::runEnded, this, &RunHistory::ended);
     connect(&m_computation, &Computation::runReopened, this, [this] {
         m_shown = m_asked;
@@ -122,10 +127,15 @@ QString RunHistory::stateFile() const {
     return m_folder + u'/' + QString::fromLatin1(key) + stateEnding;
 }
 
-QString RunHistory::fileBeside(const QString& ending) const {
+// Rights alone do not say it: whoever may write everything still leaves samples and sealed cases as they are.
+bool RunHistory::writesBeside() const {
     const QString path = m_document.path();
-    if (!path.isEmpty() && QFileInfo(QFileInfo(path).absolutePath()).isWritable()) {
-        return path + ending;
+    return !path.isEmpty() && !m_document.readOnly() && QFileInfo(QFileInfo(path).absolutePath()).isWritable();
+}
+
+QString RunHistory::fileBeside(const QString& ending) const {
+    if (writesBeside()) {
+        return m_document.path() + ending;
     }
     const QString runs = m_document.empty() ? QString() : stateFile();
     return runs.isEmpty() ? QString() : runs.chopped(stateEnding.size()) + ending;
@@ -151,12 +161,14 @@ std::vector<RunEntry> RunHistory::read(const QString& file) {
 
 void RunHistory::load() {
     m_runs.clear();
+    m_unlisted.clear();
     m_shown.reset();
     m_loadedFor = m_document.path();
     if (!m_document.empty()) {
         addNew(m_runs, read(sidecar()));
         addNew(m_runs, read(stateFile()));
         findFiles();
+        adoptBegun();
         std::for_each(m_runs.begin(), m_runs.end(), io::takeVerdict);
     }
     emit changed();
@@ -172,7 +184,7 @@ QString RunHistory::runsFolder() const {
     if (!preferences.runsFolder.isEmpty()) {
         return preferences.runsFolder + u'/' + QFileInfo(base).completeBaseName() + u'-' + key.left(8);
     }
-    if (!m_document.path().isEmpty() && QFileInfo(QFileInfo(base).absolutePath()).isWritable()) {
+    if (writesBeside()) {
         return base + QStringLiteral(".runs");
     }
     return m_folder.isEmpty() ? QString() : m_folder + u'/' + key;
@@ -218,6 +230,32 @@ void RunHistory::findFiles() {
     }
 }
 
+// Of a run whose end nobody wrote down, its file tells what came of it. It may have ended well: the case was saved elsewhere then.
+void RunHistory::adoptBegun() {
+    std::vector<RunEntry> listed;
+    for (RunEntry& run : m_runs) {
+        if (!run.hasOnlyBegun()) {
+            listed.push_back(std::move(run));
+            continue;
+        }
+        const QString file = QString::fromStdString(run.file);
+        if (!QFile::exists(file)) {
+            continue;
+        }
+        if (holdFile(file + QStringLiteral(".lock")) == nullptr) {
+            const auto same = [&run](const RunEntry& each) { return each.file == run.file; };
+            if (std::none_of(m_unlisted.begin(), m_unlisted.end(), same)) {
+                m_unlisted.push_back(std::move(run));
+            }
+        } else if (std::optional<RunEntry> found = entryOfRunFile(file)) {
+            found->scenarioId = run.scenarioId;
+            found->live = run.live;
+            listed.push_back(std::move(*found));
+        }
+    }
+    m_runs = std::move(listed);
+}
+
 void RunHistory::makeRoom() {
     const QString folder = runsFolder();
     if (folder.isEmpty()) {
@@ -245,21 +283,41 @@ void RunHistory::begins() {
     m_starting = m_document.active() != nullptr ? std::optional(*m_document.active()) : std::nullopt;
 }
 
+void RunHistory::began() {
+    m_began = true;
+    m_shown.reset();
+    const RunRecord* record = m_computation.currentRun();
+    if (record != nullptr && record->kept && m_starting && m_computation.inputs().fe != nullptr) {
+        RunEntry run = entryOf(*record);
+        run.interrupted = true;
+        run.endTime = 0.0;
+        run.file = QFileInfo(record->path).absoluteFilePath().toStdString();
+        m_unlisted.push_back(std::move(run));
+        store();
+    }
+    emit changed();
+}
+
+RunEntry RunHistory::entryOf(const RunRecord& record) const {
+    RunEntry run;
+    run.when = utcNow();
+    run.scenarioId = m_starting->id;
+    run.scenarioName = m_starting->name;
+    run.fingerprint = stageKey(m_computation.inputs(), record.scenario, Stage::Simulation);
+    run.feSha256 = m_computation.inputs().fe->contents().sha256;
+    run.build = std::string(buildText());
+    run.live = record.live;
+    run.fragments = record.results.fragments != nullptr ? static_cast<std::int64_t>(record.results.fragments->size()) : 0;
+    return run;
+}
+
 void RunHistory::ended() {
     const RunRecord* record = m_computation.currentRun();
     if (!std::exchange(m_began, false) || record == nullptr || !m_starting || m_computation.inputs().fe == nullptr) {
         return;
     }
-    RunEntry run;
-    run.when = utcNow();
-    run.scenarioId = m_starting->id;
-    run.scenarioName = m_starting->name;
-    run.fingerprint = stageKey(m_computation.inputs(), record->scenario, Stage::Simulation);
-    run.feSha256 = m_computation.inputs().fe->contents().sha256;
-    run.build = std::string(buildText());
-    run.live = record->live;
+    RunEntry run = entryOf(*record);
     run.wallSeconds = record->wallSeconds;
-    run.fragments = record->results.fragments != nullptr ? static_cast<std::int64_t>(record->results.fragments->size()) : 0;
     run.bodies = record->outcome == nullptr ? bodiesSoFar(record->reader.get()) : 0;
     run.endTime = record->newest;
     run.breaches = widgets::limitsIn(record->health());
@@ -277,6 +335,7 @@ void RunHistory::ended() {
     }
     const QString file = QFileInfo(record->path).absoluteFilePath();
     run.file = record->kept && QFile::exists(file) ? file.toStdString() : std::string();
+    std::erase_if(m_unlisted, [of = file.toStdString()](const RunEntry& each) { return each.file == of; });
     m_runs.push_back(std::move(run));
     makeRoom();
     m_shown = m_runs.size() - 1;
@@ -285,15 +344,17 @@ void RunHistory::ended() {
 }
 
 void RunHistory::store() {
-    const auto write = [this](const QString& file) -> std::optional<Failure> {
+    std::vector<RunEntry> all = m_runs;
+    all.insert(all.end(), m_unlisted.begin(), m_unlisted.end());
+    const auto write = [&all](const QString& file) -> std::optional<Failure> {
         try {
-            io::writeRunHistory(file.toStdString(), m_runs);
+            io::writeRunHistory(file.toStdString(), all);
             return std::nullopt;
         } catch (...) {
             return failureOf(std::current_exception());
         }
     };
-    if (!sidecar().isEmpty() && !write(sidecar())) {
+    if (!sidecar().isEmpty() && !m_document.readOnly() && !write(sidecar())) {
         return;
     }
     if (stateFile().isEmpty()) {

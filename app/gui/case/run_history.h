@@ -13,12 +13,14 @@ namespace rubble {
 class Computation;
 class Document;
 class Session;
+struct RunRecord;
 namespace widgets {
 struct Preferences;
 }
 
-/// The runs of the open case, kept beside it (io/run/run_history.h); in the state folder for a case that was never saved or lies
-/// where nothing can be written.
+/// The runs of the open case, kept beside it from their begin on, so that none is lost with its program: beside the case that has
+/// it now, wherever its file lies (io/run/run_history.h); in the state folder for a case that was never saved or lies where nothing
+/// can be written.
 class RunHistory : public QObject {
     Q_OBJECT
 
@@ -54,7 +56,11 @@ signals:
 
 private:
     void load();
+    void began();
     void ended();
+    void adoptBegun();
+    bool writesBeside() const;
+    RunEntry entryOf(const RunRecord& record) const;
     void noteAcknowledged();
     void takePreferences(const widgets::Preferences& before);
     void store();
@@ -73,6 +79,7 @@ private:
     std::optional<std::size_t> m_asked;
     std::optional<CaseScenario> m_starting;
     bool m_began = false;
+    std::vector<RunEntry> m_unlisted;  ///< that are being written, here or by another program: kept with the others, not shown
     QString m_loadedFor;
 };
 

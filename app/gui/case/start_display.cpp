@@ -11,6 +11,7 @@
 #include "app/gui/session/session.h"
 #include "app/gui/stage/view_area.h"
 #include "widgets/case/start_page.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble {
 
@@ -83,7 +84,7 @@ namespace {
                       "the valley floor.")};
 
 QString saidOfSample(const QString& text) {
-    return QCoreApplication::translate("samples", text.toUtf8().constData());
+    return figures::raisedUnits(QCoreApplication::translate("samples", text.toUtf8().constData()));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ void PageOrder::write(const Execution& execution) const {
     extras.around = around;
     extras.validation = io::keptValidations();
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, execution).map);
-    extras.chinese = figures::chineseWords();
+    extras.chinese = figures::chineseWords(true);
     const std::vector<ReportPhoto> photographs = io::photographsOfCase(mapped, theCase, basePath, io::standingOf(*run), execution);
     figures::PageDrawing drawing;
     drawing.times = figures::pageTimes(scene, theCase.bookmarks);

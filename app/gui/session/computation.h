@@ -162,6 +162,8 @@ public:
     widgets::StageState state(Stage stage, const Scenario& scenario) const;
     double fraction(Stage stage) const;
     const std::optional<Failure>& failure() const { return m_failure; }
+    /// The terrain that the case names could not be read, so that nothing is open.
+    bool terrainFailed() const { return m_opened.inputs.fe == nullptr && m_failure && m_failure->id.starts_with("terrain."); }
 
 signals:
     void opened(const rubble::Opened& opened);

@@ -7,6 +7,7 @@
 
 #include "app/gui/session/moved_inputs.h"
 #include "app/gui/session/named_command.h"
+#include "app/gui/session/sample.h"
 #include "app/gui/session/scenario_command.h"
 #include "app/gui/session/step_command.h"
 
@@ -38,9 +39,14 @@ void Document::replace(Case theCase, const QString& path, const QString& base, b
     m_case = std::move(theCase);
     m_path = path;
     m_base = base;
-    if (changed) {
+    {
         const QSignalBlocker untold(m_undo);  // it is told below, with the case
-        m_undo.resetClean();
+        if (changed) {
+            m_undo.resetClean();
+        } else {
+            // An empty stack is not cleared, and would hold the new case for changed where the one before came back unsaved.
+            m_undo.setClean();
+        }
     }
     emit replaced();
     emit titleChanged();
@@ -66,8 +72,8 @@ void Document::put(const Scenario& scenario) {
 }
 
 // Whoever may write everything is told by the rights of the file alone.
-bool Document::readOnly() const {
-    return !m_path.isEmpty() && QFileInfo::exists(m_path) && !QFileInfo(m_path).permission(QFile::WriteOwner);
+bool Document::isReadOnly(const QString& path) {
+    return !path.isEmpty() && QFileInfo::exists(path) && (!QFileInfo(path).permission(QFile::WriteOwner) || isSample(path));
 }
 
 QString Document::openPath() const {

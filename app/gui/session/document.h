@@ -26,8 +26,10 @@ public:
     const CaseScenario* active() const;
     /// Where the case lies; empty until it is saved.
     const QString& path() const { return m_path; }
-    /// It lies in a file that is not to be written, as the case of a sealed bundle: changes are saved elsewhere.
-    bool readOnly() const;
+    /// It lies in a file that is not to be written, as the case of a sealed bundle or a sample that comes with the program:
+    /// changes are saved elsewhere, and what is said of it goes to the state folder.
+    bool readOnly() const { return isReadOnly(m_path); }
+    static bool isReadOnly(const QString& path);
     /// The file that inputs are relative to: where the case lies or would lie.
     const QString& base() const { return m_base; }
     /// The case, or the FE result that is open without one; empty if nothing is.

@@ -55,7 +55,7 @@ KeptRunFile keptRun(const QFileInfo& file, const RunFolder& folder, const std::v
     });
     run.busy = holdFile(run.path + QStringLiteral(".lock")) == nullptr;
     if (!run.busy) {
-        run.entry = listed != known.end() ? std::optional(*listed) : entryOfRunFile(run.path);
+        run.entry = listed != known.end() && !listed->hasOnlyBegun() ? std::optional(*listed) : entryOfRunFile(run.path);
         if (run.entry) {
             run.entry->file = run.path.toStdString();
             io::takeVerdict(*run.entry);

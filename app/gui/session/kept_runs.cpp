@@ -71,8 +71,10 @@ std::optional<RunEntry> entryOfRunFile(const QString& path) {
         entry.breaches = static_cast<std::int64_t>(taint.limits);
         entry.grade = taint.grade;
         entry.acknowledged = taint.acknowledgement.has_value();
+        entry.interrupted = true;
         if (const auto result = run->result()) {
             entry.complete = true;
+            entry.interrupted = false;
             entry.bodies = result->bodiesPeak;
             entry.endTime = result->endTime;
             entry.trajectoryHash = result->trajectoryHash;

@@ -45,6 +45,11 @@ QString samplePath() {
     return {};
 }
 
+bool isSample(const QString& path) {
+    const QString folder = QFileInfo(sampleFolder()).canonicalFilePath();
+    return !folder.isEmpty() && QFileInfo(path).canonicalFilePath().startsWith(folder + u'/');
+}
+
 std::vector<Sample> samples() {
     std::vector<Sample> found;
     const QString first = samplePath();

@@ -16,6 +16,9 @@ struct Sample {
 /// Path of the sample that the program opens first, empty if it is not installed.
 QString samplePath();
 
+/// Whether a file lies among them: what comes with the program is never written, whoever runs it.
+bool isSample(const QString& path);
+
 /// All that are installed, the first one first; a file that cannot be read is left out.
 std::vector<Sample> samples();
 

@@ -33,6 +33,16 @@ StageState worst(StageState a, StageState b) {
     return StageState::UpToDate;
 }
 
+/// The file of the terrain as the case names it; empty: it has none.
+QString terrainNamed(const Case& theCase) {
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == InputRole::Terrain) {
+            return QString::fromStdString(input.path);
+        }
+    }
+    return {};
+}
+
 /// The names in quotes of a remedy that lists what a file holds.
 QStringList offeredNames(const QString& remedy) {
     QStringList names;
@@ -207,7 +217,9 @@ void PanelDeck::showResults() {
     const Results& results = m_computation.results();
     const auto& fe = m_computation.inputs().fe;
     const io::TerrainInput& terrain = m_computation.terrain();
-    m_case->setTerrain(terrain.grid, QString::fromStdString(terrain.path), io::openingFindings(m_computation.content()));
+    const bool failed = m_computation.terrainFailed();
+    m_case->setTerrain(terrain.grid, failed ? terrainNamed(m_computation.content().theCase) : QString::fromStdString(terrain.path),
+                       io::openingFindings(m_computation.content()));
     m_case->setSurroundings(terrain.orthophoto != nullptr, terrain.surroundings ? terrain.surroundings->size() : 0,
                             terrain.collided);
     m_case->setContent(fe, results.components);

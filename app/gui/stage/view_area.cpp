@@ -48,9 +48,8 @@ QWidget* ViewArea::buildEmpty() {
     column->setSpacing(12);
     auto* title = new QLabel(tr("Nothing to view yet"));
     title->setFont(widgets::titleFont());
-    auto* text = new QLabel(
-        tr("The case is open, but its FE result is not. What is wrong is said here and in the Case panel; what can be mended is "
-           "offered above."));
+    auto* text =
+        new QLabel(tr("The case is open, but there is nothing to view of it. What is wrong is said here and in the Case panel."));
     text->setWordWrap(true);
     m_activity->setObjectName(QStringLiteral("muted"));
     column->addWidget(title);

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <algorithm>
 
+#include "app/gui/case/project_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/window/window_rooms.h"
@@ -29,12 +30,13 @@ constexpr ActionId ofTheRun[] = {ActionId::SharePage, ActionId::ExportFragments,
                                  ActionId::ExportGltf};
 
 /// Why there is nothing to do with a run; empty: it is complete.
-QString whyNoRun(const RunRecord* record) {
+QString whyNoRun(const RunRecord* record, bool interrupted) {
     if (record != nullptr && record->running) {
         return ActionStates::tr("The run is not through yet.");
     }
     if (record != nullptr && record->outcome == nullptr) {
-        return ActionStates::tr("The run was cancelled at %1: simulate it to its end first.")
+        return (interrupted ? ActionStates::tr("The run was interrupted at %1: simulate it to its end first.")
+                            : ActionStates::tr("The run was cancelled at %1: simulate it to its end first."))
             .arg(figures::timeText(record->newest));
     }
     return record == nullptr ? ActionStates::tr("Simulate first.") : QString();
@@ -106,7 +108,9 @@ void ActionStates::refresh() {
     const bool deaths = computation.results().fragments == nullptr || !computation.results().fragments->list.empty();
     m_rooms.deck->showState();
     const QString noResult = tr("Open a result first.");
-    const QString noRun = have ? whyNoRun(record) : noResult;
+    const RunHistory& history = m_rooms.project->runs();
+    const bool interrupted = history.shown() && history.runs()[*history.shown()].interrupted;
+    const QString noRun = have ? whyNoRun(record, interrupted) : noResult;
     for (const ActionId id : ofTheViews) {
         m_actions.enable(id, have, noResult);
     }

@@ -57,6 +57,7 @@ struct MainWindow::Kept {
     std::optional<LayoutMemory::Layout> layout;  ///< of an earlier window; unset: this is the first one
     bool keepsLayout = false;                    ///< also from one start of the program to the next
     std::optional<QPoint> preferencesPlace;      ///< where they stood open
+    std::string failed;                          ///< id of what the status bar says that the computation could not do
     bool toldOfCase = false;                     ///< the sentence of the status line is about the case that is open
     QString manualPage;                          ///< that was open; empty: none was
 };
@@ -142,6 +143,17 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::failed, this, &MainWindow::showFailure);
     connect(&m_session.computation(), &Computation::failed, this, &MainWindow::showFailure);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_session.computation(), &Computation::failed, this, [this](const Failure& failure) { m_kept.failed = failure.id; });
+    connect(&m_session, &Session::failed, this,
+            [this](const Failure& failure) { m_kept.failed = failure.id == m_kept.failed ? m_kept.failed : std::string(); });
+    connect(&m_session, &Session::told, this, [this] { m_kept.failed.clear(); });
+    // What is mended is not said any more.
+    connect(&m_session.computation(), &Computation::stateChanged, this, [this] {
+        if (!m_kept.failed.empty() && !m_session.computation().failure()) {
+            m_kept.failed.clear();
+            m_status->setMessage({});
+        }
+    });
     // What came of the case before is not about this one; what the start had to say stays.
     connect(&m_session, &Session::told, this, [this] { m_kept.toldOfCase = true; });
     connect(&m_session.document(), &Document::replaced, this, [this] {

@@ -18,6 +18,18 @@ double& figure(EnsembleMember& member, MemberMeasure measure) {
     return member.figures[static_cast<std::size_t>(measure)];
 }
 
+/// Cells of a member are kept in single precision: sums over them are good to a millionth.
+constexpr double sameShare = 1e-6;
+
+/// A sum over cells with the seven digits that it has.
+double roundedSum(double sum) {
+    if (!(sum > 0.0) || !std::isfinite(sum)) {
+        return sum;
+    }
+    const double step = std::pow(10.0, 6.0 - std::floor(std::log10(sum)));
+    return std::round(sum * step) / step;
+}
+
 /// Value below which a share of sorted ones lies, linear between them.
 double quantile(const std::vector<double>& sorted, double share) {
     const double place = share * static_cast<double>(sorted.size() - 1);
@@ -211,9 +223,9 @@ private:
             highest = std::max(highest, double{member.surface->heights[c]});
         }
         figure(member, MemberMeasure::Footprint) = area * static_cast<double>(member.surface->cells.size());
-        figure(member, MemberMeasure::PileVolume) = volume;
+        figure(member, MemberMeasure::PileVolume) = roundedSum(volume);
         figure(member, MemberMeasure::RunOut) = figures.runOut;
-        figure(member, MemberMeasure::Mass) = mass;
+        figure(member, MemberMeasure::Mass) = roundedSum(mass);
         figure(member, MemberMeasure::MeanHeight) = figures.meanHeight;
         figure(member, MemberMeasure::PileHeight) = highest;
         member.arrivals = settled.arrivals;
@@ -293,7 +305,13 @@ FigureSpread spreadOf(const EnsembleReport& report, MemberMeasure measure, std::
             values.push_back(member->of(measure));
         }
     }
-    return spreadOf(std::move(values));
+    FigureSpread spread = spreadOf(std::move(values));
+    if (spread.deviation <= sameShare * std::abs(spread.mean)) {
+        // What differs by the rounding of cells alone is one figure, told without a spread.
+        spread.deviation = spread.standardError = 0.0;
+        spread.mean = spread.low = spread.high = spread.least = spread.most = spread.middle;
+    }
+    return spread;
 }
 
 EnsembleReport ensembleStudy(std::span<const EnsembleScene> scenes, const EnsembleSettings& settings,

@@ -99,6 +99,7 @@ struct FigureSpread {
     double upper() const { return hasTwentieths() ? high : most; }
 };
 FigureSpread spreadOf(std::vector<double> values);
+/// Members that differ by the rounding of single precision alone, a millionth, are the same: their spread is 0.
 /// @param first  only the first so many members that are done
 FigureSpread spreadOf(const EnsembleReport& report, MemberMeasure measure, std::size_t first = static_cast<std::size_t>(-1));
 

@@ -31,7 +31,7 @@ struct PageExtras {
     std::shared_ptr<const std::vector<SiteMesh>> surroundings{};  ///< of these files; null: none
     std::shared_ptr<const Orthophoto> orthophoto{};               ///< where the picture of the ground lies; null: nowhere
     std::vector<ValidationRecord> validation{};                   ///< that the build of now was held against
-    std::function<std::string(const Message&)> chinese;           ///< a message in Chinese; unset: messages stay English
+    std::function<std::string(const Message&)> chinese;           ///< in Chinese, settings by names; unset: English
 };
 
 /// What was written.

@@ -9,6 +9,7 @@
 #include "core/base/build.h"
 #include "core/fe/north.h"
 #include "core/scenario/differences.h"
+#include "core/scenario/setting_names.h"
 #include "core/simulation/health/passed_limits.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/run/acknowledgements.h"
@@ -36,7 +37,10 @@ public:
         if (message.empty()) {
             return nullptr;
         }
-        const std::string english = englishText(message);
+        // Whoever reads a page has neither files nor command line before him: settings have names.
+        Message named = message;
+        named.pattern = withSettingNames(message.pattern);
+        const std::string english = englishText(named);
         return {{"en", english}, {"zh", m_chinese ? m_chinese(message) : english}};
     }
     /// A word of a table, such as the name of a setting.

@@ -54,6 +54,21 @@ TEST(Document, WhereAnotherCaseLiesIsToldOnceTheCaseIsTold) {
     }
 }
 
+// A case was called changed that had just been opened, because the one before had come back unsaved.
+TEST(Document, ACaseAfterARecoveredOneIsNotChanged) {
+    Document document;
+    const QString path = QStringLiteral("case.rubble");
+    document.replace(plainCase(), path, path, true);
+    EXPECT_TRUE(document.modified());
+    document.close();
+    document.replace(plainCase(), path, path);
+    EXPECT_FALSE(document.modified());
+    document.setParameter(QStringLiteral("friction"), 0.65);
+    EXPECT_TRUE(document.modified());
+    document.undoStack().undo();
+    EXPECT_FALSE(document.modified());
+}
+
 TEST(Document, InputsChangeAsOneCommandAndAreReadAnew) {
     Document document;
     document.replace(plainCase(), {}, {});

@@ -16,8 +16,10 @@
 
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/project_display.h"
+#include "app/gui/case/run_history.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
+#include "widgets/case/run_verdict.h"
 #include "widgets/run/run_list.h"
 
 namespace rubble {
@@ -96,7 +98,8 @@ protected:
     QString caseFile() const { return folder.filePath(QStringLiteral("small.rubble")); }
     void saveCase() { ASSERT_TRUE(window->rooms().files->saveTo(caseFile())); }
     const std::vector<RunEntry>& runs() { return window->rooms().project->runs().runs(); }
-    void cancelRun() {
+    /// A run that goes on for long has some frames.
+    void beginRun() {
         // Without a ground nothing comes to rest.
         session->document().setParameter(QStringLiteral("ground"), std::string("off"));
         session->document().setParameter(QStringLiteral("settle_time"), 3600.0);
@@ -107,6 +110,9 @@ protected:
             return record != nullptr && record->running && record->reader->frameCount() > 5;
         };
         ASSERT_TRUE(QTest::qWaitFor(grown, patience));
+    }
+    void cancelRun() {
+        beginRun();
         session->computation().cancel();
         ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
     }
@@ -172,6 +178,81 @@ TEST_F(KeptRun, OfAProgramThatWasKilledIsListedToo) {
     EXPECT_EQ(runs()[0].file, file.toStdString());
     EXPECT_EQ(runs()[0].scenarioId, session->document().active()->id);
     EXPECT_TRUE(runs()[0].complete);
+}
+
+// The new case knew nothing of the run that was made in it.
+TEST_F(KeptRun, OfACaseThatWasSavedElsewhereMeanwhileIsKnownThereWhenTheProgramIsKilled) {
+    saveCase();
+    beginRun();
+    const QString other = folder.filePath(QStringLiteral("west.rubble"));
+    ASSERT_TRUE(window->rooms().files->saveTo(other));
+    const QString run = QFileInfo(session->computation().currentRun()->path).absoluteFilePath();
+    // What a kill leaves now: these histories, and a file without an end.
+    const QStringList histories{caseFile() + QStringLiteral(".runs.json"), other + QStringLiteral(".runs.json")};
+    QStringList left;
+    for (const QString& history : histories) {
+        ASSERT_TRUE(QFile::exists(history)) << qPrintable(history);
+        left << history + QStringLiteral(".left");
+        ASSERT_TRUE(QFile::copy(history, left.back()));
+    }
+    EXPECT_TRUE(runs().empty()) << "it is listed once it has ended";
+    session->computation().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    endProgram();
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_TRUE(QFile::remove(histories[i]) && QFile::rename(left[i], histories[i]));
+    }
+    for (const QString& path : {other, caseFile()}) {
+        startProgram();
+        window->show();
+        openIt(path);
+        ASSERT_EQ(runs().size(), 1U) << qPrintable(path);
+        EXPECT_EQ(QString::fromStdString(runs()[0].file), run);
+        EXPECT_TRUE(runs()[0].interrupted);
+        EXPECT_GT(runs()[0].endTime, 0.0);
+        EXPECT_TRUE(widgets::runVerdict(runs()[0]).startsWith(QStringLiteral("interrupted at ")));
+        endProgram();
+    }
+    startProgram();
+}
+
+TEST_F(KeptRun, OfACaseThatWasSavedElsewhereMeanwhileIsKnownInBothWithItsEnd) {
+    saveCase();
+    beginRun();
+    const QString other = folder.filePath(QStringLiteral("west.rubble"));
+    ASSERT_TRUE(window->rooms().files->saveTo(other));
+    session->computation().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    ASSERT_EQ(runs().size(), 1U);
+    EXPECT_FALSE(runs()[0].interrupted) << "somebody cancelled it";
+    const std::string file = runs()[0].file;
+    openIt(other);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().path() == other && prepared(); }, patience));
+    ASSERT_EQ(runs().size(), 1U);
+    EXPECT_FALSE(runs()[0].interrupted);
+    endProgram();
+    startProgram();
+    window->show();
+    openIt(caseFile());
+    ASSERT_EQ(runs().size(), 1U);
+    EXPECT_EQ(runs()[0].file, file);
+}
+
+// A sample can be written by root, and runs lay among the files that were installed.
+TEST_F(KeptRun, OfASampleLiesInTheStateFolder) {
+    const QString sample =
+        QFileInfo(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/rubble/samples/river-arch.rubble"))
+            .canonicalFilePath();
+    ASSERT_FALSE(sample.isEmpty());
+    window->open(sample);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().path() == sample && prepared(); }, patience));
+    EXPECT_TRUE(session->document().readOnly());
+    RunHistory& history = window->rooms().project->runs();
+    EXPECT_FALSE(history.stateFolder().isEmpty());
+    for (const QString& place : {history.runsFolder(), history.fileBeside(QStringLiteral(".report.json"))}) {
+        EXPECT_TRUE(place.startsWith(history.stateFolder() + u'/')) << qPrintable(place);
+    }
+    EXPECT_FALSE(window->rooms().files->saveTo(sample)) << "it stays as it came";
 }
 
 TEST_F(KeptRun, IsAskedAboutOnlyWhereItWouldGo) {

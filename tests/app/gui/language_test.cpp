@@ -152,6 +152,16 @@ TEST_F(Languages, ANameThatIsAWordAsWellStaysAsItIs) {
     EXPECT_EQ(figures::chineseWords()(kind), "梁");
 }
 
+// Pages of runs said "请提高 step_rate，或设置 auto_remedy = true" where window and report have names.
+TEST_F(Languages, SettingsOfAPageHaveNames) {
+    speak("zh_CN");
+    const Message remedy{"x", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}};
+    const std::string words = widgets::worded(remedy).toStdString();
+    EXPECT_THAT(words, testing::Not(testing::AnyOf(testing::HasSubstr("step_rate"), testing::HasSubstr("substeps"))));
+    EXPECT_EQ(figures::chineseWords(true)(remedy), words);
+    EXPECT_THAT(figures::chineseWords()(remedy), testing::HasSubstr("step_rate")) << "a command line speaks keys";
+}
+
 // A window that takes the place of another shows and says what one does that was there from the start.
 TEST_F(Languages, ASwitchChangesTheWordsAndNothingElse) {
     openArch();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
+#include <QMessageBox>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QPushButton>
@@ -207,6 +208,27 @@ TEST_F(LeftSession, ThatWasKilledComesBack) {
     ::kill(static_cast<pid_t>(leftProgram.processId()), SIGKILL);
     ASSERT_TRUE(leftProgram.waitForFinished(patience));
     recover();
+}
+
+TEST_F(LeftSession, ThatWasGivenUpAfterAllLeavesTheNextCaseUnchanged) {
+    begin();
+    ::kill(static_cast<pid_t>(leftProgram.processId()), SIGKILL);
+    ASSERT_TRUE(leftProgram.waitForFinished(patience));
+    window->rooms().project->recovery().look();
+    auto* recoverButton = window->findChild<widgets::NoticeBar*>()->findChild<QPushButton*>(QStringLiteral("primary"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return recoverButton->isVisible(); }, patience));
+    QTest::mouseClick(recoverButton, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && session->document().modified(); }, patience));
+    whenAsked([](QDialog& dialog) {
+        QTest::mouseClick(dynamic_cast<QMessageBox&>(dialog).button(QMessageBox::Discard), Qt::LeftButton);
+    });
+    QTest::keyClick(window, Qt::Key_W, Qt::ControlModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().empty(); }, patience));
+    window->open(fe);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && !session->document().empty(); }, patience));
+    EXPECT_FALSE(session->document().modified());
+    EXPECT_FALSE(window->windowTitle().contains(u'*')) << qPrintable(window->windowTitle());
+    EXPECT_TRUE(window->rooms().files->mayLeave()) << "nobody is asked about what nobody changed";
 }
 
 TEST_F(LeftSession, ThatLostItsDisplayEndsByItselfAndComesBack) {

@@ -212,6 +212,24 @@ TEST_F(EnsembleStudy, MembersAreOfTheScenariosThatAreVaried) {
     EXPECT_THROW(make(), UsageError) << "the other scenario is not there";
 }
 
+// "Mass that fell, kg: 9,000.00 ± 1.9 × 10⁻⁵": sums over cells differ by their rounding.
+TEST_F(EnsembleStudy, RoundingIsNoSpread) {
+    EnsembleReport report;
+    for (const double mass : {9000.0, 8999.999909639359, 9000.00004, 9000.0}) {
+        EnsembleMember member;
+        member.done = true;
+        member.figures.fill(mass);
+        member.figures[static_cast<std::size_t>(MemberMeasure::RunOut)] = mass * (report.members.empty() ? 1.0 : 1.001);
+        report.members.push_back(member);
+    }
+    const FigureSpread spread = spreadOf(report, MemberMeasure::Mass);
+    EXPECT_EQ(spread.deviation, 0.0);
+    EXPECT_EQ(spread.standardError, 0.0);
+    EXPECT_EQ(spread.mean, 9000.0);
+    EXPECT_EQ(spread.lower(), spread.upper());
+    EXPECT_GT(spreadOf(report, MemberMeasure::RunOut).deviation, 1.0);
+}
+
 TEST_F(EnsembleStudy, MembersHaveNoSpreadWhereNothingVaries) {
     const FigureSpread spread = spreadOf({2.0, 4.0, 6.0, std::nan("")});
     EXPECT_EQ(spread.count, 3u);

@@ -4,6 +4,7 @@
 #include "core/scenario/parameters.h"
 #include "widgets/figures/report/report_sections.h"
 #include "widgets/figures/report/spoken_text.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::figures {
 
@@ -55,7 +56,7 @@ void ReportSections::addEnsemble() {
     for (const VariedSetting& varied : ensemble.settings.varied) {
         const Parameter* row = varied.key == scenarioKey ? nullptr : findParameter(varied.key).first;
         drawn.rows.push_back({(varied.key == scenarioKey ? tr("Scenario") : spokenSetting(varied.key)).toHtmlEscaped(),
-                              row != nullptr ? escaped(std::string(row->unit)) : QString(), distributionWords(varied)});
+                              row != nullptr ? unitShown(escaped(std::string(row->unit))) : QString(), distributionWords(varied)});
     }
     drawn.source = source();
     m_blocks.push_back(std::move(drawn));
@@ -106,12 +107,13 @@ void ReportSections::addEnsembleSpread() {
         const auto measure = static_cast<MemberMeasure>(k);
         const MemberMeasureRow& row = memberMeasureRow(measure);
         const FigureSpread spread = spreadOf(ensemble, measure);
-        QString unit = QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size()));
-        unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
+        const QString unit = raisedUnits(QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size())));
         const Message name{"", std::string(row.name), {}};
+        const bool same = spread.deviation == 0.0;
         table.rows.push_back({QStringLiteral("%1 [%2]").arg(said(name), unit), reportNumber(spread.mean),
-                              reportNumber(spread.standardError, 2), reportNumber(spread.deviation, 2),
-                              reportNumber(spread.lower()), reportNumber(spread.upper())});
+                              same ? tr("none") : reportNumber(spread.standardError, 2),
+                              same ? tr("none") : reportNumber(spread.deviation, 2), reportNumber(spread.lower()),
+                              reportNumber(spread.upper())});
     }
     QStringList members;
     for (const EnsembleMember* member : ensemble.done()) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 
+#include "core/scenario/setting_names.h"
 #include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::figures {
@@ -34,14 +35,24 @@ std::string patternInChinese(const QTranslator& catalogue, const std::string& en
 
 }  // namespace
 
-std::function<std::string(const Message&)> chineseWords() {
+std::function<std::string(const Message&)> chineseWords(bool settingsNamed) {
     const auto catalogue = std::make_shared<QTranslator>();
     [[maybe_unused]] const bool there = catalogue->load(QLatin1String(catalogueFile));
     assert(there && "the catalogue is a resource of the program");
-    return [catalogue](const Message& message) {
+    const CatalogueWords words = [catalogue](std::string_view context, std::string_view english, std::string_view comment) {
+        const std::string in(context);
+        const std::string text(english);
+        const std::string told(comment);
+        const QString said = catalogue->translate(in.c_str(), text.c_str(), told.empty() ? nullptr : told.c_str());
+        return said.isEmpty() ? text : said.toStdString();
+    };
+    return [catalogue, words, settingsNamed](const Message& message) {
         Message said = message;
-        sayArguments(said, [&](const std::string& words) { return inChinese(*catalogue, words); });
+        sayArguments(said, [&](const std::string& text) { return inChinese(*catalogue, text); });
         said.pattern = patternInChinese(*catalogue, message.pattern);
+        if (settingsNamed) {
+            said.pattern = withSettingNames(said.pattern, words);
+        }
         return englishText(said);
     };
 }

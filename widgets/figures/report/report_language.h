@@ -14,7 +14,8 @@ namespace rubble::figures {
 
 /// Messages in Chinese, also what stands in them as words; numbers as englishText() has them. English where a text lacks. A message
 /// without values may also be a word of a table: name, choice or unit of a setting, a figure of a validation.
-std::function<std::string(const Message&)> chineseWords();
+/// @param settingsNamed  settings by their names instead of their keys, for who has no command line before him
+std::function<std::string(const Message&)> chineseWords(bool settingsNamed = false);
 
 /// While one lives, what this program draws and writes speaks a language: words, numbers and dates. For programs without a window,
 /// which speaks by itself.

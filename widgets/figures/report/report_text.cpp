@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "widgets/figures/report/report_sections.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::figures {
 namespace {
@@ -45,9 +46,7 @@ QString reportSeconds(double seconds) {
 }
 
 QString unitShown(QString unit) {
-    for (const auto& [plain, raised] : {std::pair("m2", "m²"), std::pair("m3", "m³"), std::pair("s2", "s²")}) {
-        unit.replace(QString::fromUtf8(plain), QString::fromUtf8(raised));
-    }
+    unit = raisedUnits(unit);
     return unit.startsWith(QLatin1String("x ")) ? QStringLiteral("× ") + unit.mid(2) : unit;
 }
 

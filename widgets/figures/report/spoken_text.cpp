@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::figures {
 
@@ -117,7 +118,7 @@ QString filledText(const QString& english) {
         if (!match.hasMatch()) {
             continue;
         }
-        QString text = spokenMessage(made.text);
+        QString text = raisedUnits(spokenMessage(made.text));
         for (int i = 0; i < 5; ++i) {
             const QString value = match.captured(QStringLiteral("v%1").arg(i));
             const bool asItIs =

@@ -37,10 +37,8 @@ double unitScale(MapLayer layer) {
 
 QString unitText(MapLayer layer) {
     const std::string_view row = mapLayerRow(layer).unit;
-    QString unit = (unitScale(layer) == 1e6 ? QStringLiteral("M") : QString()) +
-                   QString::fromUtf8(row.data(), static_cast<qsizetype>(row.size()));
-    unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
-    return unit;
+    return (unitScale(layer) == 1e6 ? QStringLiteral("M") : QString()) +
+           raisedUnits(QString::fromUtf8(row.data(), static_cast<qsizetype>(row.size())));
 }
 
 QString legendNumber(double value) {

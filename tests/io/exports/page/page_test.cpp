@@ -155,6 +155,13 @@ protected:
         m_sample.feed(*createRun(m_folder / "a.run.h5", m_sample.origin), fed);
         m_run = openRun(m_folder / "a.run.h5");
     }
+    /// The same with what else was found in the simulation.
+    void recordFound(const Message& what, const Message& remedy) {
+        m_sample = runOverFe(11, 12, m_fe);
+        m_sample.result.findings.add(what, remedy, "");
+        m_sample.feed(*createRun(m_folder / "a.run.h5", m_sample.origin));
+        m_run = openRun(m_folder / "a.run.h5");
+    }
     ReadPage exported(PageExtras extras = {}) {
         m_report = exportPage(m_folder / "a.html", *m_run, *m_fe, extras, Execution());
         m_text = wholeFile(m_folder / "a.html");
@@ -168,6 +175,20 @@ protected:
     PageReport m_report;
     std::string m_text;
 };
+
+// A page is read by people who have neither files nor command line before them.
+TEST_F(Page, RemediesNameSettingsAsTheirFieldsDo) {
+    recordFound({"test.held", "{0} were held", {3}},
+                {"test.held.remedy", "raise step_rate or substeps, or set auto_remedy = true", {}});
+    const ReadPage page = exported();
+    std::string remedies;
+    for (const json& finding : page.facts["findings"]) {
+        remedies += finding["remedy"]["en"].get<std::string>() + "\n";
+    }
+    EXPECT_THAT(remedies, testing::HasSubstr("raise “Steps per second” or “Substeps”, or set “"));
+    EXPECT_THAT(remedies, testing::HasSubstr("” = on"));
+    EXPECT_THAT(remedies, testing::Not(testing::HasSubstr("_")));
+}
 
 /// Corners of all pieces, m, in the frames of their bodies.
 std::vector<Vec3> cornersOf(const ReadPage& page) {

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -11,6 +12,7 @@
 #include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/evidence_work.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/surveys/cloud_placing.h"
 #include "app/gui/evidence/surveys/cloud_tools.h"
 #include "app/gui/stage/panel_deck.h"
@@ -22,6 +24,8 @@
 #include "tests/support/level_table.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
+#include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/evidence_table.h"
 #include "widgets/evidence/photo_view.h"
@@ -467,6 +471,91 @@ TEST_F(CloudWork, AScanOfAnInstantIsHeldAgainstThatInstant) {
     EXPECT_EQ(*survey().instant, 2.5);
     const auto& list = window->rooms().deck->evidence().list();
     EXPECT_TRUE(list.item(0, 1)->text().contains(QStringLiteral("the debris at 2.5"))) << qPrintable(list.item(0, 1)->text());
+}
+
+TEST_F(CloudWork, AScanOfTheRunIsNoEvidenceUnderAnyName) {
+    openArch();
+    makeCheap();
+    simulateToEnd();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    const std::string path = m_folder / "scan.las";
+    const std::string copy = m_folder / "site.las";
+    whenAsked([&](QDialog& opened) {
+        auto& dialog = dynamic_cast<widgets::ScanDialog&>(opened);
+        type(field(dialog, "Step between rays"), QStringLiteral("1"));
+        window->rooms().cloudTools->scanTo(dialog, QString::fromStdString(path));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.content().scanning; }, patience));
+        dialog.reject();
+    });
+    window->actions()[ActionId::ScanRun].trigger();
+    std::filesystem::copy_file(path, copy);
+    const auto add = [&](const std::string& file) {
+        window->rooms().survey->add(QString::fromStdString(file));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !session->part<SurveyReach>().busy(); }, patience));
+    };
+    add(copy);
+    EXPECT_EQ(box().content().findings.list().front().what.id, "evidence.of_this_run") << "at once, without its provenance";
+    const auto& list = window->rooms().deck->evidence().list();
+    EXPECT_EQ(list.item(0, 1)->text(), QStringLiteral("a simulated run: no evidence"));
+    add(path);
+    EXPECT_EQ(box().content().findings.count("evidence.same"), 1) << "of one content";
+    EXPECT_EQ(list.item(1, 1)->text(), QStringLiteral("a simulated run: no evidence"));
+
+    QTest::mouseClick(button(box(), "Compare with survey"), Qt::LeftButton);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return box().content().comparison != nullptr && !window->rooms().survey->busy(); }, patience));
+    EXPECT_EQ(box().content().findings.list().front().what.id, "evidence.of_this_run");
+    EXPECT_EQ(box().content().findings.count("evidence.of_this_run"), 1) << "said once";
+    EXPECT_EQ(box().content().cautions.front().key, "no_evidence");
+    std::vector<const widgets::Notice*> shown;
+    for (const auto* notice : box().findChildren<widgets::Notice*>()) {
+        if (notice->isVisibleTo(&box())) {
+            shown.push_back(notice);
+        }
+    }
+    std::sort(shown.begin(), shown.end(),
+              [&](const QWidget* a, const QWidget* b) { return a->mapTo(&box(), QPoint()).y() < b->mapTo(&box(), QPoint()).y(); });
+    ASSERT_FALSE(shown.empty());
+    EXPECT_TRUE(shown.front()->text().contains(QStringLiteral("very run"))) << qPrintable(shown.front()->text());
+    const std::string map = m_folder / "map.png";
+    window->rooms().survey->saveTo(QString::fromStdString(map));
+    std::ifstream in(map + ".provenance.json");
+    const std::string about((std::istreambuf_iterator<char>(in)), {});
+    EXPECT_NE(about.find("no_evidence"), std::string::npos);
+    EXPECT_NE(about.find("\"survey\": \"scan.las\""), std::string::npos) << about;
+    EXPECT_NE(about.find("\"subject\": \"case.rubble"), std::string::npos) << about;
+
+    // Its remedy takes it out.
+    QTest::mouseClick(button(box(), "Take this survey out"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return box().content().names.size() == 1; }, patience));
+    EXPECT_EQ(box().content().findings.count("evidence.same"), 0);
+}
+
+TEST_F(CloudWork, TheScanDialogSaysWhatStillMoves) {
+    openArch();
+    makeCheap();
+    session->document().setParameter(QStringLiteral("settle_time"), 0.1);
+    simulateToEnd();
+    const std::int64_t moving = session->computation().currentRun()->reader->result()->stillMoving;
+    ASSERT_GT(moving, 0);
+    QString before;
+    QString said;
+    whenAsked([&](QDialog& opened) {
+        auto& dialog = dynamic_cast<widgets::ScanDialog&>(opened);
+        for (const auto* notice : dialog.findChildren<widgets::Notice*>()) {
+            before += notice->isVisibleTo(&dialog) ? notice->text() : QString();
+        }
+        EXPECT_EQ(field(dialog, "Instant that is scanned").placeholderText(), QStringLiteral("the end, not all at rest"));
+        type(field(dialog, "Step between rays"), QStringLiteral("1"));
+        window->rooms().cloudTools->scanTo(dialog, QString::fromStdString(m_folder / "scan.las"));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.content().scanning; }, patience));
+        said = dialog.content().said;
+        dialog.reject();
+    });
+    window->actions()[ActionId::ScanRun].trigger();
+    const QString number = widgets::shownCount(moving) + QStringLiteral(" of ");
+    EXPECT_TRUE(before.contains(number)) << qPrintable(before);
+    EXPECT_TRUE(said.contains(number)) << qPrintable(said);
 }
 
 TEST_F(CloudWork, TwoCloudsAreHeldAgainstEachOtherWithTheirEpochs) {

@@ -121,9 +121,8 @@ void Reading::checkOurs() {
                "Give a height model of the site, or a map with the layer height.");
     }
     m_file.take(bands);
-    m_result.debrisMap = true;
+    m_result.debrisMap = m_aboveGround = true;
     m_result.run = fingerprintOf(m_file.entry("RUBBLE_RUN"));
-    m_aboveGround = true;
 }
 
 void Reading::checkCrs() {

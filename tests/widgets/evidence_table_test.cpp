@@ -77,26 +77,6 @@ TEST(EvidenceTable, WhatIsTooLongTakesASecondLineAndNamesKeepBothEnds) {
     EXPECT_GE(table.height(), height) << "all three rows are seen";
 }
 
-TEST(EvidenceTable, WordsFitAtFirstShow) {
-    EvidenceTable table;
-    table.resize(270, 100);
-    table.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&table));
-    std::vector<EvidenceRow> rows = threeRows();
-    rows[0].says = {"evidence.shows_run", "a simulated run: no evidence", {}};
-    rows[0].within = 1234.5;
-    // Wide numbers take room of the words once they are laid out.
-    table.setRows(rows);
-    QCoreApplication::processEvents();
-    for (int row = 0; row < table.rowCount(); ++row) {
-        for (const int column : {0, 1}) {
-            const QRect room(0, 0, table.columnWidth(column) - 16, 1000);
-            const QRect needed = table.fontMetrics().boundingRect(room, Qt::TextWordWrap, table.item(row, column)->text());
-            EXPECT_LE(needed.height(), table.rowHeight(row)) << row << ", " << column;
-        }
-    }
-}
-
 TEST(EvidenceTable, OneThatThisProgramMadeIsMarked) {
     std::vector<EvidenceRow> rows = threeRows();
     rows[0].ours = true;

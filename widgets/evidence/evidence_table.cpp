@@ -71,12 +71,6 @@ EvidenceTable::EvidenceTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
-    // Its columns get their widths after the table got its own, and whenever a column of numbers grows.
-    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
-        if (!m_showing && column < 2) {
-            fitRows();
-        }
-    });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
         if (!m_showing && row >= 0 && row < static_cast<int>(m_rows.size())) {
             emit chosen(QString::fromStdString(m_rows[static_cast<std::size_t>(row)].id));

@@ -3456,16 +3456,8 @@
         <translation>照片关于相机、时间和地点的记录不能从这种文件读取。</translation>
     </message>
     <message>
-        <source>The focal length is found from the point pairs; set the time by hand, or give the photograph as it came from the camera.</source>
-        <translation>焦距由点对求得；时间请手工设置，或给出相机直接生成的照片。</translation>
-    </message>
-    <message>
         <source>What the photograph says of its camera, time and place is damaged and cannot be read.</source>
         <translation>照片关于相机、时间和地点的记录已损坏，不能读取。</translation>
-    </message>
-    <message>
-        <source>Copy the photograph anew from where it came; else set the time by hand.</source>
-        <translation>请从来源重新复制照片；否则手工设置时间。</translation>
     </message>
     <message>
         <source>EXIF says that the photograph lies on a side, the boxes of its HEIF file do not; these count.</source>
@@ -6178,10 +6170,6 @@
     <message>
         <source>Simulate the case first.</source>
         <translation>请先模拟该案例。</translation>
-    </message>
-    <message>
-        <source>The focal length is found from the point pairs; set the time by hand.</source>
-        <translation>焦距由点对求得；请手动设置时刻。</translation>
     </message>
     <message>
         <source>The photograph as it came from the camera shows more.</source>
@@ -12675,6 +12663,42 @@
         <source>The file was taken to count in {0}; what it holds fits better: {1}</source>
         <translation>文件按 {0} 读取；其内容更符合：{1}</translation>
     </message>
+    <message>
+        <source>&quot;{0}&quot; and &quot;{1}&quot; have the same content: they are one piece of evidence</source>
+        <translation>“{0}”与“{1}”内容相同：它们是同一份证据</translation>
+    </message>
+    <message>
+        <source>Copy the photograph anew from where it came. Else untick &quot;when all lay at rest&quot; and type the time.</source>
+        <translation>请从来源重新复制照片。否则请取消勾选“全部静止时”并键入时刻。</translation>
+    </message>
+    <message>
+        <source>Take it out of the evidence, unless all of its points were measured: a scan of a run is no evidence.</source>
+        <translation>请把它从证据中移除，除非其中的点全部为实测：对计算的扫描不是证据。</translation>
+    </message>
+    <message>
+        <source>Take one of them out of the evidence.</source>
+        <translation>请把其中一个从证据中移除。</translation>
+    </message>
+    <message>
+        <source>The evidence was written by this program, without a word of the run that it shows</source>
+        <translation>该证据由本程序写出，没有写明它显示的是哪次计算</translation>
+    </message>
+    <message>
+        <source>The focal length is found from the point pairs. For the time, untick &quot;when all lay at rest&quot; and type it, or give the photograph as it came from the camera.</source>
+        <translation>焦距由点对求得。要给出时刻，请取消勾选“全部静止时”并键入，或给出相机直接生成的照片。</translation>
+    </message>
+    <message>
+        <source>The focal length is found from the point pairs. For the time, untick &quot;when all lay at rest&quot; and type it.</source>
+        <translation>焦距由点对求得。要给出时刻，请取消勾选“全部静止时”并键入。</translation>
+    </message>
+    <message>
+        <source>a simulated run: no evidence</source>
+        <translation>一次模拟计算：不是证据</translation>
+    </message>
+    <message>
+        <source>what this program wrote: evidence only if it was measured</source>
+        <translation>由本程序写出：仅当为实测时才是证据</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -14167,6 +14191,10 @@
     <message>
         <source>Places are picked in the model: open the FE result first.</source>
         <translation>位置在模型中选取：请先打开有限元结果。</translation>
+    </message>
+    <message>
+        <source>Not all lies at rest: %1 of %2 bodies still moved then.</source>
+        <translation>未全部静止：当时 %2 个刚体中有 %1 个仍在运动。</translation>
     </message>
 </context>
 <context>
@@ -21198,6 +21226,10 @@ What the file fits: %2.</source>
         <source>How far the time may be off, as much before as after. From 0 to 1,000,000 s</source>
         <translation>时刻可能的偏差，前后相同。从 0 到 1,000,000 s</translation>
     </message>
+    <message>
+        <source>at rest</source>
+        <translation>静止时</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::EvidenceTable</name>
@@ -25135,6 +25167,14 @@ Program: %3</source>
         <source>Instant</source>
         <translation>时刻</translation>
     </message>
+    <message>
+        <source>the end, not all at rest</source>
+        <translation>结束时，未全部静止</translation>
+    </message>
+    <message>
+        <source>At the end of the run %1 of %2 bodies still move: a scan shows them where they are then, which is not where they will lie.</source>
+        <translation>计算结束时，%2 个刚体中有 %1 个仍在运动：扫描显示它们当时的位置，而不是最终静止的位置。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::ScannerDialog</name>
@@ -26455,6 +26495,10 @@ Program: %3</source>
     <message>
         <source>Pick pairs…</source>
         <translation>选取点对…</translation>
+    </message>
+    <message>
+        <source>Take this survey out</source>
+        <translation>移除该测绘</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,10 @@ EvidenceRow photographRow(const CaseInput& input, const std::vector<Photograph>&
     return row;
 }
 
+std::string evidenceFileName(const std::string& path) {
+    return path.substr(path.find_last_of('/') + 1);
+}
+
 EvidenceRow pointsRow(const Site& site) {
     const std::size_t used = usedPoints(site.controlPoints);
     EvidenceRow row{{}, EvidenceForm::Points, {}, {}, {}};
@@ -120,6 +124,28 @@ EvidenceForm evidenceFormOf(const CaseInput& survey) {
     constexpr std::array<EvidenceForm, surveyKindNames.size()> forms{EvidenceForm::Heights, EvidenceForm::Cloud,
                                                                      EvidenceForm::Outline, EvidenceForm::Measured};
     return forms[static_cast<std::size_t>(*survey.kind)];
+}
+
+Findings sameEvidence(const Case& theCase, std::string_view which) {
+    Findings findings;
+    const auto isEvidence = [](const CaseInput& input) {
+        return (input.role == InputRole::Survey || input.role == InputRole::Photograph) && !input.sha256.empty();
+    };
+    for (std::size_t k = 0; k < theCase.inputs.size(); ++k) {
+        const CaseInput& later = theCase.inputs[k];
+        for (std::size_t i = 0; i < k && isEvidence(later); ++i) {
+            const CaseInput& earlier = theCase.inputs[i];
+            const bool asked = which.empty() || which == later.id || which == earlier.id;
+            if (asked && isEvidence(earlier) && earlier.sha256 == later.sha256) {
+                findings.add({"evidence.same",
+                              "\"{0}\" and \"{1}\" have the same content: they are one piece of evidence",
+                              {evidenceFileName(earlier.path), evidenceFileName(later.path)}},
+                             {"evidence.same.remedy", "Take one of them out of the evidence.", {}}, later.path);
+                break;
+            }
+        }
+    }
+    return findings;
 }
 
 std::vector<EvidenceRow> evidenceOf(const Case& theCase) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/base/message.h"
 #include "core/base/unknown.h"
 #include "core/scenario/case.h"
@@ -32,6 +33,8 @@ struct EvidenceRow {
     Message unread = {};      ///< why it cannot be read, or is no evidence; without id: it can, or nobody has looked yet
     bool byEnding = false;    ///< what it is was told by the ending of its file; nobody has looked into it
     std::optional<PointsHeld> held = std::nullopt;  ///< of measured points
+    std::string run = {};                           ///< fingerprint of the run that the file was made from, hex; empty: none
+    bool ours = false;                              ///< this program wrote the file
 };
 
 /// Endings of files that heights, clouds or outlines are read from, in small letters: ".las". Of other evidence none.
@@ -42,6 +45,10 @@ bool hasOverlap(const CaseInput& survey);
 
 /// What a survey is, by what was found in its file, else by its ending.
 EvidenceForm evidenceFormOf(const CaseInput& survey);
+
+/// That files of a case are one and the same by their SHA-256, one finding each time: they are one piece of evidence.
+/// @param which  id of an input: what is said of it alone; empty: of all
+Findings sameEvidence(const Case& theCase, std::string_view which = {});
 
 /// All evidence of a case in one list: photographs, surveys, control points, in the order of the case. Scores are left open, and so
 /// are the place of a photograph, which its camera tells, and what lies elsewhere.

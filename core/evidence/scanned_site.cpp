@@ -16,6 +16,13 @@ ScannedSite scannedSite(MappedRun run, std::optional<double> time, double liveTh
     for (const DebrisFragment& each : debrisAt(*run.fragments, components, *run.trajectory, site.shape.time).fragments) {
         site.volumes.push_back(each.volume);
     }
+    const TrajectoryFrame frame = frameAtTime(*run.trajectory, site.shape.time);
+    for (const BodyRecord& body : run.trajectory->bodies()) {
+        if (const std::size_t i = at(body.body); !body.isIsland() && i < frame.states.size()) {
+            site.moving.bodies += frame.states[i] != BodyState::Removed ? 1 : 0;
+            site.moving.moving += frame.states[i] == BodyState::Awake ? 1 : 0;
+        }
+    }
     return site;
 }
 

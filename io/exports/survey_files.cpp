@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/base/csv_text.h"
+#include "core/evidence/no_evidence.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
 #include "io/json/json_cursor.h"
@@ -65,22 +66,29 @@ SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, co
 std::string scanProvenance(const RunReader& run, const RunScan& made, const SitePlace& place) {
     nlohmann::json document = nlohmann::json::parse(provenanceText(run));
     nlohmann::json& scan = document["scan"];
-    scan = {{"time_s", made.shape.time},
-            {"at_rest", !made.instant.has_value()},
-            {"step_rad", made.settings.step},
-            {"range_m", made.settings.range},
-            {"noise_m", made.settings.noise},
-            {"seed", made.settings.seed},
-            {"scanners_m", nlohmann::json::array()}};
+    scan = {{"time_s", made.shape.time},      {"at_rest", !made.instant.has_value()}, {"moving", made.moving.moving},
+            {"bodies", made.moving.bodies},   {"step_rad", made.settings.step},       {"range_m", made.settings.range},
+            {"noise_m", made.settings.noise}, {"seed", made.settings.seed},           {"scanners_m", nlohmann::json::array()}};
     for (const Vec3& scanner : made.settings.scanners) {
         scan["scanners_m"].push_back(jsonVector(place.toWorld(scanner)));
     }
     return jsonText(document);
 }
 
-MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey) {
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey) {
+    std::vector<Caution> cautions = evidenceCautions(survey.findings);
+    for (Caution& caution : runCautions(standingOf(run))) {
+        cautions.push_back(std::move(caution));
+    }
+    return cautions;
+}
+
+MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath) {
     const RunOrigin& from = run.origin();
+    const std::vector<Caution> known = surveyCautions(run, survey);
+    const std::string name = std::filesystem::path(survey.path).filename().string();
     MapOrigin origin;
+    origin.subject = name + " · " + mapSubject(from, casePath);
     origin.frame = survey.frame;
     origin.site = survey.site;
     const std::string crs = MapPlace(survey.frame, survey.site).name();
@@ -89,7 +97,11 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
     const std::string surveyed = !made.surveyShowsFallen ? "not known" : *made.surveyShowsFallen ? "shown" : "left out";
     nlohmann::json document = nlohmann::json::parse(provenanceText(run));
     document["inputs"].push_back({{"role", "survey"}, {"path", survey.path}, {"sha256", survey.sha256}});
-    document["survey_comparison"] = {{"time_s", made.time},
+    document["cautions"] = cautionsJson(known);
+    document["survey_comparison"] = {{"survey", name},
+                                     {"subject", mapSubject(from, casePath)},
+                                     {"of_run", survey.ofRun.empty() ? nlohmann::json() : nlohmann::json(survey.ofRun)},
+                                     {"time_s", made.time},
                                      {"cell_m", made.settings.cell},
                                      {"least_height_m", made.settings.leastHeight},
                                      {"live_structure", fallen},
@@ -102,12 +114,14 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                                      {"iou", jsonNumber(made.iou)},
                                      {"crs", crs}};
     origin.provenance = jsonText(document);
-    const std::string cautions = pictureCautions(runCautions(standingOf(run)));
+    const std::string cautions = pictureCautions(known);
     origin.facts = {{"RUBBLE_CLASS", "simulated less surveyed"},
                     {"RUBBLE_TIME_S", exactNumber(made.time)},
                     {"RUBBLE_CELL_M", exactNumber(made.settings.cell)},
                     {"RUBBLE_CRS", crs},
+                    {"RUBBLE_SURVEY", name},
                     {"RUBBLE_SURVEY_SHA256", survey.sha256},
+                    {"RUBBLE_SURVEY_OF_RUN", survey.ofRun.empty() ? "none" : survey.ofRun},
                     {"RUBBLE_FE_SHA256", from.feSha256},
                     {"RUBBLE_SCENARIO", from.scenarioName},
                     {"RUBBLE_RUN", from.fingerprint.hex()},

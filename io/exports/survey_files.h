@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/evidence/cautions.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/case.h"
 #include "io/exports/map_files.h"
@@ -15,8 +17,11 @@ namespace rubble::io {
 /// @param terrain  where the file is now; empty: where the run says
 SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, const std::string& terrain = {});
 
-/// What a comparison with a survey was made from, as every file of it says.
-MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey);
+/// What must be known beside a comparison: what speaks against the survey as evidence, then the cautions of the run.
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey);
+
+/// What a comparison with a survey was made from, as every file of it says. @param casePath  empty: no case is known
+MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath);
 
 /// What a scan of a run was made from, as every file of it says: with the instant that it shows and where its scanners stood.
 std::string scanProvenance(const RunReader& run, const RunScan& made, const SitePlace& place);

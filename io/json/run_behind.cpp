@@ -52,6 +52,11 @@ std::string runWithin(const std::string& path) {
     }
 }
 
+std::string fingerprintOf(std::string_view text) {
+    const bool hex = text.size() == fingerprintDigits && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+    return hex ? std::string(text) : std::string();
+}
+
 void noteRunBehind(Findings& findings, const std::string& path, const std::string& behind, const std::string& held) {
     if (behind.empty()) {
         return;

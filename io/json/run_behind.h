@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "core/base/finding.h"
 
@@ -12,6 +14,11 @@ std::string runBehind(const std::string& path);
 
 /// The same by the provenance inside a figure or a picture.
 std::string runWithin(const std::string& path);
+
+/// Digits of a fingerprint in hex.
+inline constexpr std::size_t fingerprintDigits = 32;
+/// A fingerprint that stands in a file, if it is one; else empty.
+std::string fingerprintOf(std::string_view text);
 
 /// Adds that a file taken as evidence shows a simulated run. Nothing where it does not.
 /// @param behind  fingerprint of the run that the file shows, hex; empty: it shows none

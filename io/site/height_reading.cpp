@@ -9,6 +9,7 @@
 #include "io/base/file_words.h"
 #include "io/base/native_lock.h"
 #include "io/base/trial.h"
+#include "io/json/run_behind.h"
 #include "io/site/clouds/height_source.h"
 #include "io/site/raster_axis.h"
 #include "io/site/raster_file.h"
@@ -120,8 +121,8 @@ void Reading::checkOurs() {
                "Give a height model of the site, or a map with the layer height.");
     }
     m_file.take(bands);
-    m_result.debrisMap = true;
-    m_aboveGround = true;
+    m_result.debrisMap = m_aboveGround = true;
+    m_result.run = fingerprintOf(m_file.entry("RUBBLE_RUN"));
 }
 
 void Reading::checkCrs() {

@@ -160,18 +160,19 @@ void find(Findings& findings, Message what, std::string_view remedy) {
 
 void addFindings(PhotographFile& file, ExifReading::State state) {
     const PhotoFacts& facts = file.facts;
-    constexpr std::string_view byHand = "The focal length is found from the point pairs; set the time by hand.";
+    constexpr std::string_view byHand =
+        "The focal length is found from the point pairs. For the time, untick \"when all lay at rest\" and type it.";
     if (state == ExifReading::State::NotRead) {
         find(file.findings,
              {"photo.exif_not_read",
               "What the photograph says of its camera, time and place is not read from this kind of file.",
               {}},
-             "The focal length is found from the point pairs; set the time by hand, or give the photograph as it came from the "
-             "camera.");
+             "The focal length is found from the point pairs. For the time, untick \"when all lay at rest\" and type it, or give "
+             "the photograph as it came from the camera.");
     } else if (state == ExifReading::State::Damaged) {
         find(file.findings,
              {"photo.exif_damaged", "What the photograph says of its camera, time and place is damaged and cannot be read.", {}},
-             "Copy the photograph anew from where it came; else set the time by hand.");
+             "Copy the photograph anew from where it came. Else untick \"when all lay at rest\" and type the time.");
     } else if (!facts.focalLength && !facts.focalLength35 && facts.taken.empty() && facts.camera.empty()) {
         find(file.findings, {"photo.no_exif", "The photograph says nothing of its camera, time and place.", {}}, byHand);
     }

@@ -5,11 +5,12 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/json/run_behind.h"
+#include "core/evidence/no_evidence.h"
 #include "io/site/clouds/height_source.h"
 #include "io/site/height_reading.h"
 #include "io/site/input_files.h"
 #include "io/site/outline_file.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "io/site/surveys/measured_points.h"
 #include "io/site/surveys/survey_placing.h"
 
@@ -38,6 +39,7 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
     taken.everywhere = heights.debrisMap;
     input.crs = std::move(heights.crs);
     input.findings = std::move(heights.findings);
+    input.ofRun = std::move(heights.run);
     const std::int64_t gaps = countGaps(taken);
     if (heights.debrisMap) {
         // What has no height there is ground without debris.
@@ -119,9 +121,14 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     InputDigest digest = digestOfInput(path, InputRole::Survey, execution);
     input.sha256 = std::move(digest.sha256);
     input.fileSha256 = std::move(digest.fileSha256);
-    input.ofRun = runBehind(path);
+    EvidenceOrigin origin = surveyOriginOf(path, request.read);
+    if (origin.run.empty()) {
+        origin.run = input.ofRun;  // of a map of our own
+    }
+    input.ofRun = origin.run;
     if (request.evidence) {
-        noteRunBehind(input.findings, path, input.ofRun, request.run);
+        noteOrigin(input.findings, path, origin, request.run);
+        input.findings = noEvidenceFirst(input.findings);
     }
     return input;
 }

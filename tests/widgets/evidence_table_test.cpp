@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/theme.h"
 #include "widgets/evidence/survey_place.h"
 
 namespace rubble::widgets {
@@ -74,6 +75,15 @@ TEST(EvidenceTable, WhatIsTooLongTakesASecondLineAndNamesKeepBothEnds) {
         height += table.rowHeight(row);
     }
     EXPECT_GE(table.height(), height) << "all three rows are seen";
+}
+
+TEST(EvidenceTable, OneThatThisProgramMadeIsMarked) {
+    std::vector<EvidenceRow> rows = threeRows();
+    rows[0].ours = true;
+    EvidenceTable table;
+    table.setRows(rows);
+    EXPECT_EQ(table.item(0, 1)->foreground().color(), tints().finding);
+    EXPECT_NE(table.item(1, 1)->foreground().color(), tints().finding);
 }
 
 TEST(EvidenceTable, WhatMeasuredPointsSayIsChosenInTheirRow) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMouseEvent>
@@ -214,6 +215,44 @@ TEST(PhotoPairs, AWrongPairIsPointedOutInWordsAndPairsAreDeleted) {
     EXPECT_EQ(after[1].name, "deck");
     pairs.setContent(list, nullptr, 0);
     EXPECT_TRUE(notice->text().isEmpty());
+}
+
+TEST(EvidencePanel, TheTimeIsOpenOnlyWhereItCanBeTyped) {
+    EvidencePanel panel;
+    panel.resize(336, 900);
+    EvidencePanel::Content content;
+    content.available = true;
+    content.names = QStringList{QStringLiteral("a.jpg")};
+    content.chosen = 0;
+    panel.setContent(content);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    QObject::connect(&panel, &EvidencePanel::photographEdited, &panel, [&](const Photograph& after) {
+        content.photograph = after;
+        panel.setContent(content);
+    });
+    NumberField* time = nullptr;
+    NumberField* spread = nullptr;
+    for (auto* field : panel.findChildren<NumberField*>()) {
+        time = field->accessibleName() == QStringLiteral("Time of the photograph") ? field : time;
+        spread = field->accessibleName() == QStringLiteral("Uncertainty of the time") ? field : spread;
+    }
+    ASSERT_TRUE(time != nullptr && spread != nullptr);
+    EXPECT_FALSE(time->isEnabled() || spread->isEnabled());
+    EXPECT_EQ(time->placeholderText(), QStringLiteral("at rest")) << "what it stands for is said in it";
+    QCheckBox* atRest = nullptr;
+    for (auto* box : panel.findChildren<QCheckBox*>()) {
+        atRest = box->text() == QStringLiteral("when all lay at rest") ? box : atRest;
+    }
+    ASSERT_NE(atRest, nullptr);
+    QTest::mouseClick(atRest, Qt::LeftButton, {}, QPoint(8, atRest->height() / 2));
+    ASSERT_TRUE(time->isEnabled() && spread->isEnabled());
+    EXPECT_TRUE(time->placeholderText().isEmpty());
+    time->setFocus();
+    time->selectAll();
+    QTest::keyClicks(time, QStringLiteral("3.5"));
+    QTest::keyClick(time, Qt::Key_Return);
+    EXPECT_EQ(content.photograph.time, 3.5);
 }
 
 TEST(EvidencePanel, SaysTheVerdictAndTheAgreementInWordsAndFigures) {

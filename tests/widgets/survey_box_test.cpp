@@ -119,6 +119,26 @@ TEST_F(SurveyForm, WhatMustBeKnownOfTheRunStandsAboveTheFigures) {
     EXPECT_FALSE(words().contains(QStringLiteral("514"))) << "of another run";
 }
 
+TEST_F(SurveyForm, ThatASurveyIsNoEvidenceStandsBeforeAllElseWithItsRemedy) {
+    content.findings.add({"survey.gaps", "gaps", {}}, {"survey.gaps.remedy", "none", {}});
+    content.findings.add({"evidence.of_this_run", "made from the very run", {}}, {"evidence.of_run.remedy", "take it out", {}});
+    box.setContent(content);
+    QSignalSpy asked(&box, &SurveyBox::removeRequested);
+    QCoreApplication::processEvents();
+    int first = box.height();
+    QString text;
+    for (const Notice* notice : box.findChildren<Notice*>()) {
+        const int top = notice->mapTo(&box, QPoint()).y();
+        if (notice->isVisible() && top < first) {
+            first = top;
+            text = notice->text();
+        }
+    }
+    EXPECT_TRUE(text.contains(QStringLiteral("very run"))) << text.toStdString();
+    QTest::mouseClick(button(QStringLiteral("Take this survey out")), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return asked.count() == 1; }, 2000));
+}
+
 TEST_F(SurveyForm, DirectionsAreWordsOfTheWindow) {
     struct East : QTranslator {
         QString translate(const char* context, const char* source, const char*, int) const override {

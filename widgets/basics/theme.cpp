@@ -137,7 +137,7 @@ QToolButton#fold:focus { border: 1px dotted %accent%; }
 QLineEdit { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
   selection-background-color: %accent%; selection-color: %accentText%; }
 QLineEdit:focus { border-color: %accent%; }
-QLineEdit:disabled, QPlainTextEdit:disabled { color: %muted%; background: transparent; }
+QLineEdit:disabled, QPlainTextEdit:disabled { color: %muted%; background: transparent; border-style: dashed; }
 QLineEdit[wrong="true"] { border-color: %error%; }
 QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px solid %hairline%; selection-background-color: %accentTint%;
   selection-color: %text%; outline: none; }

@@ -366,6 +366,9 @@ void EvidencePanel::showTime() {
     m_atRest->setChecked(!photograph.time);
     m_time->setEnabled(photograph.time.has_value());
     m_uncertainty->setEnabled(photograph.time.has_value());
+    const QString closed = photograph.time ? QString() : tr("at rest");
+    m_time->setPlaceholderText(closed);
+    m_uncertainty->setPlaceholderText(photograph.time ? QString() : QStringLiteral("–"));
     m_time->setNumber(photograph.time);
     m_uncertainty->setNumber(photograph.time ? std::optional(photograph.timeUncertainty) : std::nullopt);
     m_note->setText(QString::fromStdString(photograph.note));

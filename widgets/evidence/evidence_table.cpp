@@ -110,6 +110,9 @@ void EvidenceTable::setRows(const std::vector<EvidenceRow>& rows) {
         if (elsewhere || unread) {
             item(r, 2)->setForeground(tints().finding);
         }
+        if (row.ours) {
+            item(r, 1)->setForeground(tints().finding);
+        }
         offerHeld(r);
     }
     if (current >= 0 && current < rowCount()) {

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/evidence/no_evidence.h"
 #include "widgets/basics/fixed_number.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/number_field.h"
@@ -131,6 +132,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_section(new QPushButton(tr("Section…"))),
       m_whyNot(new QLabel),
       m_notice(new Notice),
+      m_noEvidence(new FindingList),
       m_findings(new FindingList),
       m_figures(new QTableWidget(0, 3)),
       m_runOut(new QTableWidget(0, 3)),
@@ -147,6 +149,12 @@ SurveyBox::SurveyBox(QWidget* parent)
     files->addWidget(m_remove);
     column->addWidget(m_add);
     column->addLayout(files);
+    // Before anything is stated or compared.
+    column->addWidget(m_noEvidence);
+    const auto takeOut = [this] { emit removeRequested(); };
+    m_noEvidence->setDoings({{"evidence.of_this_run", tr("Take this survey out"), takeOut},
+                             {"evidence.of_run", tr("Take this survey out"), takeOut},
+                             {"evidence.ours", tr("Take this survey out"), takeOut}});
     column->addWidget(m_reading);
     column->addWidget(m_place);
     column->addWidget(m_points);
@@ -371,7 +379,8 @@ void SurveyBox::setContent(const Content& content) {
     m_whyNot->setText(!some ? tr("A height model or an outline of the real debris, measured after the collapse, is compared here.")
                             : content.noComparison);
     m_whyNot->setVisible(!m_whyNot->text().isEmpty());
-    m_findings->set(content.findings);
+    m_noEvidence->set(noEvidenceOf(content.findings));
+    m_findings->set(otherThanNoEvidence(content.findings));
     showResults();
 }
 

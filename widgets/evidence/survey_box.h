@@ -120,6 +120,7 @@ private:
     QPushButton* m_section;
     QLabel* m_whyNot;
     Notice* m_notice;
+    FindingList* m_noEvidence;  ///< that the chosen survey is none
     FindingList* m_findings;
     QTableWidget* m_figures;
     QTableWidget* m_runOut;

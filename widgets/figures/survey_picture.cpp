@@ -120,6 +120,7 @@ public:
         drawEdges(painter);
         drawLegend(painter);
         drawScaleBar(painter);
+        drawHead(painter);
         drawFoot(painter);
         return m_image;
     }
@@ -168,9 +169,10 @@ private:
         const double width = m_style.pixels.width();
         const double height = m_style.pixels.height();
         m_foot = QRectF(0.0, height - foot, width, foot);
-        m_legend = QRectF(width - 15.0 * m_line, 0.6 * m_line, 14.5 * m_line, height - foot - m_line);
+        const double top = (m_style.subject.empty() ? 0.6 : 2.0) * m_line;
+        m_legend = QRectF(width - 15.0 * m_line, top, 14.5 * m_line, height - foot - top - 0.4 * m_line);
         const double left = 6.5 * m_small;
-        const QRectF field(left, 0.6 * m_line, m_legend.left() - left - m_line, height - foot - 0.6 * m_line - 2.2 * m_small);
+        const QRectF field(left, top, m_legend.left() - left - m_line, height - foot - top - 2.2 * m_small);
         m_cellPixels = std::max(1e-3, std::min(field.width() / m_window.columns(), field.height() / m_window.rows()));
         const QSizeF size(m_cellPixels * m_window.columns(), m_cellPixels * m_window.rows());
         m_cells = QRectF(QPointF(field.center().x() - 0.5 * size.width(), field.center().y() - 0.5 * size.height()), size);
@@ -364,6 +366,15 @@ private:
                   shown, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
         }
         return bar.bottom() + 0.8 * m_line;
+    }
+
+    /// Which survey it is, and what it was held against.
+    void drawHead(QPainter& painter) const {
+        if (!m_style.subject.empty()) {
+            const QRectF line(m_cells.left(), 0.5 * m_line, m_style.pixels.width() - m_cells.left() - m_line, m_line);
+            write(painter, line, QString::fromStdString(m_style.subject), static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter),
+                  m_text);
+        }
     }
 
     void drawFoot(QPainter& painter) {

@@ -21,6 +21,7 @@ struct SurveyPictureStyle {
     render::Theme theme = render::Theme::Print;
     SiteFit place;           ///< of the local frame: gives the coordinates along the edges and north
     std::string system;      ///< coordinate system that the case names; empty: none. Counts as placedSystem() says
+    std::string subject{};   ///< which survey, against what, above it; empty for none
     std::string provenance;  ///< one line at the foot, empty for none
     std::string cautions{};  ///< what must be known beside it, above that; empty for none
     bool caption = true;

@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/evidence/cautions.h"
 #include "core/evidence/evidence_list.h"
+#include "core/evidence/no_evidence.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/case/case_file.h"
@@ -24,6 +25,7 @@
 #include "io/run/run_cautions.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/site_place.h"
+#include "io/site/surveys/evidence_origin.h"
 
 namespace rubble::cli {
 
@@ -52,7 +54,8 @@ public:
         const io::SiteWindow window(io::boundsAtRest(m_inputs.fe->mesh()), debrisBounds(mapped(), survey.instant));
         const io::SurveyInput input =
             io::readSurvey(io::inputPath(casePath, survey), m_inputs.frame, site, window, execution, wanted);
-        findings.append(input.findings);
+        // That it shows a run is said of every piece at once.
+        findings.append(otherThanNoEvidence(input.findings));
         SurveySettings settings;
         takeStated(settings, theCase, survey, findings);
         settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
@@ -77,10 +80,14 @@ public:
     void fill(EvidenceRow& row) {
         try {
             if (row.form == EvidenceForm::Photograph) {
+                const std::string path = io::inputPath(m_casePath, inputOf(row.id));
+                takeOrigin(row, path, io::photographOriginOf(path));
                 fillPhotograph(row);
             } else if (row.form != EvidenceForm::Points) {
                 const CaseInput& survey = inputOf(row.id);
-                m_findings.append(io::checkKind(survey, io::inputPath(m_casePath, survey)));
+                const std::string path = io::inputPath(m_casePath, survey);
+                takeOrigin(row, path, io::surveyOriginOf(path, survey.read));
+                m_findings.append(io::checkKind(survey, path));
                 if (m_run != nullptr && hasOverlap(survey)) {
                     row.score = m_run->scoreOf(m_case, m_casePath, survey, m_findings, m_execution);
                 }
@@ -96,6 +103,11 @@ public:
 private:
     const CaseInput& inputOf(const std::string& id) const {
         return *std::find_if(m_case.inputs.begin(), m_case.inputs.end(), [&](const CaseInput& each) { return each.id == id; });
+    }
+
+    void takeOrigin(EvidenceRow& row, const std::string& path, const io::EvidenceOrigin& origin) {
+        io::takeOrigin(row, origin);
+        io::noteOrigin(m_findings, path, origin, m_run != nullptr ? m_run->run().origin().fingerprint.hex() : std::string());
     }
 
     void fillPhotograph(EvidenceRow& row) {
@@ -154,6 +166,8 @@ Json evidenceJson(const Case& theCase, const std::vector<EvidenceRow>& rows) {
         entry["file"] = row.path.empty() ? Json() : Json(row.path);
         entry["taken"] = row.taken.empty() ? Json() : Json(row.taken);
         entry["shows"] = englishText(row.says);
+        entry["of_run"] = row.run.empty() ? Json() : Json(row.run);
+        entry["made_by_program"] = row.ours;
         entry["place_within_95_m"] = evidenceNumber(row.within);
         entry["iou"] = evidenceNumber(row.score);
         entry["placed"] = input != theCase.inputs.end() ? registrationJson(input->registration) : Json();
@@ -206,6 +220,8 @@ ExitCode evidence(const Arguments& arguments, Session& session) {
     for (EvidenceRow& row : rows) {
         scores.fill(row);
     }
+    findings.append(sameEvidence(theCase));
+    findings = noEvidenceFirst(findings);
     writeCsv(arguments, evidenceTable(rows));
     if (arguments.json()) {
         Json object = evidenceJson(theCase, rows);

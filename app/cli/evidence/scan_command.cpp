@@ -42,6 +42,7 @@ io::RunScan scanOf(const Arguments& arguments, const MapSubject& subject, const 
         scannedSite(*subject.run, subject.inputs, instant, parseLength(arguments, "--live-threshold", 1.0, true), execution),
         std::move(settings), execution);
     made.instant = instant;
+    made.run = subject.run->origin().fingerprint.hex();
     return made;
 }
 
@@ -49,6 +50,8 @@ Json scanJson(const io::RunScan& made, const io::SitePlace& place) {
     Json object;
     object["time_s"] = made.shape.time;
     object["at_rest"] = !made.instant.has_value();
+    object["moving"] = made.moving.moving;
+    object["bodies"] = made.moving.bodies;
     object["points"] = made.scan.places.size();
     object["step_deg"] = made.settings.step / degree;
     object["range_m"] = made.settings.range;
@@ -71,6 +74,9 @@ void printScan(std::ostream& out, const io::RunScan& made, const io::SitePlace& 
     const auto count = [](std::uint64_t points) { return englishInteger(static_cast<std::int64_t>(points)); };
     FactList facts;
     facts.add("time", englishNumber(made.shape.time) + (made.instant ? " s, told by LAS and PLY" : " s, the end"));
+    facts.add("bodies", made.moving.moving == 0 ? std::string("all at rest then")
+                                                : englishInteger(made.moving.moving) + " of " + englishInteger(made.moving.bodies) +
+                                                      " still move then");
     facts.add("points", count(made.scan.places.size()) + ": " + count(made.counts[1]) + " on debris, " + count(made.counts[2]) +
                             " on fallen structure, " + count(made.counts[3]) + " on standing structure, " + count(made.counts[4]) +
                             " on the ground");

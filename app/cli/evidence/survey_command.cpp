@@ -18,6 +18,8 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "core/evidence/cautions.h"
+#include "core/evidence/evidence_list.h"
+#include "core/evidence/no_evidence.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
@@ -348,6 +350,7 @@ void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInpu
 
 void writePicture(const std::string& path, const SurveyComparison& made, const io::SurveyInput& input, const io::RunReader& run,
                   const Arguments& arguments) {
+    const io::MapOrigin origin = io::surveyOrigin(run, made, input, caseOfEvidence(arguments));
     quietQt();
     figures::ensureGuiApplication();
     figures::SurveyPictureStyle style;
@@ -358,9 +361,10 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     style.place = io::SitePlace(input.frame, input.site).transform();
     style.system = input.frame.crs;
     style.provenance = "survey " + input.sha256.substr(0, 16) + ", " + io::footLine(run.origin());
-    style.cautions = pictureCautions(runCautions(io::standingOf(run)));
+    style.subject = origin.subject;
+    style.cautions = pictureCautions(io::surveyCautions(run, input));
     figures::writePng(path, figures::surveyPicture(made, style));
-    io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
+    io::writeProvenance(path, origin.provenance);
 }
 
 ExitCode survey(const Arguments& arguments, Session& session) {
@@ -387,7 +391,10 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const io::SiteWindow window(io::boundsAtRest(subject.inputs.fe->mesh()), debrisBounds(mapped, time));
-    const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site, window, session.execution(), wanted);
+    io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site, window, session.execution(), wanted);
+    if (!file.stated.sha256.empty()) {
+        input.findings.append(sameEvidence(file.theCase, file.stated.id));
+    }
     findings.append(input.findings);
     if (arguments.has("--area") || arguments.has("--leave-out")) {
         file.stated.scope = scopeFrom(arguments, subject.inputs.frame, file.site, findings, session.execution());
@@ -399,7 +406,8 @@ ExitCode survey(const Arguments& arguments, Session& session) {
         if (io::hasEnding(path, ".png")) {
             writePicture(path, made, input, *subject.run, arguments);
         } else {
-            io::writeSurveyTiff(path, made, io::surveyOrigin(*subject.run, made, input), session.execution());
+            io::writeSurveyTiff(path, made, io::surveyOrigin(*subject.run, made, input, caseOfEvidence(arguments)),
+                                session.execution());
         }
     }
     writeCsv(arguments, sectorTable(made));
@@ -408,6 +416,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
         findings.add({"survey.changed", "the survey is not the one the case was saved with", {}},
                      {"survey.changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}}, file.path);
     }
+    findings = noEvidenceFirst(findings);
     conclude(
         arguments, session, subject, findings, [&] { return surveyJson(made, input, file.stated); },
         [&](std::ostream& out) { print(out, made, input, file.stated); });

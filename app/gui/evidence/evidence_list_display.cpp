@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "app/gui/evidence/evidence_display.h"
+#include "app/gui/evidence/photograph_places.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/evidence/survey_reach.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/panel_deck.h"
 #include "core/evidence/cautions.h"
 #include "core/evidence/evidence_list.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/evidence_table.h"
 
@@ -39,7 +41,8 @@ EvidenceListDisplay::EvidenceListDisplay(Session& session, PanelDeck& deck, Evid
       m_deck(deck),
       m_photographs(photographs),
       m_surveys(surveys),
-      m_reach(session.part<SurveyReach>()) {
+      m_reach(session.part<SurveyReach>()),
+      m_places(session.part<PhotographPlaces>()) {
     connect(&deck.evidence().list(), &widgets::EvidenceTable::chosen, this,
             [this](const QString& id) { choose(id.toStdString()); });
     connect(&deck.evidence().list(), &widgets::EvidenceTable::held, this, [this](const QString& id, PointsHeld as) {
@@ -48,6 +51,7 @@ EvidenceListDisplay::EvidenceListDisplay(Session& session, PanelDeck& deck, Evid
     });
     connect(&photographs, &EvidenceDisplay::changed, this, &EvidenceListDisplay::refresh);
     connect(&surveys, &SurveyDisplay::changed, this, &EvidenceListDisplay::refresh);
+    connect(&m_places, &PhotographPlaces::changed, this, &EvidenceListDisplay::refresh);
     connect(&m_document, &Document::replaced, this, [this] {
         m_scores.clear();
         refresh();
@@ -63,12 +67,11 @@ void EvidenceListDisplay::keepNewest() {
     const Case& theCase = m_document.theCase();
     const CaseInput* survey = m_surveys.current();
     if (const auto made = m_surveys.comparison(); made != nullptr && survey != nullptr && !m_surveys.stale()) {
-        m_scores[survey->id] = {*survey, {}, record->reader.get(), made->iou, unknown};
+        m_scores[survey->id] = {*survey, {}, record->reader.get(), made->iou};
     }
     const int chosen = m_photographs.chosen();
     if (chosen >= 0 && chosen < static_cast<int>(theCase.photographs.size())) {
         const Photograph& photograph = theCase.photographs[static_cast<std::size_t>(chosen)];
-        const double within = m_photographs.match() ? m_photographs.match()->placeRadius : unknown;
         const auto compared = m_photographs.comparison();
         double overlap = unknown;
         if (compared != nullptr && !m_photographs.comparisonStale()) {
@@ -77,9 +80,8 @@ void EvidenceListDisplay::keepNewest() {
         Score& score = m_scores[photograph.input];
         const bool other = !(score.photograph == photograph) || score.run != record->reader.get();
         if (other || !std::isnan(overlap)) {
-            score = {{}, photograph, record->reader.get(), overlap, within};
+            score = {{}, photograph, record->reader.get(), overlap};
         }
-        score.within = within;
     }
 }
 
@@ -97,16 +99,22 @@ void EvidenceListDisplay::refresh() {
         if (const Findings unread = input != nullptr ? m_reach.unread(*input) : Findings(); !unread.empty()) {
             row.unread = unread.list().front().what;
         }
+        const Photograph* photograph = photographOf(theCase, row.id);
+        if (photograph != nullptr) {
+            const PhotographPlaces::Place place = m_places.of(*photograph);
+            io::takeOrigin(row, place.origin);
+            // The chosen one is matched at once, the others soon after.
+            const bool chosen = photograph - theCase.photographs.data() == m_photographs.chosen();
+            row.within = chosen && m_photographs.match() ? m_photographs.match()->placeRadius : place.within;
+        } else if (input != nullptr) {
+            io::takeOrigin(row, m_reach.origin(*input));
+        }
         const auto kept = m_scores.find(row.id);
         if (kept == m_scores.end()) {
             continue;
         }
         const Score& score = kept->second;
-        const Photograph* photograph = photographOf(theCase, row.id);
         const bool same = photograph != nullptr ? score.photograph == *photograph : input != nullptr && score.survey == *input;
-        if (same && photograph != nullptr) {
-            row.within = score.within;
-        }
         if (same && current && score.run == record->reader.get()) {
             row.score = score.overlap;
         }

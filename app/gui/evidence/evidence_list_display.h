@@ -12,6 +12,7 @@ class Computation;
 class Document;
 class EvidenceDisplay;
 class PanelDeck;
+class PhotographPlaces;
 class Session;
 class SurveyDisplay;
 class SurveyReach;
@@ -34,7 +35,6 @@ private:
         Photograph photograph;  ///< as it was compared
         const void* run = nullptr;
         double overlap = 0.0;
-        double within = 0.0;  ///< m, of the camera's place
     };
     void keepNewest();
     void choose(const std::string& id);
@@ -45,6 +45,7 @@ private:
     EvidenceDisplay& m_photographs;
     SurveyDisplay& m_surveys;
     SurveyReach& m_reach;
+    PhotographPlaces& m_places;
     std::map<std::string, Score> m_scores;  ///< by id of the input
 };
 

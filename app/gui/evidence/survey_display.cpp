@@ -16,6 +16,7 @@
 #include "app/gui/stage/panel_deck.h"
 #include "core/base/error.h"
 #include "core/evidence/evidence_list.h"
+#include "core/evidence/no_evidence.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
@@ -26,6 +27,7 @@
 #include "io/run/run_cautions.h"
 #include "io/site/input_files.h"
 #include "io/site/site_place.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "io/site/surveys/survey_registration.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_page.h"
@@ -411,6 +413,7 @@ std::shared_ptr<const SurveyComparison> SurveyDisplay::comparison() const {
 SurveyWork::Compared SurveyDisplay::comparedNow(const CaseInput& survey, const RunRecord& record) const {
     SurveyWork::Compared now{survey, record.reader.get(), m_deck.evidence().survey().settings()};
     takeStated(now.settings, m_document.theCase(), survey, now.said);
+    now.said.append(sameEvidence(m_document.theCase(), survey.id));
     now.origin = record.reader != nullptr ? record.reader->origin() : io::RunOrigin();
     return now;
 }
@@ -477,19 +480,27 @@ void SurveyDisplay::saveTo(const QString& path) {
         return;
     }
     m_session.writeNow(path, [&] {
-        const io::MapOrigin origin = io::surveyOrigin(*record->reader, made->comparison, made->input);
+        const io::MapOrigin origin =
+            io::surveyOrigin(*record->reader, made->comparison, made->input, m_document.path().toStdString());
         if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
             figures::SurveyPictureStyle style;
             style.place = io::SitePlace(origin.frame, origin.site).transform();
             style.system = origin.frame.crs;
+            style.subject = origin.subject;
             style.provenance = "survey " + made->input.sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
-            style.cautions = widgets::cautionWords(runCautions(io::standingOf(*record->reader))).toStdString();
+            style.cautions = widgets::cautionWords(io::surveyCautions(*record->reader, made->input)).toStdString();
             figures::writePng(path.toStdString(), figures::surveyPicture(made->comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {
             io::writeSurveyTiff(path.toStdString(), made->comparison, origin, Execution());
         }
     });
+}
+
+/// Fingerprint of the run that surveys are held against, hex; empty: there is none.
+std::string SurveyDisplay::heldRun() const {
+    const RunRecord* record = m_computation.currentRun();
+    return record != nullptr && record->reader != nullptr ? record->reader->origin().fingerprint.hex() : std::string();
 }
 
 void SurveyDisplay::refresh() {
@@ -502,21 +513,28 @@ void SurveyDisplay::refresh() {
     }
     m_work.chosen = std::clamp(m_work.chosen, 0, std::max(0, static_cast<int>(all.size()) - 1));
     content.chosen = all.empty() ? -1 : m_work.chosen;
+    const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
+    const CaseInput& compared = m_work.answer.answered().survey;
+    const bool shown = made != nullptr && current() != nullptr && current()->id == compared.id;
     if (const CaseInput* survey = current(); survey != nullptr) {
         content.cloud = evidenceFormOf(*survey) == EvidenceForm::Cloud;
         content.showsFallen = survey->showsFallen;
         content.scope = survey->scope;
         content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
         content.stated = {survey->taken, survey->before, survey->instant, survey->registration};
-        content.findings = m_reach.of(*survey);
+        const std::string path = io::inputPath(m_document.base().toStdString(), *survey);
+        io::EvidenceOrigin origin = m_reach.origin(*survey);
+        if (shown && origin.run.empty()) {
+            origin.run = made->input.ofRun;  // a map of ours says so once it is read
+        }
+        io::noteOrigin(content.findings, path, origin, heldRun());
+        content.findings.append(sameEvidence(m_document.theCase(), survey->id));
+        content.findings.append(m_reach.of(*survey));
         content.findings.append(m_reach.unread(*survey));
     }
     content.noComparison = whyNoComparison();
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
     content.comparing = busy();
-    const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
-    const CaseInput& compared = m_work.answer.answered().survey;
-    const bool shown = made != nullptr && current() != nullptr && current()->id == compared.id;
     if (current() != nullptr) {
         // A comparison tells what is odd in the points itself.
         const Findings odd = m_reach.odd(*current());
@@ -530,9 +548,10 @@ void SurveyDisplay::refresh() {
         content.comparison = comparison();
         content.stale = !busy() && stale();
         if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
-            content.cautions = runCautions(io::standingOf(*record->reader));
+            content.cautions = io::surveyCautions(*record->reader, made->input);
         }
-        content.findings.append(made->input.findings);
+        // That it is no evidence stands there already, of the run that is shown now.
+        content.findings.append(otherThanNoEvidence(made->input.findings));
         content.findings.append(made->comparison.findings);
         if (!compared.sha256.empty() && !io::InputDigest{made->input.sha256, made->input.fileSha256}.is(compared.sha256)) {
             content.findings.add({"survey.changed", "The survey is not the one the case was saved with", {}},

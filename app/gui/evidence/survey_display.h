@@ -93,6 +93,7 @@ private:
     void readPolygons(const QString& path, const std::function<void(Outline)>& take);
     void save();
     bool savable();
+    std::string heldRun() const;
 
     Session& m_session;
     Document& m_document;

@@ -59,8 +59,13 @@ Findings SurveyReach::odd(const CaseInput& survey) const {
     return found != nullptr ? found->odd : Findings();
 }
 
+io::EvidenceOrigin SurveyReach::origin(const CaseInput& survey) const {
+    const Known* found = known(survey);
+    return found != nullptr ? found->origin : io::EvidenceOrigin();
+}
+
 SurveyReach::Known SurveyReach::lookAt(const Asked& asked, const Execution& execution) {
-    Known made{asked, {}, {}, {}};
+    Known made{asked, {}, {}, {}, io::surveyOriginOf(asked.path, asked.read)};
     try {
         CaseInput survey;
         survey.path = asked.path;

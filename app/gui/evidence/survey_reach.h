@@ -9,6 +9,7 @@
 #include "core/base/geometry.h"
 #include "core/fe/frame.h"
 #include "core/scenario/case.h"
+#include "io/site/surveys/evidence_origin.h"
 
 namespace rubble {
 
@@ -17,8 +18,8 @@ class Document;
 class Session;
 
 /// What is found of the surveys of the open case before anything is compared: which lie elsewhere than its structure, cannot be
-/// read, or hold something odd. Looked at in the background as soon as one is added, placed, or the case is tied to the world
-/// otherwise.
+/// read, hold something odd, or were made by this program. Looked at in the background as soon as one is added, placed, or the case
+/// is tied to the world otherwise.
 class SurveyReach : public QObject {
     Q_OBJECT
 
@@ -31,6 +32,8 @@ public:
     Findings unread(const CaseInput& survey) const;
     /// What is odd in it, and whether it holds what its name says.
     Findings odd(const CaseInput& survey) const;
+    /// What its file says of its making by this program; nothing as long as that is not known.
+    io::EvidenceOrigin origin(const CaseInput& survey) const;
     bool busy() const { return m_worker.busy(); }
 
 signals:
@@ -56,6 +59,7 @@ private:
         Findings place;
         Findings unread;
         Findings odd;
+        io::EvidenceOrigin origin;
     };
     const Known* known(const CaseInput& survey) const;
     static Known lookAt(const Asked& asked, const Execution& execution);

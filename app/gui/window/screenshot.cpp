@@ -12,6 +12,7 @@
 #include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/evidence_display.h"
 #include "app/gui/evidence/evidence_studies.h"
+#include "app/gui/evidence/photograph_places.h"
 #include "app/gui/evidence/survey_display.h"
 #include "app/gui/evidence/survey_reach.h"
 #include "app/gui/session/session.h"
@@ -82,8 +83,8 @@ void Screenshot::look() {
     }
     // What the photographs show, islands and studies are made in the background.
     if (!m_window.rooms().evidence->settled() || m_window.rooms().islands->busy() || m_window.rooms().survey->busy() ||
-        m_window.session().part<SurveyReach>().busy() || m_window.rooms().cloudPoints->busy() ||
-        m_window.rooms().cloudTools->busy() || m_window.rooms().studies->work().running()) {
+        m_window.session().part<SurveyReach>().busy() || m_window.session().part<PhotographPlaces>().busy() ||
+        m_window.rooms().cloudPoints->busy() || m_window.rooms().cloudTools->busy() || m_window.rooms().studies->work().running()) {
         return;
     }
     m_timer.stop();

@@ -71,6 +71,8 @@ struct CloudHead {
     std::vector<CloudScan> scans;  ///< empty: the format has none
     /// s, on the clock of the FE file: the instant of a run that was scanned; unset: the file does not say one.
     std::optional<double> instant;
+    std::string run;    ///< fingerprint of that run, hex; empty: the file does not say one
+    bool ours = false;  ///< this program wrote the file
     std::vector<CloudPhotograph> photographs;
     std::vector<std::string> unread;  ///< columns beside those that are kept
 };

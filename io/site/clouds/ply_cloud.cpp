@@ -5,6 +5,7 @@
 
 #include "io/base/file_words.h"
 #include "io/fe/meshes/ply_header.h"
+#include "io/json/run_behind.h"
 #include "io/site/clouds/cloud_records.h"
 #include "io/site/clouds/text_source.h"
 
@@ -21,7 +22,7 @@ public:
         m_start = at < 0 ? m_file->size() : static_cast<std::uint64_t>(at);
         m_head.format = "PLY";
         m_head.version = "1.0";
-        takeInstant();
+        takeOrigin();
         m_head.coding = m_ply.text ? "text" : m_ply.bigEndian ? "bytes, big end first" : "bytes, little end first";
     }
 
@@ -55,14 +56,20 @@ private:
                       "Export the points anew as PLY with x, y and z.");
     }
 
-    /// Which instant of a run a scan of ours shows.
-    void takeInstant() {
+    /// Which instant of which run a scan of ours shows.
+    void takeOrigin() {
         for (const std::string& comment : m_ply.comments) {
             std::string_view words = comment;
-            double seconds = 0.0;
-            if (takeWord(words) == "instant" && takeReal(words, seconds) && std::isfinite(seconds)) {
-                m_head.instant = seconds;
+            const std::string_view key = takeWord(words);
+            double number = 0.0;
+            if (key == "instant" && takeReal(words, number) && std::isfinite(number)) {
+                m_head.instant = number;
+            } else if (key == "run") {
+                m_head.run = fingerprintOf(takeWord(words));
+            } else if (key == "scanner") {
+                m_head.ours = takeReal(words, number) && takeReal(words, number) && takeReal(words, number);
             }
+            m_head.ours = m_head.ours || m_head.instant.has_value() || !m_head.run.empty();
         }
     }
 

@@ -51,6 +51,9 @@ FileBytes plyHead(const WrittenCloud& cloud) {
     if (cloud.instant) {
         text += "comment instant " + exactNumber(*cloud.instant) + "\n";
     }
+    if (!cloud.run.empty()) {
+        text += "comment run " + cloud.run + "\n";
+    }
     text += "end_header\n";
     return FileBytes(text.begin(), text.end());
 }
@@ -100,8 +103,8 @@ public:
         appendText(bytes, "", 16);
         bytes.push_back(1);
         bytes.push_back(4);
-        appendText(bytes, "Rubble", 32);
-        appendText(bytes, "Rubble", 32);
+        appendText(bytes, writingProgram, 32);
+        appendText(bytes, writingProgram, 32);
         appendNumber(bytes, std::uint32_t{0});  // no date, so that equal work gives equal bytes
         appendNumber(bytes, std::uint16_t{375});
         appendNumber(bytes, static_cast<std::uint32_t>(375 + records.size()));
@@ -183,6 +186,9 @@ private:
             FileBytes seconds;
             appendNumber(seconds, *m_cloud.instant);
             add(scannerUser, instantRecord, seconds);
+        }
+        if (!m_cloud.run.empty()) {
+            add(scannerUser, runRecord, FileBytes(m_cloud.run.begin(), m_cloud.run.end()));
         }
         return records;
     }

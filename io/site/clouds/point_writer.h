@@ -19,6 +19,10 @@ inline constexpr std::uint16_t scannerRecord = 1;
 inline constexpr std::size_t scannerBytes = 32;
 /// The record of a LAS of ours that says which instant of a run it was taken of: a double, s on the clock of the FE file.
 inline constexpr std::uint16_t instantRecord = 2;
+/// The record of a LAS of ours that says which run was scanned: its fingerprint, hex.
+inline constexpr std::uint16_t runRecord = 3;
+/// What a LAS of ours names as the program that made it.
+inline constexpr const char* writingProgram = "Rubble";
 
 /// Bytes as they stand in a file, little end first.
 using FileBytes = std::vector<unsigned char>;
@@ -53,6 +57,7 @@ struct WrittenCloud {
     std::vector<WrittenScanner> scanners = {};  ///< empty: points are of no scan
     std::optional<double> instant =
         {};                ///< s, on the clock of the FE file, of the run that was scanned; unset: at rest, or no scan
+    std::string run = {};  ///< fingerprint of the run that was scanned, hex; empty: no scan
     bool classes = false;  ///< a PLY gets a column of classes; a LAS has one anyway
 };
 

@@ -6,11 +6,12 @@
 
 #include "core/base/memory.h"
 #include "core/base/outline_cover.h"
+#include "core/evidence/no_evidence.h"
 #include "core/scenario/scope_cover.h"
 #include "io/base/file_words.h"
-#include "io/json/run_behind.h"
 #include "io/site/clouds/cloud_place.h"
 #include "io/site/clouds/cloud_summary.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "io/site/surveys/survey_placing.h"
 
 namespace rubble::io {
@@ -123,7 +124,9 @@ private:
     }
 
     void tell() {
-        noteRunBehind(m_made.compared.findings, m_request.cloud, runBehind(m_request.cloud), m_request.fingerprint);
+        noteOrigin(m_made.compared.findings, m_request.cloud, surveyOriginOf(m_request.cloud, m_request.read),
+                   m_request.fingerprint);
+        m_made.compared.findings = noEvidenceFirst(m_made.compared.findings);
         if (m_request.placed) {
             addPlacedFinding(m_made.compared.findings, m_request.cloud, *m_request.placed);
         }

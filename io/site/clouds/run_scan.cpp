@@ -76,6 +76,7 @@ RunScan scanRun(ScannedSite site, ScanSettings settings, const Execution& execut
     addCoarseGround(made.findings, addGround(site.shape, site.ground, around, scannedTriangles));
     made.scan = scanSite(SurfaceTree(site.shape.points, site.shape.triangles), made.settings, execution);
     made.shape = std::move(site.shape);
+    made.moving = site.moving;
     made.debris = sightedDebris(made.shape, made.scan.triangles, site.volumes);
     for (const std::uint32_t t : made.scan.triangles) {
         ++made.counts[static_cast<std::size_t>(made.shape.things[t])];
@@ -110,6 +111,7 @@ void writeScan(const std::string& path, const RunScan& made, const SitePlace& pl
     cloud.crs = place.system();
     cloud.classes = true;
     cloud.instant = made.instant;
+    cloud.run = made.run;
     for (std::size_t s = 0; s < made.settings.scanners.size(); ++s) {
         cloud.scanners.push_back({place.toWorld(made.settings.scanners[s]), scan.echoes[s]});
     }

@@ -22,7 +22,9 @@ struct RunScan {
     ScanSettings settings;  ///< m, local
     SiteScan scan;
     SiteShape shape;
-    std::optional<double> instant = std::nullopt;  ///< s, on the clock of the FE file, that was asked for; unset: at rest
+    std::optional<double> instant = std::nullopt;  ///< s, on the clock of the FE file, that was asked for; unset: the end
+    std::string run = {};                          ///< fingerprint of the run, hex
+    MovingBodies moving = {};                      ///< at that instant
     SightedDebris debris;
     std::array<std::uint64_t, scannedThings> counts{};  ///< points by what they lie on
     Findings findings;
@@ -36,7 +38,7 @@ RunScan scanRun(ScannedSite site, ScanSettings settings, const Execution& execut
 bool namesScan(const std::string& path);
 
 /// Writes a scan in the system of the case with the class of each point; a LAS says where its scanners stood, a LAS and a PLY also
-/// which instant they show. Throws WorldError.
+/// which instant of which run they show. Throws WorldError.
 void writeScan(const std::string& path, const RunScan& made, const SitePlace& place);
 
 /// That a table does not keep which instant a scan shows; nothing of a scan at rest, a LAS or a PLY.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "io/case/case_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/places.h"
 #include "tests/support/run_tests.h"
@@ -221,6 +222,66 @@ TEST_F(ScanOfRun, APoseThatIsNoneIsNotTakenAsTheScanner) {
     EXPECT_GT(above["debris"]["fragments_seen"], 0);
     EXPECT_TRUE(cli({"cloud", registered, "--json"}).json()["scans"][0]["pose"].is_null());
     EXPECT_THAT(cli({"cloud", registered}).out, HasSubstr("no pose"));
+}
+
+TEST_F(ScanOfRun, IsNoEvidenceUnderAnyName) {
+    run({}, "2");
+    const std::string las = m_folder / "scan.las";
+    const std::string copy = m_folder / "site.las";
+    ASSERT_EQ(cli({"scan", m_out, "--step", "0.25", "--range", "20", "--out", las}).exitCode, 0);
+    fs::copy_file(las, copy);
+    const std::string theCase = m_folder / "case.rubble";
+    io::saveCase(theCase, io::caseForFe(m_path, theCase));
+    const auto about = [](const std::string& path) {
+        std::ifstream in(path + ".provenance.json");
+        return nlohmann::json::parse(in);
+    };
+    const std::string fingerprint = about(las)["fingerprint"];
+    const auto first = [](const nlohmann::json& told) { return told["warnings"][0]["id"]; };
+
+    // At once, in the list, without a run.
+    const nlohmann::json one = cli({"evidence", theCase, "--survey", copy, "--json"}).json();
+    EXPECT_EQ(first(one), "evidence.of_run") << one["warnings"];
+    EXPECT_EQ(one["evidence"][0]["of_run"], fingerprint);
+    EXPECT_EQ(one["evidence"][0]["shows"], "a simulated run: no evidence");
+    const nlohmann::json two = cli({"evidence", theCase, "--survey", las, "--json"}).json();
+    EXPECT_TRUE(warns(two, "evidence.same")) << "of one content";
+    EXPECT_EQ(two["evidence"][1]["made_by_program"], true);
+    const Outcome listed = cli({"evidence", theCase});
+    EXPECT_THAT(listed.out, testing::AllOf(HasSubstr("a simulated run: no evidence"), HasSubstr("one piece of evidence")));
+    EXPECT_TRUE(warns(cli({"evidence", theCase, "--run", m_out, "--json"}).json(), "evidence.of_this_run"));
+
+    // In front of all else, and in what is written.
+    const std::string tif = m_folder / "difference.tif";
+    const std::string png = m_folder / "difference.png";
+    const Outcome compared = cli({"survey", m_out, "--case", theCase, "--survey", copy, "--out", tif, "--out", png, "--json"});
+    ASSERT_EQ(compared.exitCode, 0) << compared.err;
+    EXPECT_EQ(first(compared.json()), "evidence.of_this_run") << compared.json()["warnings"];
+    for (const std::string& path : {tif, png}) {
+        const nlohmann::json told = about(path);
+        EXPECT_EQ(told["survey_comparison"]["survey"], "site.las");
+        EXPECT_EQ(told["survey_comparison"]["of_run"], fingerprint);
+        EXPECT_THAT(told["survey_comparison"]["subject"].get<std::string>(), HasSubstr("case.rubble"));
+        EXPECT_EQ(told["cautions"][0]["key"], "no_evidence") << told["cautions"];
+    }
+}
+
+TEST_F(ScanOfRun, SaysHowManyStillMove) {
+    const nlohmann::json whole = run({}, "2");
+    const auto moving = [&](const std::string& time) {
+        const Outcome made =
+            cli({"scan", m_out, "--step", "1", "--range", "20", "--time", time, "--out", m_folder / "s.las", "--json"});
+        EXPECT_EQ(made.exitCode, 0) << made.err;
+        std::ifstream in(m_folder / "s.las.provenance.json");
+        EXPECT_EQ(nlohmann::json::parse(in)["scan"]["moving"], made.json()["moving"]);
+        return made.json();
+    };
+    const nlohmann::json falling = moving("0.75");
+    EXPECT_GT(falling["moving"], 0);
+    EXPECT_LE(falling["moving"], falling["bodies"]);
+    EXPECT_EQ(moving("end")["moving"], whole["still_moving"]);
+    EXPECT_THAT(cli({"scan", m_out, "--step", "1", "--range", "20", "--time", "0.75", "--out", m_folder / "s.las"}).out,
+                HasSubstr("still move then"));
 }
 
 TEST_F(ScanOfRun, OfAnInstantSaysSoAndIsHeldAgainstThatInstant) {

@@ -6,14 +6,17 @@
 
 #include "app/gui/case/file_commands.h"
 #include "app/gui/evidence/evidence_display.h"
+#include "app/gui/evidence/photograph_places.h"
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/view_area.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/places.h"
+#include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/evidence_table.h"
 #include "widgets/figures/camera_picture.h"
 #include "widgets/views/view_widget.h"
 
@@ -188,6 +191,30 @@ TEST_F(Evidence, ASyntheticPhotographIsMatchedSeenThroughAndCompared) {
     EXPECT_EQ(saved.photographs, session->document().theCase().photographs);
     EXPECT_EQ(saved.inputs.back().path, "synthetic.jpg");
     EXPECT_EQ(saved.inputs.back().sha256, before);
+}
+
+TEST_F(Evidence, TheListKnowsEachCameraWithoutARun) {
+    openArch();
+    const auto plain = [&](const char* name, int grey) {
+        QImage picture(photoSize, QImage::Format_RGB32);
+        picture.fill(qRgb(grey, grey, grey));
+        const QString path = folder() + u'/' + QString::fromLatin1(name);
+        EXPECT_TRUE(picture.save(path));
+        return path;
+    };
+    add(plain("grey.jpg", 120));
+    clickPoints(cameraFor(session->computation().inputs().fe->mesh()));
+    ASSERT_TRUE(window->rooms().evidence->match());
+    const double within = window->rooms().evidence->match()->placeRadius;
+    const auto& list = window->rooms().deck->evidence().list();
+    const QString shown = widgets::shownNumber(within);
+    EXPECT_EQ(list.item(0, 2)->text(), shown) << "nothing was simulated";
+    // Another one is chosen: what is known of the first stays.
+    add(plain("dark.jpg", 40));
+    ASSERT_EQ(list.rowCount(), 2);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->part<PhotographPlaces>().busy(); }, patience));
+    EXPECT_EQ(list.item(0, 2)->text(), shown);
+    EXPECT_EQ(list.item(1, 2)->text(), QStringLiteral("not known"));
 }
 
 TEST_F(Evidence, EveryEditIsOneStepOfUndo) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/evidence/evidence_list.h"
+#include "core/evidence/no_evidence.h"
 #include "tests/support/error_id.h"
 
 namespace rubble {
@@ -99,6 +100,40 @@ TEST(EvidenceList, AKindThatWasSeenStandsBeforeTheEndingOfTheFile) {
     EXPECT_EQ(rows[0].form, EvidenceForm::Cloud);
     EXPECT_EQ(rows[1].form, EvidenceForm::Outline);
     EXPECT_EQ(rows[2].form, EvidenceForm::Heights);
+}
+
+TEST(EvidenceList, FilesOfOneContentAreOnePieceOfEvidence) {
+    Case theCase;
+    theCase.inputs = {{"fe-1", InputRole::Fe, "a.vtu", "aa"},
+                      {"survey-1", InputRole::Survey, "x/scan.las", "bb"},
+                      {"survey-2", InputRole::Survey, "other.las", "cc"},
+                      {"survey-3", InputRole::Survey, "site.las", "bb"},
+                      {"survey-4", InputRole::Survey, "a.las", "aa"},
+                      {"survey-5", InputRole::Survey, "unknown.las", ""},
+                      {"survey-6", InputRole::Survey, "unknown too.las", ""}};
+    const Findings all = sameEvidence(theCase);
+    ASSERT_EQ(all.count("evidence.same"), 1) << "an FE result is no evidence, and what is not known is not the same";
+    EXPECT_EQ(englishText(all.list().front().what),
+              "\"scan.las\" and \"site.las\" have the same content: they are one piece of evidence");
+    EXPECT_EQ(sameEvidence(theCase, "survey-1").count("evidence.same"), 1) << "either one says so";
+    EXPECT_EQ(sameEvidence(theCase, "survey-3").count("evidence.same"), 1);
+    EXPECT_TRUE(sameEvidence(theCase, "survey-2").empty());
+}
+
+TEST(EvidenceList, WhatSaysThatEvidenceIsNoneStandsFirst) {
+    Findings findings;
+    for (const char* id : {"survey.gaps", "evidence.same", "cloud.assumed", "evidence.of_this_run"}) {
+        findings.add({id, id, {}}, {"remedy", "", {}}, "a.las", 3);
+    }
+    const Findings sorted = noEvidenceFirst(findings);
+    ASSERT_EQ(sorted.list().size(), 4u);
+    EXPECT_EQ(sorted.list()[0].what.id, "evidence.same");
+    EXPECT_EQ(sorted.list()[1].what.id, "evidence.of_this_run");
+    EXPECT_EQ(sorted.list()[2].what.id, "survey.gaps");
+    EXPECT_EQ(sorted.count("cloud.assumed"), 3);
+    EXPECT_EQ(noEvidenceOf(findings).list().size(), 2u);
+    EXPECT_EQ(otherThanNoEvidence(findings).list().size(), 2u);
+    EXPECT_EQ(pictureCautions(evidenceCautions(findings)), "evidence.same · evidence.of_this_run");
 }
 
 TEST(EvidenceList, SaysWhatEachIsHeldToShow) {

@@ -12,6 +12,9 @@
 
 #include "core/evidence/surveys/survey_comparison.h"
 #include "io/exports/survey_files.h"
+#include "io/site/clouds/point_writer.h"
+#include "io/site/surveys/evidence_origin.h"
+#include "tests/io/site/clouds/made_clouds.h"
 #include "tests/support/ascii_grid.h"
 #include "tests/support/error_id.h"
 #include "tests/support/temporary_folder.h"
@@ -129,6 +132,52 @@ TEST_F(SurveyFile, WhatWasMadeOfASimulatedRunIsSaidToBeNoEvidence) {
     Findings findings;
     readScope(path, frame, Site(), findings, Execution());
     EXPECT_EQ(findings.count("evidence.of_run"), 0);
+}
+
+/// A sheet of points as a scan of a run would be written.
+std::string writeScanOf(const std::string& path, const std::string& run) {
+    WrittenCloud cloud;
+    cloud.points = 400;
+    cloud.run = run;
+    for (int k = 0; k < 400; ++k) {
+        cloud.box.extend(Vec3(k % 20, k / 20, 0.01 * (k % 7)));
+    }
+    writePoints(path, cloud, [&](std::size_t k, WrittenPoint& point) {
+        point.place = Vec3(static_cast<double>(k % 20), static_cast<double>(k / 20), 0.01 * static_cast<double>(k % 7));
+    });
+    return path;
+}
+
+TEST_F(SurveyFile, AScanOfARunIsKnownByItsContentUnderAnyName) {
+    const std::string of = "00112233445566778899aabbccddeeff";
+    const Aabb window(Vec3(0.0, 0.0, 0.0), Vec3(20.0, 20.0, 1.0));
+    const auto read = [&](const std::string& path, const std::string& run) {
+        SurveyRequest request;
+        request.run = run;
+        return readSurvey(path, frame, Site(), window, Execution(), request);
+    };
+    for (const char* name : {"site.las", "site.ply"}) {
+        const std::string path = writeScanOf(folder / name, of);
+        EXPECT_EQ(read(path, {}).ofRun, of) << name;
+        const SurveyInput held = read(path, of);
+        ASSERT_FALSE(held.findings.empty());
+        EXPECT_EQ(held.findings.list().front().what.id, "evidence.of_this_run") << "before all else: " << name;
+        EXPECT_EQ(read(path, "ffffffffffffffffffffffffffffffff").findings.list().front().what.id, "evidence.of_run") << name;
+        EXPECT_EQ(surveyOriginOf(path, {}).run, of) << name;
+    }
+    // What says no fingerprint in hex says none; such a file, as one that was written before, is ours all the same.
+    for (const char* none : {"", "0011", "00112233445566778899aabbccddeefg"}) {
+        const SurveyInput old = read(writeScanOf(folder / "old.las", none), of);
+        EXPECT_TRUE(old.ofRun.empty()) << none;
+        EXPECT_EQ(old.findings.count("evidence.ours"), 1) << none;
+        EXPECT_TRUE(surveyOriginOf(writeScanOf(folder / "old.ply", none), {}).run.empty()) << none;
+    }
+    // A cloud of another program is measured as far as anybody knows.
+    MadeLas las;
+    for (int k = 0; k < 400; ++k) {
+        las.points.emplace_back().place = {100 * (k % 20), 100 * (k / 20), k % 7};
+    }
+    EXPECT_TRUE(surveyOriginOf(layCloud(folder / "measured.las", las.bytes()), {}).measured());
 }
 
 TEST_F(SurveyFile, WhatHasNoPlaceInTheCaseIsRefused) {

@@ -31,6 +31,7 @@ ScanDialog::ScanDialog(QWidget* parent)
     : QDialog(parent),
       m_scanners(new ScannerField(tr("four around the debris"))),
       m_instant(new NumberField(tr("Instant that is scanned"))),
+      m_moving(new Notice),
       m_step(new NumberField(tr("Step between rays"))),
       m_range(new NumberField(tr("Range of the scanners"))),
       m_noise(new NumberField(tr("Noise along a ray"))),
@@ -77,6 +78,7 @@ ScanDialog::ScanDialog(QWidget* parent)
     form->addRow(tr("Noise, m"), m_noise);
     form->addRow(tr("Seed"), m_seed);
     column->addLayout(form);
+    column->addWidget(m_moving);
     auto* row = new QHBoxLayout;
     row->addWidget(m_scan);
     row->addWidget(m_cancel);
@@ -110,6 +112,15 @@ ScanSettings ScanDialog::settings() const {
 
 std::optional<double> ScanDialog::instant() const {
     return m_instant->number();
+}
+
+void ScanDialog::setMoving(std::int64_t moving, std::int64_t bodies) {
+    m_instant->setEmptyMeans(moving > 0 ? tr("the end, not all at rest") : tr("the end, all at rest"));
+    m_moving->set(Notice::Kind::Finding,
+                  moving > 0 ? tr("At the end of the run %1 of %2 bodies still move: a scan shows them where they are then, which "
+                                  "is not where they will lie.")
+                                   .arg(shownCount(moving), shownCount(bodies))
+                             : QString());
 }
 
 void ScanDialog::setContent(const Content& content) {

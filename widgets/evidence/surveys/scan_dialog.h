@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <cstdint>
 #include <optional>
 
 #include "core/base/finding.h"
@@ -30,10 +31,12 @@ public:
         Findings findings;
     };
     void setContent(const Content& content);
+    /// How many bodies still move at the end of the run, and of how many.
+    void setMoving(std::int64_t moving, std::int64_t bodies);
     const Content& content() const { return m_content; }
     /// What the fields say. Scanners are in the system of the case.
     ScanSettings settings() const;
-    /// s, on the clock of the FE file: the instant that is scanned; unset: the end, when all lies at rest.
+    /// s, on the clock of the FE file: the instant that is scanned; unset: the end.
     std::optional<double> instant() const;
     ScannerField& scanners() { return *m_scanners; }
 
@@ -45,6 +48,7 @@ private:
     Content m_content;
     ScannerField* m_scanners;
     NumberField* m_instant;
+    Notice* m_moving;
     NumberField* m_step;
     NumberField* m_range;
     NumberField* m_noise;

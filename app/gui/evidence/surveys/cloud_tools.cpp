@@ -17,6 +17,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/exports/survey_files.h"
+#include "io/run/run_cautions.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/run_scan.h"
 #include "io/site/site_place.h"
@@ -38,7 +39,12 @@ QString scanText(const io::RunScan& made, const QString& path) {
     };
     const QString when = made.instant ? CloudTools::tr("Scanned at %1.").arg(widgets::shownWith(made.shape.time, "s"))
                                       : CloudTools::tr("Scanned at the end of the run.");
-    return when + QLatin1Char(' ') +
+    const QString moving =
+        made.moving.moving > 0
+            ? QLatin1Char(' ') + CloudTools::tr("Not all lies at rest: %1 of %2 bodies still moved then.")
+                                     .arg(widgets::shownCount(made.moving.moving), widgets::shownCount(made.moving.bodies))
+            : QString();
+    return when + moving + QLatin1Char(' ') +
            CloudTools::tr(
                "%1: %2 points; debris %3, fallen structure %4, standing structure %5, ground %6. Fragments seen: %7 of %8.")
                .arg(QFileInfo(path).fileName(), figures::countText(made.scan.places.size()), count(SiteThing::Debris),
@@ -118,6 +124,10 @@ void CloudTools::refresh() {
 
 void CloudTools::scanRun() {
     widgets::ScanDialog dialog(&m_window);
+    if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
+        const RunStanding standing = io::standingOf(*record->reader);
+        dialog.setMoving(standing.moving, standing.bodies);
+    }
     connect(&dialog, &widgets::ScanDialog::scanRequested, this, [&] { chooseScanFile(dialog); });
     connect(&dialog, &widgets::ScanDialog::cancelRequested, this, [&] { m_worker.cancel(); });
     connect(&dialog.scanners(), &widgets::ScannerField::tableRequested, this, [&] {
@@ -166,6 +176,7 @@ void CloudTools::scanTo(widgets::ScanDialog& dialog, const QString& path) {
                      instant = dialog.instant()](const Execution& execution) {
                         *made = io::scanRun(scannedSite(run.mapped(), instant, fallenFrom, execution), settings, execution);
                         made->instant = instant;
+                        made->run = reader->origin().fingerprint.hex();
                         io::writeScan(path, *made, place);
                         io::writeProvenance(path, io::scanProvenance(*reader, *made, place));
                         io::tellUnsaidInstant(path, *made, made->findings);

@@ -7,6 +7,7 @@
 
 #include "io/base/file_words.h"
 #include "io/base/trimmed.h"
+#include "io/json/run_behind.h"
 #include "io/site/clouds/point_writer.h"
 
 namespace rubble::io {
@@ -129,6 +130,16 @@ void takeInstant(const CloudFile& file, LasHead& head) {
     }
 }
 
+/// Of which run a scan of ours is; nothing where the record is damaged.
+void takeRun(const CloudFile& file, LasHead& head) {
+    const LasRecord* record = head.record(scannerUser, runRecord);
+    if (record == nullptr || record->bytes != fingerprintDigits) {
+        return;
+    }
+    const std::vector<unsigned char> bytes = file.bytes(record->start, record->bytes);
+    head.run = fingerprintOf({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 /// What one descriptor of the extra bytes names.
 constexpr std::size_t extraDescriptor = 192;
 
@@ -186,6 +197,10 @@ LasHead readLasHead(const CloudFile& file, Findings& findings) {
     takeRecords(file, bytes.data(), headBytes, head, findings);
     takeScanners(file, head);
     takeInstant(file, head);
+    takeRun(file, head);
+    // What another program wrote anew from a cloud of ours keeps our records, and names itself.
+    constexpr std::size_t programAt = 58;
+    head.ours = fixedText(&bytes[programAt], 32) == writingProgram || !head.scanners.empty() || !head.run.empty();
     return head;
 }
 

@@ -54,6 +54,8 @@ struct LasHead {
     std::vector<LasRecord> records;
     std::vector<LasScanner> scanners;  ///< of a scan that we wrote; else empty
     std::optional<double> instant;     ///< s, of the run of such a scan; unset: at rest, or no scan of ours
+    std::string run;                   ///< fingerprint of that run, hex; empty: no scan of ours, or an older one
+    bool ours = false;                 ///< the head names this program as the one that made it
 
     const LasRecord* record(std::string_view user, std::uint16_t id) const;
 };

@@ -102,6 +102,8 @@ void describeLas(const CloudFile& file, const LasHead& las, CloudHead& head) {
         head.scans.push_back(std::move(scan));
     }
     head.instant = las.instant;
+    head.run = las.run;
+    head.ours = las.ours;
     head.unread = lasExtraNames(file, las);
     if (las.layout.format == 8 || las.layout.format == 10) {
         head.unread.emplace_back("near infrared");

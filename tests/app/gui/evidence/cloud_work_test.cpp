@@ -11,6 +11,7 @@
 #include "app/gui/evidence/cloud_points.h"
 #include "app/gui/evidence/evidence_work.h"
 #include "app/gui/evidence/survey_display.h"
+#include "app/gui/evidence/survey_reach.h"
 #include "app/gui/evidence/surveys/cloud_placing.h"
 #include "app/gui/evidence/surveys/cloud_tools.h"
 #include "app/gui/stage/panel_deck.h"
@@ -22,6 +23,8 @@
 #include "tests/support/level_table.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
+#include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/evidence_table.h"
 #include "widgets/evidence/photo_view.h"
@@ -467,6 +470,80 @@ TEST_F(CloudWork, AScanOfAnInstantIsHeldAgainstThatInstant) {
     EXPECT_EQ(*survey().instant, 2.5);
     const auto& list = window->rooms().deck->evidence().list();
     EXPECT_TRUE(list.item(0, 1)->text().contains(QStringLiteral("the debris at 2.5"))) << qPrintable(list.item(0, 1)->text());
+}
+
+TEST_F(CloudWork, AScanOfTheRunIsNoEvidenceUnderAnyName) {
+    openArch();
+    makeCheap();
+    simulateToEnd();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    const std::string path = m_folder / "scan.las", copy = m_folder / "site.las";
+    whenAsked([&](QDialog& opened) {
+        auto& dialog = dynamic_cast<widgets::ScanDialog&>(opened);
+        type(field(dialog, "Step between rays"), QStringLiteral("1"));
+        window->rooms().cloudTools->scanTo(dialog, QString::fromStdString(path));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.content().scanning; }, patience));
+        dialog.reject();
+    });
+    window->actions()[ActionId::ScanRun].trigger();
+    std::filesystem::copy_file(path, copy);
+    const auto add = [&](const std::string& file) {
+        window->rooms().survey->add(QString::fromStdString(file));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !session->part<SurveyReach>().busy(); }, patience));
+    };
+    add(copy);
+    EXPECT_EQ(box().content().findings.list().front().what.id, "evidence.of_this_run") << "at once, without its provenance";
+    const auto& list = window->rooms().deck->evidence().list();
+    EXPECT_EQ(list.item(0, 1)->text(), QStringLiteral("a simulated run: no evidence"));
+    add(path);
+    EXPECT_EQ(box().content().findings.count("evidence.same"), 1) << "of one content";
+    QTest::mouseClick(button(box(), "Compare with survey"), Qt::LeftButton);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return box().content().comparison != nullptr && !window->rooms().survey->busy(); }, patience));
+    EXPECT_EQ(box().content().findings.count("evidence.of_this_run"), 1) << "said once";
+    EXPECT_EQ(box().content().cautions.front().key, "no_evidence");
+    const auto height = [this](const QWidget* notice) { return notice->mapTo(&box(), QPoint()).y(); };
+    const widgets::Notice* top = nullptr;
+    for (const auto* notice : box().findChildren<widgets::Notice*>()) {
+        top = notice->isVisibleTo(&box()) && (top == nullptr || height(notice) < height(top)) ? notice : top;
+    }
+    ASSERT_NE(top, nullptr);
+    EXPECT_TRUE(top->text().contains(QStringLiteral("very run"))) << qPrintable(top->text());
+    const std::string map = m_folder / "map.png";
+    window->rooms().survey->saveTo(QString::fromStdString(map));
+    std::ifstream in(map + ".provenance.json");
+    const std::string about((std::istreambuf_iterator<char>(in)), {});
+    for (const char* said : {"no_evidence", R"("survey": "scan.las")", R"("subject": "case.rubble)"}) {
+        EXPECT_NE(about.find(said), std::string::npos) << about;
+    }
+    QTest::mouseClick(button(box(), "Take this survey out"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return box().content().names.size() == 1; }, patience));
+    EXPECT_EQ(box().content().findings.count("evidence.same"), 0);
+}
+
+TEST_F(CloudWork, TheScanDialogSaysWhatStillMoves) {
+    openArch();
+    makeCheap();
+    session->document().setParameter(QStringLiteral("settle_time"), 0.1);
+    simulateToEnd();
+    const std::int64_t moving = session->computation().currentRun()->reader->result()->stillMoving;
+    ASSERT_GT(moving, 0);
+    QString before, said;
+    whenAsked([&](QDialog& opened) {
+        auto& dialog = dynamic_cast<widgets::ScanDialog&>(opened);
+        for (const auto* notice : dialog.findChildren<widgets::Notice*>()) {
+            before += notice->isVisibleTo(&dialog) ? notice->text() : QString();
+        }
+        EXPECT_EQ(field(dialog, "Instant that is scanned").placeholderText(), QStringLiteral("the end, not all at rest"));
+        type(field(dialog, "Step between rays"), QStringLiteral("1"));
+        window->rooms().cloudTools->scanTo(dialog, QString::fromStdString(m_folder / "scan.las"));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.content().scanning; }, patience));
+        said = dialog.content().said;
+        dialog.reject();
+    });
+    window->actions()[ActionId::ScanRun].trigger();
+    const QString number = widgets::shownCount(moving) + QStringLiteral(" of ");
+    EXPECT_TRUE(before.contains(number) && said.contains(number)) << qPrintable(before + said);
 }
 
 TEST_F(CloudWork, TwoCloudsAreHeldAgainstEachOtherWithTheirEpochs) {

@@ -101,7 +101,7 @@ TEST_F(FourthHour, UnitsThatNobodyHasSaidAreAskedForAndThenKnown) {
     window->rooms().opening->newCase(path);
     NewCase& making = *window->rooms().opening->caseInTheMaking();
     const auto settled = [&] {
-        const NewCase* now = window->rooms().opening->caseInTheMaking();
+        NewCase* now = window->rooms().opening->caseInTheMaking();
         return now == nullptr || (now->settled() && now->computation().results().fragments != nullptr);
     };
     ASSERT_TRUE(QTest::qWaitFor(settled, patience));

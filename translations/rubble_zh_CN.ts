@@ -12640,14 +12640,6 @@
         <translation>计算中有结构站立在测得堆积物的 {0} 之上，占其体积 {1}：测绘很可能显示了该结构，而它只在这一侧被计为堆积物</translation>
     </message>
     <message>
-        <source>Ask who made the analysis which units it counts in, and say so in the report.</source>
-        <translation>请询问分析者所用的单位，并在报告中写明。</translation>
-    </message>
-    <message>
-        <source>Nothing in the file decides its units: it was taken to count in {0}, and would fit as well: {1}</source>
-        <translation>文件中没有任何内容能确定其单位：按 {0} 读取，同样相符的还有：{1}</translation>
-    </message>
-    <message>
         <source>Take it out of the evidence; what it agrees with says nothing of a collapse.</source>
         <translation>请将其从证据中去除；与它相符并不说明真实的坍塌。</translation>
     </message>
@@ -12698,6 +12690,50 @@
     <message>
         <source>what this program wrote: evidence only if it was measured</source>
         <translation>由本程序写出：仅当为实测时才是证据</translation>
+    </message>
+    <message>
+        <source>Ask who made the analysis, and set the units of the file, also if they are these.</source>
+        <translation>请询问分析者，并设置文件的单位，即使正是这些单位。</translation>
+    </message>
+    <message>
+        <source>Ask who made the analysis, and set the units of the file.</source>
+        <translation>请询问分析者，并设置文件的单位。</translation>
+    </message>
+    <message>
+        <source>Nobody has said which units the file counts in: it was taken to count in {0}, and would fit as well: {1}</source>
+        <translation>无人说明文件所用的单位：按 {0} 读取，同样相符的还有：{1}</translation>
+    </message>
+    <message>
+        <source>Set the units of the file to {0} under Case to show this run, or simulate anew.</source>
+        <translation>在“案例”中将文件的单位设为 {0} 以显示此次计算，或重新模拟。</translation>
+    </message>
+    <message>
+        <source>Set them back under Case to show this run, or simulate anew.</source>
+        <translation>在“案例”中将其设回以显示此次计算，或重新模拟。</translation>
+    </message>
+    <message>
+        <source>members: {0}; how far the probability of a cell may be off is not known, and nothing but what was varied is in it</source>
+        <translation>成员：{0}；单元格的概率可能偏差多少尚不清楚，且只包括所改变的内容</translation>
+    </message>
+    <message>
+        <source>members: {0}; the probability of a cell may be off by {1} in the mean and by {2} at most, one standard error; that covers what was varied and nothing else</source>
+        <translation>成员：{0}；单元格的概率平均可能偏差 {1}，至多 {2}（一个标准误差）；这只包括所改变的内容</translation>
+    </message>
+    <message>
+        <source>nobody has said which units the FE result counts in: it would fit {0} as well, with other lengths, masses and times</source>
+        <translation>无人说明有限元结果所用的单位：它与 {0} 同样相符，而长度、质量和时间会不同</translation>
+    </message>
+    <message>
+        <source>the case has other settings or inputs now than this run was made with</source>
+        <translation>案例现在的设置或输入与此次计算所用的不同</translation>
+    </message>
+    <message>
+        <source>{0} was made of the FE result in the units {1}; the case reads it in {2}</source>
+        <translation>{0} 由按单位 {1} 读取的有限元结果得出；案例现按 {2} 读取</translation>
+    </message>
+    <message>
+        <source>{0} was made of the FE result with another axis, origin, active flag or displacement than the case has now</source>
+        <translation>{0} 由按其他轴、原点、激活标志或位移读取的有限元结果得出，与案例现在的不同</translation>
     </message>
 </context>
 <context>
@@ -16279,6 +16315,14 @@
         <source>without the registration&apos;s error: not known</source>
         <translation>不含配准误差：未知</translation>
     </message>
+    <message>
+        <source>Bodies that are not let go yet</source>
+        <translation>尚未放开的物体</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>给定</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::EncodedMovie</name>
@@ -17784,7 +17828,31 @@
         <translation>系综范围，最小至最大</translation>
     </message>
     <message>
-        <source>as %1, for none has its density</source>
+        <source>There is no FE analysis: a table names bodies, and when and how each is let go. A physics engine carries them from there until they lie at rest. What is said of elements and fragments below holds for these bodies.</source>
+        <translation>没有有限元分析：表格给出各物体以及何时、如何放开。物理引擎由此带动它们直至静止。下文关于单元和碎块的说明适用于这些物体。</translation>
+    </message>
+    <message>
+        <source>This report is about the bodies of a table and assumes no cause.</source>
+        <translation>本报告涉及表格中的物体，不假定任何原因。</translation>
+    </message>
+    <message>
+        <source>The first figures show the bodies that are not let go yet, and those that are. The tables and the map after them say how much lies where; brackets hold what the repeats came to.</source>
+        <translation>首先的图件显示尚未放开的物体和已放开的物体。其后的表格和图说明何处有多少；方括号内为各次重复的结果。</translation>
+    </message>
+    <message>
+        <source>Three instants: the bodies that are not let go yet (given), and those that are (simulated), from the same camera</source>
+        <translation>三个时刻：尚未放开的物体（给定）和已放开的物体（模拟），同一视角</translation>
+    </message>
+    <message>
+        <source>The bodies (simulated) at the end</source>
+        <translation>结束时的物体（模拟）</translation>
+    </message>
+    <message>
+        <source>%1 elements of %2 of the table&apos;s bodies were let go, of together %3 t.</source>
+        <translation>表格物体的 %2 个单元中有 %1 个被放开，共 %3 t。</translation>
+    </message>
+    <message>
+        <source>as %1, for no material has its density</source>
         <translation>按%1处理，因没有材料有此密度</translation>
     </message>
 </context>
@@ -23379,6 +23447,22 @@ What the file fits: %2.</source>
         <source>Go on with the case</source>
         <translation>继续建立案例</translation>
     </message>
+    <message>
+        <source>Units that nobody has said</source>
+        <translation>未说明的单位</translation>
+    </message>
+    <message>
+        <source>The file fits %1 as well as %2.</source>
+        <translation>文件与 %2 相符，与 %1 也同样相符。</translation>
+    </message>
+    <message>
+        <source>Nothing in it decides. Ask who made the analysis: lengths, masses and times would be wrong by powers of ten.</source>
+        <translation>文件中没有内容能够确定。请询问分析者：否则长度、质量和时间会差若干个数量级。</translation>
+    </message>
+    <message>
+        <source>They are %1</source>
+        <translation>单位是 %1</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::Panel</name>
@@ -26858,6 +26942,10 @@ Program: %3</source>
     <message>
         <source>FE ends at %1</source>
         <translation>有限元在 %1 结束</translation>
+    </message>
+    <message>
+        <source>all let go by %1</source>
+        <translation>至 %1 全部放开</translation>
     </message>
 </context>
 <context>

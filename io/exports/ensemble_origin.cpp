@@ -37,6 +37,19 @@ std::string ensembleClass(const EnsembleReport& report) {
     return report.instant == DebrisInstant::AtRest ? "simulated, at rest" : "simulated, at the end of the FE result";
 }
 
+std::vector<Caution> ensembleCautions(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site) {
+    std::vector<Caution> cautions;
+    if (map.has(MapLayer::Probability)) {
+        const std::vector<ConvergenceRow> rows = convergenceOf(report);
+        cautions.push_back(ensembleCaution(report.done().size(), rows.empty() ? unknown : rows.back().probabilityError,
+                                           rows.empty() ? unknown : rows.back().worstError));
+    }
+    if (const std::string named = unplacedSystem(frame, site); !named.empty()) {
+        cautions.push_back(noPlaceCaution(named));
+    }
+    return cautions;
+}
+
 MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site,
                          const std::vector<EnsembleInput>& inputs) {
     MapOrigin origin;
@@ -63,15 +76,7 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
                        {"members", map.members},
                        {"hypotheses", map.hypotheses},
                        {"thresholds_m", map.thresholds}};
-    std::vector<Caution>& cautions = origin.cautions;
-    if (map.has(MapLayer::Probability)) {
-        const std::vector<ConvergenceRow> rows = convergenceOf(report);
-        cautions.push_back(ensembleCaution(report.done().size(), rows.empty() ? unknown : rows.back().probabilityError,
-                                           rows.empty() ? unknown : rows.back().worstError));
-    }
-    if (const std::string named = unplacedSystem(frame, site); !named.empty()) {
-        cautions.push_back(noPlaceCaution(named));
-    }
+    const std::vector<Caution> cautions = ensembleCautions(report, map, frame, site);
     document["cautions"] = cautionsJson(cautions);
     origin.provenance = jsonText(document);
     for (const EnsembleInput& input : inputs) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/evidence/cautions.h"
 #include "core/evidence/ensembles/ensemble.h"
 #include "io/case/ensemble_source.h"
 #include "io/exports/map_files.h"
@@ -12,6 +13,9 @@ namespace rubble::io {
 /// @param map  of probabilities, or of what tells hypotheses apart
 MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site,
                          const std::vector<EnsembleInput>& inputs);
+
+/// What must be known beside a map of an ensemble.
+std::vector<Caution> ensembleCautions(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site);
 
 /// "at rest" or "at the end of the FE result", with what counts as debris.
 std::string ensembleClass(const EnsembleReport& report);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/analysis/debris/debris.h"
-#include "core/evidence/cautions.h"
 #include "core/evidence/maps/debris_map.h"
 #include "core/evidence/maps/run_map.h"
 #include "core/fe/frame.h"
@@ -21,7 +20,6 @@ struct MapOrigin {
     std::vector<std::pair<std::string, std::string>> facts;  ///< key and value, in the order in which they are written
     std::string provenance;                                  ///< the sidecar, JSON
     std::string subject;                                     ///< what it is a map of, above its picture
-    std::vector<Caution> cautions;                           ///< what must be known beside it
 };
 
 /// The inputs of a map of several, for the line below its picture: "inputs" and the first digits of each digest; empty: it names

@@ -56,8 +56,7 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     }
     origin.provenance = jsonText(document);
     origin.subject = mapSubject(from, {});
-    origin.cautions = runCautions(standingOf(run));
-    const std::string cautions = pictureCautions(origin.cautions);
+    const std::string cautions = pictureCautions(runCautions(standingOf(run)));
     origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},

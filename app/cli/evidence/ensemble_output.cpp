@@ -214,7 +214,7 @@ std::vector<std::string> EnsembleMaps::folders() const {
 }
 
 void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers,
-                            const io::MapOrigin& origin, Session& session) const {
+                            const io::MapOrigin& origin, const std::vector<Caution>& cautions, Session& session) const {
     if (io::hasEnding(path, ".csv")) {
         io::writeMapCsv(path, map, layers, origin, session.execution());
     } else if (io::hasEnding(path, ".png")) {
@@ -228,7 +228,7 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
         style.provenance = io::inputsLine(origin);
-        style.cautions = pictureCautions(origin.cautions);
+        style.cautions = pictureCautions(cautions);
         figures::writePng(path, figures::mapPicture(map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {
@@ -239,6 +239,7 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
 std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::string& name, const EnsembleReport& report,
                                              const EnsembleSubject& subject, Session& session) const {
     const io::MapOrigin origin = io::ensembleOrigin(report, map, subject.frame, subject.theCase.site, subject.inputs);
+    const std::vector<Caution> cautions = io::ensembleCautions(report, map, subject.frame, subject.theCase.site);
     std::vector<MapLayer> layers = m_layers.empty() ? map.present() : m_layers;
     for (const MapLayer layer : layers) {
         if (!map.has(layer)) {
@@ -247,7 +248,7 @@ std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::st
     }
     std::vector<std::string> written;
     const auto one = [&](const std::string& path, const std::vector<MapLayer>& of) {
-        writeOne(path, map, of, origin, session);
+        writeOne(path, map, of, origin, cautions, session);
         written.push_back(path);
     };
     for (const std::string& path : m_paths) {

@@ -41,7 +41,7 @@ public:
 
 private:
     void writeOne(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const io::MapOrigin& origin,
-                  Session& session) const;
+                  const std::vector<Caution>& cautions, Session& session) const;
 
     std::vector<std::string> m_paths;
     std::vector<MapLayer> m_layers;    ///< asked for; empty: all

@@ -315,7 +315,8 @@ void CausesDisplay::showPage() {
             content.separation = std::shared_ptr<const DebrisMap>(made()->comparison, &*made()->comparison->separation);
             const Hypothesis& closest = made()->hypotheses[made()->comparison->ranking.causes.front().hypothesis];
             content.place = pictureStyle(
-                io::ensembleOrigin(*closest.ensemble, *content.separation, made()->frame, made()->site, made()->inputs));
+                io::ensembleOrigin(*closest.ensemble, *content.separation, made()->frame, made()->site, made()->inputs),
+                io::ensembleCautions(*closest.ensemble, *content.separation, made()->frame, made()->site));
         }
         content.stale = stale();
     }
@@ -359,7 +360,8 @@ void CausesDisplay::saveMapTo(const QString& path) {
             const Hypothesis& closest = made->hypotheses[made->comparison->ranking.causes.front().hypothesis];
             const DebrisMap& map = *made->comparison->separation;
             writeMapFile(path, map, MapLayer::Separation,
-                         io::ensembleOrigin(*closest.ensemble, map, made->frame, made->site, made->inputs), execution);
+                         io::ensembleOrigin(*closest.ensemble, map, made->frame, made->site, made->inputs),
+                         io::ensembleCautions(*closest.ensemble, map, made->frame, made->site), execution);
         },
         [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }

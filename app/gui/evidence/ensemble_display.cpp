@@ -267,7 +267,8 @@ void EnsembleDisplay::showPage() {
     content.report = made().report;
     content.map = m_kept.map;
     if (m_kept.map != nullptr) {
-        content.place = pictureStyle(io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs));
+        content.place = pictureStyle(io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs),
+                                     io::ensembleCautions(*made().report, *m_kept.map, made().frame, made().site));
     }
     content.stale = stale();
     content.running = running();
@@ -298,8 +299,9 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
         return;
     }
     const io::MapOrigin origin = io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs);
-    m_computation.write([path, origin, map = m_kept.map, layer = m_page.layer()](
-                            const Execution& execution) { writeMapFile(path, *map, layer, origin, execution); },
+    const std::vector<Caution> cautions = io::ensembleCautions(*made().report, *m_kept.map, made().frame, made().site);
+    m_computation.write([path, origin, cautions, map = m_kept.map, layer = m_page.layer()](
+                            const Execution& execution) { writeMapFile(path, *map, layer, origin, cautions, execution); },
                         [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }
 

@@ -210,7 +210,8 @@ void MapDisplay::show() {
     content.making = m_work.answer.running();
     if (made != nullptr) {
         content.map = std::shared_ptr<const RunMap>(made, &made->map);
-        content.place = pictureStyle(io::mapOrigin(*made->run, made->map.map, made->map.shown));
+        content.place =
+            pictureStyle(io::mapOrigin(*made->run, made->map.map, made->map.shown), runCautions(io::standingOf(*made->run)));
         content.place.provenance.clear();
         content.place.outlines = made->outlines;
     } else {

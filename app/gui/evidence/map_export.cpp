@@ -9,24 +9,24 @@
 
 namespace rubble {
 
-figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin) {
+figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin, const std::vector<Caution>& cautions) {
     figures::MapPictureStyle style;
     style.place = io::SitePlace(origin.frame, origin.site).transform();
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;
     style.provenance = io::inputsLine(origin);
-    style.cautions = widgets::cautionWords(origin.cautions).toStdString();
+    style.cautions = widgets::cautionWords(cautions).toStdString();
     return style;
 }
 
 void writeMapFile(const QString& path, const DebrisMap& map, MapLayer layer, const io::MapOrigin& origin,
-                  const Execution& execution) {
+                  const std::vector<Caution>& cautions, const Execution& execution) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     const std::string file = path.toStdString();
     if (suffix == QLatin1String("csv")) {
         io::writeMapCsv(file, map, map.present(), origin, execution);
     } else if (suffix == QLatin1String("png")) {
-        figures::MapPictureStyle style = pictureStyle(origin);
+        figures::MapPictureStyle style = pictureStyle(origin, cautions);
         style.subject = origin.subject;
         style.fitted = true;
         figures::writePng(file, figures::mapPicture(map, layer, style));

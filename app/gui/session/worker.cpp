@@ -48,6 +48,7 @@ void Worker::startNext(Job job) {
 }
 
 void Worker::queue(Job job) {
+    job.queued = true;
     enqueue(std::move(job));
 }
 
@@ -66,9 +67,20 @@ void Worker::dropWaiting(Kind kind) {
 }
 
 void Worker::cancel() {
-    const std::lock_guard lock(m_mutex);
-    m_waiting.clear();
-    m_execution.cancel();
+    std::deque<Job> dropped;
+    {
+        const std::lock_guard lock(m_mutex);
+        dropped.swap(m_waiting);
+        std::erase_if(dropped, [](const Job& job) { return !job.queued; });
+        for (const Job& job : dropped) {
+            m_finishing.push_back(job.kind);
+        }
+        m_execution.cancel();
+    }
+    // Somebody waits for each that was queued, such as a dialog that shows it.
+    for (Job& job : dropped) {
+        tellEnd(std::move(job.finish), std::make_exception_ptr(Cancelled()));
+    }
 }
 
 void Worker::cancel(Kind kind) {
@@ -151,9 +163,13 @@ void Worker::runOne(Job& job, const Execution& execution) {
         m_running.reset();
         m_finishing.push_back(job.kind);
     }
+    tellEnd(std::move(job.finish), thrown);
+}
+
+void Worker::tellEnd(std::function<void(std::exception_ptr)> finish, const std::exception_ptr& thrown) {
     QMetaObject::invokeMethod(
         this,
-        [this, finish = std::move(job.finish), thrown] {
+        [this, finish = std::move(finish), thrown] {
             {
                 // Finished in the order in which they ran.
                 const std::lock_guard lock(m_mutex);

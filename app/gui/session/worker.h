@@ -30,8 +30,9 @@ public:
         /// Runs on the worker's thread.
         std::function<void(const Execution&)> work;
         /// Runs on the GUI thread afterwards, with what the work threw (null: it succeeded). Not called for jobs that never
-        /// started.
+        /// started, but for queued ones: those that were cancelled while they waited get Cancelled.
         std::function<void(std::exception_ptr)> finish;
+        bool queued = false;  ///< by queue()
     };
 
     /// How many threads the work of all workers may use from its next start on; 0: all of the machine.
@@ -71,6 +72,8 @@ private:
     void dropWaiting(Kind kind);
     void loop();
     void runOne(Job& job, const Execution& execution);
+    /// Tells on the GUI thread that a job has ended, which is among those that finish.
+    void tellEnd(std::function<void(std::exception_ptr)> finish, const std::exception_ptr& thrown);
 
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;

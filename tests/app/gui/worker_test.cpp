@@ -141,6 +141,33 @@ TEST(Worker, CancelReachesWorkWithinHalfASecondAndDropsWhatWaits) {
     EXPECT_FALSE(worker.busy());
 }
 
+// A dialog that shows what is queued would wait for ever.
+TEST(Worker, WhatIsCancelledWhileItIsQueuedIsToldSo) {
+    Worker worker;
+    const int before = begun;
+    worker.start({Worker::Kind::Study, untilCancelled, [](std::exception_ptr) {}});
+    ASSERT_TRUE(beginsAfter(before));
+    bool worked = false, superseded = false;
+    std::vector<bool> cancelled;
+    for (int k = 0; k < 2; ++k) {
+        worker.queue({Worker::Kind::Write, [&](const Execution&) { worked = true; },
+                      [&](std::exception_ptr thrown) {
+                          try {
+                              std::rethrow_exception(thrown);
+                          } catch (const Cancelled&) {
+                              cancelled.push_back(true);
+                          }
+                      }});
+    }
+    worker.start({Worker::Kind::Update, [&](const Execution&) { worked = true; }, [&](std::exception_ptr) { superseded = true; }});
+    worker.cancel();
+    EXPECT_TRUE(worker.busy(Worker::Kind::Write)) << "until it is told";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !worker.busy(); }, 300'000));
+    EXPECT_EQ(cancelled.size(), 2u);
+    EXPECT_FALSE(worked);
+    EXPECT_FALSE(superseded) << "nobody waits for what never started and was not queued";
+}
+
 TEST(Worker, DyingWhileItWorksIsClean) {
     bool ended = false;
     {

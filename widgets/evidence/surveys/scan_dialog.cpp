@@ -16,6 +16,7 @@
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/unit_label.h"
+#include "widgets/basics/wording.h"
 #include "widgets/evidence/surveys/scanner_field.h"
 
 namespace rubble::widgets {

@@ -73,7 +73,8 @@ const CaseInput* InputsDisplay::inputOf(const std::string& id) const {
 widgets::NoticeBar& InputsDisplay::bar(const std::string& id) {
     widgets::NoticeBar*& bar = m_bars[QString::fromStdString(id)];
     if (bar == nullptr) {
-        bar = new widgets::NoticeBar;
+        // The layout may belong to no widget yet: without a parent the bar would be a window of its own.
+        bar = new widgets::NoticeBar(&m_window);
         m_notices.addWidget(bar);
         connect(bar, &widgets::NoticeBar::chosen, this, [this, id](const QString& what) { choose(id, what); });
     }

@@ -63,5 +63,20 @@ TEST_F(TerrainElsewhere, CanBeLeftOutWhereItIsSaid) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return withoutTerrain() != nullptr; }, patience));
 }
 
+// A window that is made anew around an open case offers what can be mended at once; its bar flashed up as a window of its own.
+TEST_F(TerrainElsewhere, IsOfferedInAWindowThatIsRenewed) {
+    openAndAwait(smallAs("small.exo"));
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
+    inputs.push_back({"terrain-1", InputRole::Terrain, "gone.asc", {}});
+    session->document().setInputs(inputs, [] { return QStringLiteral("terrain gone.asc"); });
+    const auto offered = [&] { return window->rooms().project->inputs().texts().join(u' ').contains(QStringLiteral("gone.asc")); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return offered() && !session->computation().busy(); }, patience));
+    renewed->speak(QStringLiteral("zh_CN"));
+    EXPECT_TRUE(QTest::qWaitFor(offered, patience));
+    for (const auto* bar : window->findChildren<widgets::NoticeBar*>()) {
+        EXPECT_EQ(bar->window(), window);
+    }
+}
+
 }  // namespace
 }  // namespace rubble

@@ -54,6 +54,31 @@ TEST(EvidenceTable, TellsWhichWasChosenByAPersonAlone) {
     EXPECT_EQ(table.currentRow(), 1);
 }
 
+/// Each row is as high as the words of its columns need.
+void expectWholeWords(const EvidenceTable& table) {
+    for (int row = 0; row < table.rowCount(); ++row) {
+        for (const int column : {0, 1}) {
+            const QRect room(0, 0, table.columnWidth(column) - 16, 1000);
+            const QRect needed = table.fontMetrics().boundingRect(room, Qt::TextWordWrap, table.item(row, column)->text());
+            EXPECT_LE(needed.height(), table.rowHeight(row)) << row << ", " << column;
+        }
+    }
+}
+
+TEST(EvidenceTable, WordsStayWholeWhereAnotherColumnWidens) {
+    std::vector<EvidenceRow> rows = threeRows();
+    EvidenceTable table;
+    table.setRows(rows);
+    table.resize(330, table.height());
+    table.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&table));
+    const int wide = table.columnWidth(1);
+    rows[0].unread = {"cloud.empty", "{0} is empty", {"site.laz"}};
+    table.setRows(rows);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return table.columnWidth(1) < wide; }));
+    expectWholeWords(table);
+}
+
 TEST(EvidenceTable, WhatIsTooLongTakesASecondLineAndNamesKeepBothEnds) {
     std::vector<EvidenceRow> rows = threeRows();
     rows[0].path = "scans/north-abutment-2026-11-24-registered.laz";
@@ -69,11 +94,9 @@ TEST(EvidenceTable, WhatIsTooLongTakesASecondLineAndNamesKeepBothEnds) {
     EXPECT_FALSE(table.horizontalScrollBar()->isVisible());
     int height = table.horizontalHeader()->height();
     for (int row = 0; row < table.rowCount(); ++row) {
-        const QRect room(0, 0, table.columnWidth(1) - 16, 1000);
-        const QRect needed = table.fontMetrics().boundingRect(room, Qt::TextWordWrap, table.item(row, 1)->text());
-        EXPECT_LE(needed.height(), table.rowHeight(row)) << row;
         height += table.rowHeight(row);
     }
+    expectWholeWords(table);
     EXPECT_GE(table.height(), height) << "all three rows are seen";
 }
 

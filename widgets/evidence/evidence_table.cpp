@@ -71,6 +71,12 @@ EvidenceTable::EvidenceTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+    // A word that widens its own column narrows these, while the table stays as wide as it is.
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column < 2 && !m_showing) {
+            fitRows();
+        }
+    });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
         if (!m_showing && row >= 0 && row < static_cast<int>(m_rows.size())) {
             emit chosen(QString::fromStdString(m_rows[static_cast<std::size_t>(row)].id));

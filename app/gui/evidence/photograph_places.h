@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/session/worker.h"
+#include "app/gui/session/background_answers.h"
 #include "core/base/unknown.h"
 #include "core/scenario/case.h"
 #include "io/site/surveys/evidence_origin.h"
@@ -27,7 +27,7 @@ public:
         io::EvidenceOrigin origin;
     };
     Place of(const Photograph& photograph) const;
-    bool busy() const { return m_worker.busy(); }
+    bool busy() const { return m_places.busy(); }
 
 signals:
     /// More is known.
@@ -43,19 +43,12 @@ private:
         PhotoFacts facts;
         bool operator==(const Asked&) const = default;
     };
-    struct Known {
-        Asked asked;
-        Place place;
-    };
-    static Place find(const Photograph& photograph, const std::string& path, const Execution& execution);
+    static Place find(const Asked& asked, const Execution& execution);
     Asked askedOf(const Photograph& photograph) const;
     void look();
 
     Document& m_document;
-    std::vector<Known> m_known;
-    std::vector<Asked> m_asking;
-    // Last, so that it has ended before anything it uses goes.
-    Worker m_worker;
+    BackgroundAnswers<Asked, Place> m_places;
 };
 
 }  // namespace rubble

@@ -1,8 +1,5 @@
 #include "app/gui/evidence/survey_reach.h"
 
-#include <algorithm>
-#include <memory>
-
 #include "app/gui/session/session.h"
 #include "core/base/error.h"
 #include "io/case/case_file.h"
@@ -12,7 +9,10 @@
 
 namespace rubble {
 
-SurveyReach::SurveyReach(Session& session) : m_document(session.document()), m_computation(session.computation()) {
+SurveyReach::SurveyReach(Session& session)
+    : m_document(session.document()),
+      m_computation(session.computation()),
+      m_found(&SurveyReach::lookAt, [this] { emit changed(); }) {
     for (const auto signal : {&Document::replaced, &Document::surveysChanged, &Document::inputsAccepted}) {
         connect(&m_document, signal, this, &SurveyReach::look);
     }
@@ -35,37 +35,32 @@ SurveyReach::Asked SurveyReach::askedOf(const CaseInput& survey) const {
             structure.max()};
 }
 
-const SurveyReach::Known* SurveyReach::known(const CaseInput& survey) const {
-    if (m_known.empty() || m_computation.inputs().fe == nullptr) {
-        return nullptr;
-    }
-    const auto found =
-        std::find_if(m_known.begin(), m_known.end(), [asked = askedOf(survey)](const Known& each) { return each.asked == asked; });
-    return found != m_known.end() ? &*found : nullptr;
+const SurveyReach::Found* SurveyReach::found(const CaseInput& survey) const {
+    return m_computation.inputs().fe != nullptr ? m_found.of(askedOf(survey)) : nullptr;
 }
 
 Findings SurveyReach::of(const CaseInput& survey) const {
-    const Known* found = known(survey);
-    return found != nullptr ? found->place : Findings();
+    const Found* known = found(survey);
+    return known != nullptr ? known->place : Findings();
 }
 
 Findings SurveyReach::unread(const CaseInput& survey) const {
-    const Known* found = known(survey);
-    return found != nullptr ? found->unread : Findings();
+    const Found* known = found(survey);
+    return known != nullptr ? known->unread : Findings();
 }
 
 Findings SurveyReach::odd(const CaseInput& survey) const {
-    const Known* found = known(survey);
-    return found != nullptr ? found->odd : Findings();
+    const Found* known = found(survey);
+    return known != nullptr ? known->odd : Findings();
 }
 
 io::EvidenceOrigin SurveyReach::origin(const CaseInput& survey) const {
-    const Known* found = known(survey);
-    return found != nullptr ? found->origin : io::EvidenceOrigin();
+    const Found* known = found(survey);
+    return known != nullptr ? known->origin : io::EvidenceOrigin();
 }
 
-SurveyReach::Known SurveyReach::lookAt(const Asked& asked, const Execution& execution) {
-    Known made{asked, {}, {}, {}, io::surveyOriginOf(asked.path, asked.read)};
+SurveyReach::Found SurveyReach::lookAt(const Asked& asked, const Execution& execution) {
+    Found made{{}, {}, {}, io::surveyOriginOf(asked.path, asked.read)};
     try {
         CaseInput survey;
         survey.path = asked.path;
@@ -84,43 +79,13 @@ SurveyReach::Known SurveyReach::lookAt(const Asked& asked, const Execution& exec
 }
 
 void SurveyReach::look() {
-    std::vector<Asked> wanted;
-    std::vector<Known> still;
+    std::vector<Asked> asked;
     for (const CaseInput& input : m_document.theCase().inputs) {
-        if (input.role != InputRole::Survey || m_computation.inputs().fe == nullptr) {
-            continue;
-        }
-        const Asked asked = askedOf(input);
-        const auto found = std::find_if(m_known.begin(), m_known.end(), [&](const Known& each) { return each.asked == asked; });
-        if (found != m_known.end()) {
-            still.push_back(*found);
-        } else {
-            wanted.push_back(asked);
+        if (input.role == InputRole::Survey && m_computation.inputs().fe != nullptr) {
+            asked.push_back(askedOf(input));
         }
     }
-    m_known = std::move(still);
-    if (wanted == m_asking) {
-        return;
-    }
-    m_asking = wanted;
-    if (wanted.empty()) {
-        m_worker.cancel();
-        return;
-    }
-    auto made = std::make_shared<std::vector<Known>>();
-    m_worker.start({Worker::Kind::Study,
-                    [made, wanted](const Execution& execution) {
-                        for (const Asked& each : wanted) {
-                            made->push_back(lookAt(each, execution));
-                        }
-                    },
-                    [this, made, wanted](const std::exception_ptr& thrown) {
-                        if (thrown == nullptr && wanted == m_asking) {
-                            m_asking.clear();
-                            m_known.insert(m_known.end(), made->begin(), made->end());
-                            emit changed();
-                        }
-                    }});
+    m_found.ask(asked);
 }
 
 }  // namespace rubble

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/session/worker.h"
+#include "app/gui/session/background_answers.h"
 #include "core/base/finding.h"
 #include "core/base/geometry.h"
 #include "core/fe/frame.h"
@@ -34,7 +34,7 @@ public:
     Findings odd(const CaseInput& survey) const;
     /// What its file says of its making by this program; nothing as long as that is not known.
     io::EvidenceOrigin origin(const CaseInput& survey) const;
-    bool busy() const { return m_worker.busy(); }
+    bool busy() const { return m_found.busy(); }
 
 signals:
     /// More is known.
@@ -54,24 +54,20 @@ private:
         Vec3 high;
         bool operator==(const Asked&) const = default;
     };
-    struct Known {
-        Asked asked;
+    struct Found {
         Findings place;
         Findings unread;
         Findings odd;
         io::EvidenceOrigin origin;
     };
-    const Known* known(const CaseInput& survey) const;
-    static Known lookAt(const Asked& asked, const Execution& execution);
+    const Found* found(const CaseInput& survey) const;
+    static Found lookAt(const Asked& asked, const Execution& execution);
     void look();
     Asked askedOf(const CaseInput& survey) const;
 
     Document& m_document;
     Computation& m_computation;
-    std::vector<Known> m_known;
-    std::vector<Asked> m_asking;
-    // Last, so that it has ended before anything it uses goes.
-    Worker m_worker;
+    BackgroundAnswers<Asked, Found> m_found;
 };
 
 }  // namespace rubble

@@ -265,6 +265,27 @@ QLabel* PanelGroup::addNote(const QString& text) {
     return note;
 }
 
+QVBoxLayout* pageColumn(QWidget& page, const QString& title) {
+    page.setObjectName(QStringLiteral("panelBody"));
+    page.setAttribute(Qt::WA_StyledBackground);
+    auto* outer = new QVBoxLayout(&page);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto* body = new QWidget;
+    body->setObjectName(QStringLiteral("panelBody"));
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(body);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    outer->addWidget(scroll);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(16, 12, 16, 12);
+    column->setSpacing(8);
+    auto* head = new QLabel(title);
+    head->setFont(titleFont());
+    column->addWidget(head);
+    return column;
+}
+
 Panel::Panel(const QString& title, const QString& question, QWidget* parent)
     : QScrollArea(parent), m_column(new QVBoxLayout), m_error(new Notice), m_stale(new Notice) {
     auto* body = new QWidget;

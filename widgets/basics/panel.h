@@ -113,6 +113,9 @@ private:
     QGridLayout* m_grid;
 };
 
+/// The column of a page, below its title. What a study brings scrolls, so that it never makes the window higher than its screen.
+QVBoxLayout* pageColumn(QWidget& page, const QString& title);
+
 /// A panel of the rail: a title, one question, groups. Scrolls vertically when the window is low.
 class Panel : public QScrollArea {
     Q_OBJECT

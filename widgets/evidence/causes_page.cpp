@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QResizeEvent>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -82,23 +81,7 @@ CausesPage::CausesPage(QWidget* parent)
       m_blind(new QTableWidget),
       m_furtherTitle(new QLabel),
       m_further(new QTableWidget) {
-    setObjectName(QStringLiteral("panelBody"));
-    setAttribute(Qt::WA_StyledBackground);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    auto* body = new QWidget;
-    body->setObjectName(QStringLiteral("panelBody"));
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(body);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    outer->addWidget(scroll);
-    auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(8);
-    auto* title = new QLabel(tr("Which cause explains the evidence"));
-    title->setFont(titleFont());
-    column->addWidget(title);
+    QVBoxLayout* column = pageColumn(*this, tr("Which cause explains the evidence"));
     m_sentence->setObjectName(QStringLiteral("muted"));
     m_sentence->setWordWrap(true);
     column->addWidget(m_sentence);

@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QResizeEvent>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QToolButton>
@@ -57,24 +56,7 @@ EnsemblePage::EnsemblePage(QWidget* parent)
       m_map(new MapView),
       m_spread(new QTableWidget(0, 7)),
       m_error(new QLabel) {
-    setObjectName(QStringLiteral("panelBody"));
-    setAttribute(Qt::WA_StyledBackground);
-    // What a study brings never makes the window higher than its screen.
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    auto* body = new QWidget;
-    body->setObjectName(QStringLiteral("panelBody"));
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(body);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    outer->addWidget(scroll);
-    auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(8);
-    auto* title = new QLabel(tr("Where debris may lie"));
-    title->setFont(titleFont());
-    column->addWidget(title);
+    QVBoxLayout* column = pageColumn(*this, tr("Where debris may lie"));
     m_sentence->setObjectName(QStringLiteral("muted"));
     m_sentence->setWordWrap(true);
     column->addWidget(m_sentence);

@@ -2,6 +2,8 @@
 
 namespace rubble::selftest {
 
+namespace {
+
 std::vector<ReportCheck> reportChecks(const std::vector<CaseResult>& results) {
     std::vector<ReportCheck> checks;
     for (const CaseResult& result : results) {
@@ -21,6 +23,18 @@ std::vector<ReportCheck> reportChecks(const std::vector<CaseResult>& results) {
         checks.push_back(std::move(check));
     }
     return checks;
+}
+
+}  // namespace
+
+void addReportChecks(ReportFacts& facts, const std::string& scope, const Execution& execution) {
+    if (scope == "none") {
+        return;
+    }
+    execution.report({"report.testing", "Testing this machine", {}}, 0.5);
+    facts.selfTest = reportChecks(runSuite(reportCases(scope), {}, execution));
+    execution.check();
+    facts.selfTestScope = scope;
 }
 
 }  // namespace rubble::selftest

@@ -16,16 +16,6 @@ namespace {
 
 constexpr int mostRepeats = 100;
 
-/// The self-test that was asked for, on this machine, now.
-void addSelfTest(ReportFacts& facts, const std::string& scope, Session& session) {
-    if (scope == "none") {
-        return;
-    }
-    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::reportCases(scope), {}, session.execution()));
-    session.execution().check();
-    facts.selfTestScope = scope;
-}
-
 }  // namespace
 
 std::vector<Option> ReportMaking::options() {
@@ -53,7 +43,7 @@ WrittenReport writeReport(const std::string& folder, const io::ReportRequest& re
                           const ReportMaking& making, Session& session) {
     WrittenReport report;
     report.facts = io::reportFacts(request, session.execution());
-    addSelfTest(report.facts, making.selfTest, session);
+    selftest::addReportChecks(report.facts, making.selfTest, session.execution());
     quietQt();
     figures::ensureGuiApplication();
     const figures::WrittenLanguage written(making.language);

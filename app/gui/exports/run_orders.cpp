@@ -16,16 +16,6 @@ namespace rubble {
 
 namespace {
 
-void addSelfTest(ReportFacts& facts, const QString& scope, const Execution& execution) {
-    if (scope == QLatin1String("none")) {
-        return;
-    }
-    execution.report({"report.testing", "Testing this machine", {}}, 0.5);
-    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::reportCases(scope.toStdString()), {}, execution));
-    execution.check();
-    facts.selfTestScope = scope.toStdString();
-}
-
 figures::MapPictureStyle mapStyleOf(const io::RunOrigin& origin) {
     figures::MapPictureStyle style;
     style.place = io::SitePlace(origin.frame, origin.site).transform();
@@ -71,7 +61,7 @@ ReportFacts ReportOrder::facts(const Execution& execution) const {
 
 Findings ReportOrder::write(const Execution& execution) const {
     ReportFacts said = facts(execution);
-    addSelfTest(said, selfTest, execution);
+    selftest::addReportChecks(said, selfTest.toStdString(), execution);
     const io::RunReader& run = *request.run;
     figures::ReportPictures pictures = figures::drawReportPictures(scene, said, mapStyleOf(run.origin()), execution);
     pictures.say = [](const Message& message) { return widgets::worded(message); };

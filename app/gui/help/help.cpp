@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
@@ -111,10 +112,31 @@ ManualWindow& Help::manual() {
     if (m_manual == nullptr) {
         m_manual = new ManualWindow(&m_window);
     }
+    QWidget* modal = QApplication::activeModalWidget();
+    lendManual(modal != nullptr && modal != m_manual ? modal : &m_window);
     m_manual->show();
     m_manual->raise();
     m_manual->activateWindow();
     return *m_manual;
+}
+
+void Help::lendManual(QWidget* to) {
+    if (m_manual->parentWidget() == to) {
+        return;
+    }
+    const bool shown = m_manual->isVisible();
+    m_manual->setParent(to, m_manual->windowFlags());
+    m_manual->setVisible(shown);
+    if (auto* dialog = qobject_cast<QDialog*>(to)) {
+        connect(
+            dialog, &QDialog::finished, this,
+            [this] {
+                if (m_manual != nullptr) {
+                    lendManual(&m_window);
+                }
+            },
+            Qt::SingleShotConnection);
+    }
 }
 
 QString Help::openPage() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 
 class QLabel;
@@ -42,8 +43,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// A dialog that blocks the window would block the manual as well, unless it is the dialog's own.
+    void lendManual(QWidget* to);
+
     QWidget& m_window;
-    ManualWindow* m_manual = nullptr;
+    QPointer<ManualWindow> m_manual;
 };
 
 }  // namespace rubble

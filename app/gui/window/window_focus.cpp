@@ -9,11 +9,12 @@ namespace rubble {
 
 namespace {
 
-/// Once what is being shown or closed is done with; another dialog that is modal keeps the keyboard.
+/// Once what is being shown or closed is done with; another dialog that is modal keeps the keyboard, or what it has opened itself.
 void activateSoon(QWidget* window) {
     QTimer::singleShot(0, window, [window] {
         const QWidget* modal = QApplication::activeModalWidget();
-        if (window->isVisible() && !window->isActiveWindow() && (modal == nullptr || modal == window)) {
+        const bool taken = modal != nullptr && modal != window && modal != window->parentWidget();
+        if (window->isVisible() && !window->isActiveWindow() && !taken) {
             window->activateWindow();
         }
     });

@@ -6,12 +6,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "app/gui/help/help.h"
+#include "app/gui/help/manual.h"
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
@@ -104,6 +107,27 @@ TEST_F(NewCases, AreMadeStepByStep) {
     EXPECT_TRUE(session->document().modified()) << "it was never saved";
     EXPECT_TRUE(session->document().path().isEmpty());
     session->document().undoStack().setClean();
+}
+
+TEST_F(NewCases, TheManualIsReadBesideTheWizardThatBlocksTheWindow) {
+    begin();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    const QPointer<ManualWindow> manual = wizard().findChild<ManualWindow*>();
+    ASSERT_NE(manual, nullptr);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(manual, patience));
+    EXPECT_EQ(window->help().openPage(), QStringLiteral("Case"));
+    // As the window system sends them: to a window that is blocked they do not come.
+    auto* search = manual->findChild<QLineEdit*>(QStringLiteral("search"));
+    QTest::mouseClick(manual->windowHandle(), Qt::LeftButton, {}, search->mapTo(manual, search->rect().center()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return search->hasFocus(); }, patience));
+    QTest::keyClick(manual->windowHandle(), Qt::Key_Z);
+    EXPECT_EQ(search->text(), QStringLiteral("z"));
+    QTest::keyClick(manual->windowHandle(), Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !manual->isVisible() && wizard().isActiveWindow(); }, patience));
+    QTest::keyClick(&wizard(), Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
+    ASSERT_NE(manual, nullptr) << "it stays when the wizard goes";
+    EXPECT_EQ(manual->parentWidget(), window);
 }
 
 TEST_F(NewCases, CountEveryDeath) {

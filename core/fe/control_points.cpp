@@ -160,7 +160,7 @@ void checkPlan(Findings& findings, const std::vector<ControlPoint>& points, cons
             {"site.scale",
              "by the control points the model is {0} times as large as it should be there: a point is wrong, or the two sides "
              "have different units",
-             {fit.scale / scale}},
+             {scale / fit.scale}},
             {"site.scale.remedy",
              "give all coordinates in metres, also in a system that counts in feet; else leave points out one by one and look at "
              "the residuals",

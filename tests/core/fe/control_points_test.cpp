@@ -25,6 +25,9 @@ std::vector<ControlPoint> turned(double scale, double angle) {
 TEST(ControlPoints, WhatSpeaksAgainstThemIsTold) {
     EXPECT_TRUE(checkControlPoints(turned(0.9996, 0.7)).empty());
     EXPECT_EQ(checkControlPoints(turned(3.2808, 0.7)).count("site.scale"), 1);
+    const Findings twice = checkControlPoints(turned(0.5, 0.7));
+    ASSERT_FALSE(twice.empty());
+    EXPECT_NEAR(std::get<double>(twice.list().front().what.arguments.front().value), 2.0, 1e-9) << "80 m of it stand for 40 m";
     EXPECT_TRUE(checkControlPoints(turned(1.6, 0.7), 1.6).empty()) << "the system stretches as much";
     std::vector<ControlPoint> points = turned(1.0, 0.7);
     for (ControlPoint& point : points) {

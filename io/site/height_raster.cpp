@@ -96,6 +96,52 @@ private:
     std::vector<char> m_queued;
 };
 
+/// Nodes without a height, between two with one, that still lie within a raster: half of that.
+constexpr std::size_t poreReach = 3;
+
+/// A flag for each node of a grid, row by row.
+struct NodeMap {
+    std::size_t nx = 0;
+    std::size_t ny = 0;
+    std::vector<std::uint8_t> flags;
+};
+
+/// What is reached from some nodes by so many steps to one of eight neighbours, each onto a node that is open.
+NodeMap reached(const NodeMap& from, const NodeMap& open, std::size_t steps) {
+    NodeMap found = from;
+    std::vector<std::size_t> front;
+    for (std::size_t k = 0; k < from.flags.size(); ++k) {
+        if (from.flags[k] != 0) {
+            front.push_back(k);
+        }
+    }
+    for (std::size_t step = 0; step < steps && !front.empty(); ++step) {
+        std::vector<std::size_t> next;
+        for (const std::size_t k : front) {
+            const std::size_t i = k % from.nx;
+            const std::size_t j = k / from.nx;
+            for (std::size_t row = j > 0 ? j - 1 : 0; row <= std::min(j + 1, from.ny - 1); ++row) {
+                for (std::size_t column = i > 0 ? i - 1 : 0; column <= std::min(i + 1, from.nx - 1); ++column) {
+                    const std::size_t n = row * from.nx + column;
+                    if (open.flags[n] != 0 && found.flags[n] == 0) {
+                        found.flags[n] = 1;
+                        next.push_back(n);
+                    }
+                }
+            }
+        }
+        front = std::move(next);
+    }
+    return found;
+}
+
+NodeMap without(NodeMap nodes, const NodeMap& those) {
+    for (std::size_t k = 0; k < nodes.flags.size(); ++k) {
+        nodes.flags[k] = nodes.flags[k] != 0 && those.flags[k] == 0 ? 1 : 0;
+    }
+    return nodes;
+}
+
 /// Whether a node stands out from those around it; they are left in order.
 bool standsOut(double height, std::vector<double>& around, double cell) {
     constexpr std::size_t least = 5;  // neighbours, to tell
@@ -138,37 +184,29 @@ std::vector<HeightSpike> removeSpikes(HeightGrid& raster) {
 }
 
 std::vector<std::uint8_t> outerGaps(const HeightGrid& raster) {
-    std::vector<std::uint8_t> outer;
-    if (raster.nx == 0 || raster.ny == 0) {
-        return outer;
+    if (countGaps(raster) == 0) {
+        return {};
     }
-    std::vector<std::size_t> open;
-    const auto visit = [&](std::size_t k) {
-        if (std::isnan(raster.heights[k]) && (outer.empty() || outer[k] == 0)) {
-            outer.resize(raster.heights.size(), 0);
-            outer[k] = 1;
-            open.push_back(k);
-        }
-    };
-    for (std::size_t i = 0; i < raster.nx; ++i) {
-        visit(i);
-        visit((raster.ny - 1) * raster.nx + i);
+    // Around the raster lie gaps, so that its edge is one like any other.
+    constexpr std::size_t margin = poreReach + 1;
+    NodeMap gaps{raster.nx + 2 * margin, raster.ny + 2 * margin, {}};
+    gaps.flags.assign(gaps.nx * gaps.ny, 1);
+    const auto placeOf = [&](std::size_t k) { return (k / raster.nx + margin) * gaps.nx + k % raster.nx + margin; };
+    NodeMap heights{gaps.nx, gaps.ny, std::vector<std::uint8_t>(gaps.flags.size(), 0)};
+    for (std::size_t k = 0; k < raster.heights.size(); ++k) {
+        gaps.flags[placeOf(k)] = std::isnan(raster.heights[k]) ? 1 : 0;
+        heights.flags[placeOf(k)] = std::isnan(raster.heights[k]) ? 0 : 1;
     }
-    for (std::size_t j = 0; j < raster.ny; ++j) {
-        visit(j * raster.nx);
-        visit(j * raster.nx + raster.nx - 1);
+    const NodeMap all{gaps.nx, gaps.ny, std::vector<std::uint8_t>(gaps.flags.size(), 1)};
+    const NodeMap far = without(gaps, reached(heights, all, poreReach));
+    NodeMap corner{gaps.nx, gaps.ny, std::vector<std::uint8_t>(gaps.flags.size(), 0)};
+    corner.flags.front() = 1;
+    const NodeMap ended = reached(reached(corner, far, gaps.flags.size()), gaps, poreReach);
+    std::vector<std::uint8_t> outer(raster.heights.size());
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+        outer[k] = ended.flags[placeOf(k)];
     }
-    while (!open.empty()) {
-        const std::size_t i = open.back() % raster.nx;
-        const std::size_t j = open.back() / raster.nx;
-        open.pop_back();
-        for (std::size_t row = j > 0 ? j - 1 : 0; row <= std::min(j + 1, raster.ny - 1); ++row) {
-            for (std::size_t column = i > 0 ? i - 1 : 0; column <= std::min(i + 1, raster.nx - 1); ++column) {
-                visit(row * raster.nx + column);
-            }
-        }
-    }
-    return outer;
+    return std::find(outer.begin(), outer.end(), 1) != outer.end() ? outer : std::vector<std::uint8_t>();
 }
 
 void flipRows(HeightGrid& raster) {

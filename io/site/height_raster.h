@@ -18,8 +18,8 @@ double heightOn(const HeightGrid& raster, const Eigen::Vector2d& place);
 
 std::int64_t countGaps(const HeightGrid& raster);
 
-/// 1 for each node without a height that hangs together with the edge of the raster: there the raster has ended, as beyond the
-/// edge. Empty if there is none.
+/// 1 for each node without a height where the raster has ended, as beyond its edge. Such nodes hang together with the edge by ways
+/// at least eight nodes wide: narrower ones are pores between the points of a cloud, which lie within it. Empty if there is none.
 std::vector<std::uint8_t> outerGaps(const HeightGrid& raster);
 
 /// Gives every node without a height the mean of those of its eight neighbours that have one, from the rim of each gap inwards.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <random>
 
 #include "core/base/error.h"
 #include "io/base/files.h"
@@ -290,6 +291,31 @@ TEST(HeightRaster, GapsTakeTheMeanOfTheirRim) {
     raster.heights = {none, 2.0, none, 6.0, none};
     fillGaps(raster);
     EXPECT_EQ(raster.heights, (std::vector<double>{2.0, 2.0, 4.0, 6.0, 6.0}));
+}
+
+// The ground between trees, as a cloud has it: its gaps hang together, and with the edge, by ways of a few nodes.
+TEST(HeightRaster, PoresBetweenPointsHaveNotEndedWhereTheyReachTheEdge) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    HeightGrid raster;
+    raster.dx = raster.dy = 1.0;
+    raster.nx = 60;
+    raster.ny = 50;
+    raster.heights.assign(raster.nx * raster.ny, 5.0);
+    std::mt19937 random(3);
+    for (double& height : raster.heights) {
+        height = random() % 100 < 55 ? none : height;
+    }
+    EXPECT_TRUE(outerGaps(raster).empty());
+    const auto at = [&](std::size_t i, std::size_t j) -> double& { return raster.heights[j * raster.nx + i]; };
+    for (std::size_t j = 0; j < raster.ny; ++j) {
+        std::fill_n(&at(40, j), 20, none);
+        at(39, j) = 5.0;
+    }
+    const std::vector<std::uint8_t> ended = outerGaps(raster);
+    ASSERT_EQ(ended.size(), raster.heights.size());
+    for (std::size_t k = 0; k < ended.size(); ++k) {
+        EXPECT_EQ(ended[k], k % raster.nx >= 40 ? 1 : 0) << k % raster.nx << ", " << k / raster.nx;
+    }
 }
 
 TEST(HeightRaster, FlippingTwiceChangesNothing) {

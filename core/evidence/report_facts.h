@@ -16,6 +16,7 @@
 #include "core/evidence/maps/run_map.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/evidence/surveys/survey_comparison.h"
+#include "core/fe/control_points.h"
 #include "core/scenario/journal.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "core/validation/validation_record.h"
@@ -58,6 +59,22 @@ struct ReportCheck {
     double measured = std::numeric_limits<double>::quiet_NaN();  ///< of the number closest to its limit
     double limit = std::numeric_limits<double>::quiet_NaN();
     std::string unit;
+};
+
+/// A mesh of the surroundings that debris fell on.
+struct ReportMesh {
+    std::string name;
+    Vec3 offset = Vec3::Zero();  ///< m, by which its coordinates were moved
+};
+
+/// Where the model of a report lies, and on what its debris fell.
+struct ReportPlace {
+    std::string named;   ///< coordinate system that the case names; empty: none
+    std::string system;  ///< the one that its places are in, as placedSystem(); empty: the model's own
+    SiteFit fit;         ///< from the local frame to that system
+    std::vector<ControlPoint> points;
+    std::string terrain;  ///< its file; empty: none
+    std::vector<ReportMesh> meshes;
 };
 
 /// What standards for the reports of experts ask for and no program can say, in the words of who answers for the report. Plain
@@ -108,6 +125,7 @@ struct ReportFacts {
     std::string fingerprint;
     std::string build;
     std::vector<ReportFile> files;
+    ReportPlace place;
     std::vector<JournalEntry> journal;
 
     Scenario scenario;
@@ -137,6 +155,7 @@ struct ReportFacts {
     std::vector<ValidationRecord> validation;        ///< measured falls that this build was held against; empty: none
     std::vector<ReportCheck> selfTest;               ///< empty: not run
     std::string selfTestScope;                       ///< "all", "closed-form"
+    std::size_t selfTestLeft = 0;                    ///< cases of that scope that take too long for a report
 };
 
 /// Least and largest of a figure over a run and its repeats; equal without repeats.

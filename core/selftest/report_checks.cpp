@@ -32,8 +32,10 @@ void addReportChecks(ReportFacts& facts, const std::string& scope, const Executi
         return;
     }
     execution.report({"report.testing", "Testing this machine", {}}, 0.5);
-    facts.selfTest = reportChecks(runSuite(reportCases(scope), {}, execution));
+    const std::vector<const HardCase*> cases = reportCases(scope);
+    facts.selfTest = reportChecks(runSuite(cases, {}, execution));
     execution.check();
+    facts.selfTestLeft = scope == "all" ? 0 : chosenCases({scope}).size() - cases.size();
     facts.selfTestScope = scope;
 }
 

@@ -190,6 +190,20 @@ void addFiles(ReportFacts& facts, const ReportRequest& request, const Execution&
     }
 }
 
+ReportPlace placeOf(const RunOrigin& origin) {
+    ReportPlace place;
+    const SitePlace lies(origin.frame, origin.site);
+    place.named = origin.frame.crs;
+    place.system = lies.system();
+    place.fit = lies.transform();
+    place.points = origin.site.controlPoints;
+    place.terrain = fs::path(origin.terrainPath).filename().string();
+    for (const RecordedInput& mesh : origin.surroundings) {
+        place.meshes.push_back({fs::path(mesh.path).filename().string(), mesh.offset});
+    }
+    return place;
+}
+
 /// The reference of the scene and those of its repeats that a sweep has kept; nothing is simulated.
 std::optional<RepeatFloor> keptReference(const ReportRequest& request, const ReportFacts& facts, StudyFiles& files,
                                          const Execution& execution) {
@@ -254,6 +268,7 @@ ReportFacts identityOf(const ReportRequest& request) {
     facts.runPath = request.run->path();
     facts.fingerprint = origin.fingerprint.hex();
     facts.build = origin.build;
+    facts.place = placeOf(origin);
     facts.scenario = origin.scenario;
     facts.scenarioName = origin.scenarioName;
     if (const CaseScenario* scenario = scenarioOf(request)) {

@@ -57,6 +57,7 @@ void ReportSections::addEvidence() {
              .arg(escaped(fe.format), countText(m_facts.fe->mesh().elementCount()), countText(fe.times.size()),
                   reportSeconds(fe.times.front()), reportSeconds(fe.times.back()), spokenText(fe.activityFrom).toHtmlEscaped(),
                   unitShown(spokenText(fe.unitsFrom).toHtmlEscaped())));
+    addPlace();
     addPhotographs();
     addSurveys();
 }

@@ -375,6 +375,10 @@ void ReportSections::addSelfTest() {
              .arg(escaped(m_facts.selfTestScope))
              .arg(passed)
              .arg(m_facts.selfTest.size()));
+    if (m_facts.selfTestLeft > 0) {
+        text(tr("Cases of this kind that were left out, since they take minutes: %1. <code>rubble-cli self-test</code> runs them.")
+                 .arg(m_facts.selfTestLeft));
+    }
     ReportTable table;
     table.caption = tr("Cases of the self-test, each with the number closest to its limit");
     table.columns = QStringList{tr("case"), tr("must hold"), tr("measured"), tr("limit"), tr("result")};

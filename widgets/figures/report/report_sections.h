@@ -45,6 +45,8 @@ private:
     QString said(const Message& message) const;
     void equation(const char* notation, const QString& words, const QString& where);
     void addFiles();
+    void addPlace();
+    void addControlPoints();
     void addPhotographs();
     void addPhotograph(const ReportPhoto& photo, const QImage& picture);
     void addPhotographCautions(const ReportPhoto& photo);

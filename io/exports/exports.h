@@ -53,5 +53,7 @@ void exportBodies(const std::string& path, const RunReader& run, const Execution
 std::string provenanceText(const RunReader& run);
 /// The same of what was simulated or is to be. @param run  null: nothing was
 std::string provenanceText(const RunOrigin& origin, const RunReader* run);
+/// The provenance of a file whose places are in units of a coordinate system, with these words on its coordinates.
+std::string withCoordinates(const std::string& provenance, const std::string& words);
 
 }  // namespace rubble::io

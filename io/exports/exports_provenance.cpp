@@ -58,4 +58,10 @@ std::string provenanceText(const RunOrigin& origin, const RunReader* run) {
     return jsonText(text);
 }
 
+std::string withCoordinates(const std::string& provenance, const std::string& words) {
+    nlohmann::json document = nlohmann::json::parse(provenance);
+    document["coordinates"] = words;
+    return jsonText(document);
+}
+
 }  // namespace rubble::io

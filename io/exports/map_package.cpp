@@ -10,6 +10,7 @@
 #include "core/evidence/maps/footprint.h"
 #include "core/evidence/maps/height_contours.h"
 #include "io/base/files.h"
+#include "io/exports/exports.h"
 #include "io/exports/map_files.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
@@ -229,7 +230,7 @@ void writeMapPackage(const std::string& path, const DebrisMap& map, const MapFra
         }
     }
     memory.save(path);
-    writeProvenance(path, origin.provenance);
+    writeProvenance(path, withCoordinates(origin.provenance, place.words()));
     execution.report(stage, 1.0);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/exports/exports.h"
 #include "io/exports/map_files.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
@@ -155,7 +156,7 @@ void writeMapTiff(const std::string& path, const DebrisMap& map, const std::vect
         }
     }
     memory.save(path);
-    writeProvenance(path, origin.provenance);
+    writeProvenance(path, withCoordinates(origin.provenance, place.words()));
     execution.report(stage, 1.0);
 }
 

@@ -170,7 +170,7 @@ void writeSurveyTiff(const std::string& path, const SurveyComparison& made, cons
         }
     }
     memory.save(path);
-    writeProvenance(path, origin.provenance);
+    writeProvenance(path, withCoordinates(origin.provenance, place.words()));
 }
 
 }  // namespace rubble::io

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 #include "io/site/gdal_session.h"
 #include "io/site/system_way.h"
 
@@ -38,6 +39,15 @@ MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), 
 }
 
 MapPlace::~MapPlace() = default;
+
+std::string MapPlace::words() const {
+    if (m_metresPerUnit == 1.0) {
+        return std::string(m_site.words());
+    }
+    constexpr std::string_view metres = "metres, ";
+    return "easting and northing in units of the coordinate system, " + englishNumber(m_metresPerUnit) +
+           " m each, heights in metres; " + std::string(m_site.words().substr(metres.size()));
+}
 
 void MapPlace::setLocal() {
     m_name = m_site.upright() ? "local, metres" : "that of the control points, metres";

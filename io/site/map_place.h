@@ -31,6 +31,8 @@ public:
     /// m, height of the local zero.
     double zeroHeight() const { return m_site.transform().height; }
     const SitePlace& site() const { return m_site; }
+    /// How places of a file came to be, for people: as SitePlace has it, but in units of the system.
+    std::string words() const;
     /// Name of the system, for people.
     const std::string& name() const { return m_name; }
 

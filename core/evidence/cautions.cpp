@@ -1,6 +1,7 @@
 #include "core/evidence/cautions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -63,6 +64,54 @@ Caution ensembleCaution(std::size_t members, double mean, double worst) {
     return {"ensemble", HealthGrade::Finding, what};
 }
 
+std::vector<Message> placeDoubts(const Findings& findings) {
+    constexpr std::array<std::string_view, 3> others{"cloud.height_unit_assumed", "terrain.height_unit_unknown", "terrain.short"};
+    constexpr double filledMuch = 0.1;
+    std::vector<Message> doubts;
+    for (const Finding& finding : findings.list()) {
+        const std::string& id = finding.what.id;
+        const std::vector<Argument>& told = finding.what.arguments;
+        const auto counted = [&](std::size_t i) {
+            const auto* number = i < told.size() ? std::get_if<std::int64_t>(&told[i].value) : nullptr;
+            return number != nullptr ? static_cast<double>(*number) : 0.0;
+        };
+        const bool filled = id == "terrain.filled" && counted(0) > filledMuch * counted(1);
+        if (id.starts_with("site.") || filled || std::find(others.begin(), others.end(), id) != others.end()) {
+            doubts.push_back(finding.what);
+        }
+    }
+    return doubts;
+}
+
+std::vector<Caution> inputCautions(const std::string& unsaidUnits, const std::vector<Message>& placeDoubts) {
+    std::vector<Caution> list;
+    if (!unsaidUnits.empty()) {
+        list.push_back(
+            {"units_unsaid",
+             HealthGrade::Finding,
+             {"caution.units_unsaid",
+              "nobody has said which units the FE result counts in: it would fit {0} as well, with other lengths, masses "
+              "and times",
+              {unsaidUnits}}});
+    }
+    for (const Message& doubt : placeDoubts) {
+        list.push_back({"place_doubt", HealthGrade::Finding, doubt});
+    }
+    return list;
+}
+
+void addCautions(std::vector<Caution>& list, const std::vector<Caution>& more) {
+    for (const Caution& caution : more) {
+        const std::string words = englishText(caution.what);
+        const bool there = std::any_of(list.begin(), list.end(), [&](const Caution& each) {
+            return each.key == caution.key && englishText(each.what) == words;
+        });
+        if (!there) {
+            list.push_back(caution);
+        }
+    }
+}
+
 RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bool acknowledged) {
     RunStanding standing;
     standing.reached = result.endTime;
@@ -82,15 +131,7 @@ std::vector<Caution> runCautions(const RunStanding& run) {
                         HealthGrade::Finding,
                         {"caution.other_settings", "the case has other settings or inputs now than this run was made with", {}}});
     }
-    if (!run.unsaidUnits.empty()) {
-        list.push_back(
-            {"units_unsaid",
-             HealthGrade::Finding,
-             {"caution.units_unsaid",
-              "nobody has said which units the FE result counts in: it would fit {0} as well, with other lengths, masses "
-              "and times",
-              {run.unsaidUnits}}});
-    }
+    addCautions(list, inputCautions(run.unsaidUnits, run.placeDoubts));
     if (!run.complete) {
         list.push_back({"not_complete",
                         HealthGrade::Finding,

@@ -15,8 +15,9 @@ namespace rubble {
 
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
-    std::string_view key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
-                           ///< "no_place", "single_run", "bodies", "poor_camera", "not_at_rest", "stated_camera", "ensemble"
+    std::string_view
+        key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
+              ///< "no_place", "place_doubt", "single_run", "bodies", "poor_camera", "not_at_rest", "stated_camera", "ensemble"
     HealthGrade grade{};
     Message what;
 
@@ -44,11 +45,23 @@ struct RunStanding {
     std::int64_t bodies = 0;     ///< that carry them
     std::int64_t moving = 0;     ///< of these, awake at `reached`
     std::vector<HealthBreach> breaches;
-    bool acknowledged = false;  ///< someone vouches for it in spite of its breaches
-    std::string unplaced{};     ///< coordinate system that the case names without a place of the model in it; empty: none
-    std::string unsaidUnits{};  ///< systems of units that the FE result would fit as well; empty: its units are known
-    bool outgrown = false;      ///< the case that it is shown in has other settings by now
+    bool acknowledged = false;           ///< someone vouches for it in spite of its breaches
+    std::string unplaced{};              ///< coordinate system that the case names without a place of the model in it; empty: none
+    std::string unsaidUnits{};           ///< systems of units that the FE result would fit as well; empty: its units are known
+    std::vector<Message> placeDoubts{};  ///< what makes places and heights uncertain
+    bool outgrown = false;               ///< the case that it is shown in has other settings by now
 };
+
+/// What of the findings of opened inputs makes every place or height of a run uncertain: the way between coordinate systems,
+/// control points, the unit of heights, a terrain that was filled by more than a tenth or ends short of the structure.
+std::vector<Message> placeDoubts(const Findings& findings);
+
+/// Beside whatever was made from these inputs.
+/// @param unsaidUnits  systems of units that the FE result would fit as well; empty: its units are known
+std::vector<Caution> inputCautions(const std::string& unsaidUnits, const std::vector<Message>& placeDoubts);
+
+/// Adds those that are not yet there.
+void addCautions(std::vector<Caution>& list, const std::vector<Caution>& more);
 
 /// Of a run that is complete.
 RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bool acknowledged);

@@ -29,6 +29,7 @@ void addScene(EnsembleSource& source, const OpenedCase& opened, const std::strin
     source.files.insert(source.files.end(), opened.files.begin(), opened.files.end());
     source.findings.append(openingFindings(opened));
     const RunOrigin origin = originOf(opened);
+    addCautions(source.cautions, inputCautions(origin.unsaidUnits, origin.placeDoubts));
     note(source, "fe", origin.fePath, origin.feSha256);
     note(source, "terrain", origin.terrainPath, origin.terrainSha256);
     for (const RecordedInput& mesh : origin.surroundings) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evidence/cautions.h"
 #include "core/evidence/ensembles/ensemble.h"
 #include "core/scenario/case.h"
 #include "io/case/open_case.h"
@@ -17,6 +18,14 @@ struct EnsembleInput {
     std::string sha256;
 };
 
+/// What an ensemble, or a comparison of several, was made from.
+struct EnsembleBasis {
+    std::vector<EnsembleInput> inputs;
+    Frame frame;
+    Site site;
+    std::vector<Caution> cautions;  ///< inputCautions() of all of its inputs
+};
+
 /// A case with all that the members of its ensemble stand on.
 struct EnsembleSource {
     std::string name;  ///< of the case, of its scenario where one was asked for, or of the file if the case has none
@@ -26,8 +35,11 @@ struct EnsembleSource {
     std::string fePath;              ///< of the first scene, absolute
     std::vector<std::string> files;  ///< everything that was read: never written over
     Frame frame;
-    CloudRequest terrainRead;  ///< of a terrain that is a point cloud
-    Findings findings;         ///< of what was read
+    CloudRequest terrainRead;       ///< of a terrain that is a point cloud
+    Findings findings;              ///< of what was read
+    std::vector<Caution> cautions;  ///< of the same
+
+    EnsembleBasis basis() const { return {inputs, frame, theCase.site, cautions}; }
 };
 
 /// Ids or names of the scenarios that members are drawn from, each once; empty: the scenario is not varied.

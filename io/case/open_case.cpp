@@ -7,6 +7,7 @@
 #include "core/base/build.h"
 #include "core/base/elapsed.h"
 #include "core/base/error.h"
+#include "core/evidence/cautions.h"
 #include "core/fe/unit_evidence.h"
 #include "core/pipeline/stage_reports.h"
 #include "core/scenario/case_lookup.h"
@@ -253,6 +254,7 @@ RunOrigin originOf(const OpenedCase& opened, const Scenario& scenario, const std
     origin.build = std::string(buildText());
     origin.fingerprint = stageKey(opened.inputs, scenario, Stage::Simulation);
     origin.unsaidUnits = unsaidUnits(opened.inputs.fe->contents().findings);
+    origin.placeDoubts = placeDoubts(opened.terrain.findings);
     return origin;
 }
 

@@ -37,25 +37,24 @@ std::string ensembleClass(const EnsembleReport& report) {
     return report.instant == DebrisInstant::AtRest ? "simulated, at rest" : "simulated, at the end of the FE result";
 }
 
-std::vector<Caution> ensembleCautions(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site) {
-    std::vector<Caution> cautions;
+std::vector<Caution> ensembleCautions(const EnsembleReport& report, const DebrisMap& map, const EnsembleBasis& basis) {
+    std::vector<Caution> cautions = basis.cautions;
     if (map.has(MapLayer::Probability)) {
         const std::vector<ConvergenceRow> rows = convergenceOf(report);
         cautions.push_back(ensembleCaution(report.done().size(), rows.empty() ? unknown : rows.back().probabilityError,
                                            rows.empty() ? unknown : rows.back().worstError));
     }
-    if (const std::string named = unplacedSystem(frame, site); !named.empty()) {
+    if (const std::string named = unplacedSystem(basis.frame, basis.site); !named.empty()) {
         cautions.push_back(noPlaceCaution(named));
     }
     return cautions;
 }
 
-MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site,
-                         const std::vector<EnsembleInput>& inputs) {
+MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const EnsembleBasis& basis) {
     MapOrigin origin;
-    origin.frame = frame;
-    origin.site = site;
-    const MapPlace place(frame, site);
+    origin.frame = basis.frame;
+    origin.site = basis.site;
+    const MapPlace place(basis.frame, basis.site);
     const std::string& crs = place.name();
     const std::string counted = report.surface.withFallen ? "fragments and live structure that moved farther than " +
                                                                 exactNumber(report.surface.liveThreshold) + " m"
@@ -63,7 +62,7 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
     nlohmann::json document;
     document["build"] = std::string(buildText());
     document["inputs"] = nlohmann::json::array();
-    for (const EnsembleInput& input : inputs) {
+    for (const EnsembleInput& input : basis.inputs) {
         document["inputs"].push_back({{"role", input.role}, {"path", input.path}, {"sha256", input.sha256}});
     }
     document["coordinates"] = std::string(place.site().words());
@@ -76,10 +75,10 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
                        {"members", map.members},
                        {"hypotheses", map.hypotheses},
                        {"thresholds_m", map.thresholds}};
-    const std::vector<Caution> cautions = ensembleCautions(report, map, frame, site);
+    const std::vector<Caution> cautions = ensembleCautions(report, map, basis);
     document["cautions"] = cautionsJson(cautions);
     origin.provenance = jsonText(document);
-    for (const EnsembleInput& input : inputs) {
+    for (const EnsembleInput& input : basis.inputs) {
         if (input.role == "fe") {
             origin.subject += (origin.subject.empty() ? "" : ", ") + std::filesystem::path(input.path).filename().string();
         }
@@ -94,8 +93,8 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
     for (std::size_t t = 0; t < map.thresholds.size(); ++t) {
         origin.facts.emplace_back("RUBBLE_HEIGHT_" + std::to_string(t + 1) + "_M", exactNumber(map.thresholds[t]));
     }
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        origin.facts.emplace_back("RUBBLE_INPUT_" + std::to_string(i + 1) + "_SHA256", inputs[i].sha256);
+    for (std::size_t i = 0; i < basis.inputs.size(); ++i) {
+        origin.facts.emplace_back("RUBBLE_INPUT_" + std::to_string(i + 1) + "_SHA256", basis.inputs[i].sha256);
     }
     return origin;
 }

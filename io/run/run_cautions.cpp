@@ -23,6 +23,7 @@ RunStanding standingOf(const RunReader& run) {
     }
     standing.unplaced = unplacedSystem(run.origin().frame, run.origin().site);
     standing.unsaidUnits = run.origin().unsaidUnits;
+    standing.placeDoubts = run.origin().placeDoubts;
     standing.outgrown = run.outgrown();
     if (run.result()) {
         return standing;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/message.h"
 #include "core/scenario/case.h"
 #include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
@@ -34,6 +35,7 @@ struct RunOrigin {
     Digest fingerprint;
     std::string
         unsaidUnits{};  ///< systems that the FE result would fit as well where nobody has said its units; empty: known, or old
+    std::vector<Message> placeDoubts{};  ///< placeDoubts() of what was found when its inputs were opened
 };
 
 /// Writes a run as it is made (*.run.h5): HDF5, chunked, compressed, single writer with readers (SWMR); every dataset exists before

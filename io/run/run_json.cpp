@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "io/json/findings_json.h"
 #include "io/json/scenario_json.h"
 #include "io/json/site_json.h"
 #include "io/run/run_members.h"
@@ -239,6 +240,9 @@ json originJson(const RunOrigin& origin) {
     if (!origin.unsaidUnits.empty()) {
         object["units_fit_as_well"] = origin.unsaidUnits;
     }
+    for (const Message& doubt : origin.placeDoubts) {
+        object["place_doubts"].push_back(messageJson(doubt));
+    }
     return object;
 }
 
@@ -270,6 +274,11 @@ RunOrigin originFromJson(const JsonCursor& object) {
     origin.fingerprint = digestFromJson(object["fingerprint"]);
     if (object.has("units_fit_as_well")) {
         origin.unsaidUnits = object["units_fit_as_well"].text();
+    }
+    if (object.has("place_doubts")) {
+        for (const JsonCursor& doubt : object["place_doubts"].elements()) {
+            origin.placeDoubts.push_back(messageFromJson(doubt));
+        }
     }
     return origin;
 }

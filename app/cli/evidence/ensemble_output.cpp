@@ -238,8 +238,8 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
 
 std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::string& name, const EnsembleReport& report,
                                              const EnsembleSubject& subject, Session& session) const {
-    const io::MapOrigin origin = io::ensembleOrigin(report, map, subject.frame, subject.theCase.site, subject.inputs);
-    const std::vector<Caution> cautions = io::ensembleCautions(report, map, subject.frame, subject.theCase.site);
+    const io::MapOrigin origin = io::ensembleOrigin(report, map, subject.basis());
+    const std::vector<Caution> cautions = io::ensembleCautions(report, map, subject.basis());
     std::vector<MapLayer> layers = m_layers.empty() ? map.present() : m_layers;
     for (const MapLayer layer : layers) {
         if (!map.has(layer)) {

@@ -411,6 +411,7 @@ std::vector<Caution> RunReport::cautions() const {
     RunStanding standing = standingOf(*results.simulation, results.fragments->size(), taint.acknowledgement.has_value());
     standing.unplaced = io::unplacedSystem(subject.inputs.frame, subject.theCase.site);
     standing.unsaidUnits = unsaidUnits(subject.inputs.fe->contents().findings);
+    standing.placeDoubts = placeDoubts(subject.terrain.findings);
     return runCautions(standing);
 }
 

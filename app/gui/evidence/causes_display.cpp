@@ -314,9 +314,8 @@ void CausesDisplay::showPage() {
         if (made()->comparison != nullptr && made()->comparison->separation) {
             content.separation = std::shared_ptr<const DebrisMap>(made()->comparison, &*made()->comparison->separation);
             const Hypothesis& closest = made()->hypotheses[made()->comparison->ranking.causes.front().hypothesis];
-            content.place = pictureStyle(
-                io::ensembleOrigin(*closest.ensemble, *content.separation, made()->frame, made()->site, made()->inputs),
-                io::ensembleCautions(*closest.ensemble, *content.separation, made()->frame, made()->site));
+            content.place = pictureStyle(io::ensembleOrigin(*closest.ensemble, *content.separation, made()->basis),
+                                         io::ensembleCautions(*closest.ensemble, *content.separation, made()->basis));
         }
         content.stale = stale();
     }
@@ -359,9 +358,8 @@ void CausesDisplay::saveMapTo(const QString& path) {
         [path, made = made()](const Execution& execution) {
             const Hypothesis& closest = made->hypotheses[made->comparison->ranking.causes.front().hypothesis];
             const DebrisMap& map = *made->comparison->separation;
-            writeMapFile(path, map, MapLayer::Separation,
-                         io::ensembleOrigin(*closest.ensemble, map, made->frame, made->site, made->inputs),
-                         io::ensembleCautions(*closest.ensemble, map, made->frame, made->site), execution);
+            writeMapFile(path, map, MapLayer::Separation, io::ensembleOrigin(*closest.ensemble, map, made->basis),
+                         io::ensembleCautions(*closest.ensemble, map, made->basis), execution);
         },
         [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }

@@ -267,8 +267,8 @@ void EnsembleDisplay::showPage() {
     content.report = made().report;
     content.map = m_kept.map;
     if (m_kept.map != nullptr) {
-        content.place = pictureStyle(io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs),
-                                     io::ensembleCautions(*made().report, *m_kept.map, made().frame, made().site));
+        content.place = pictureStyle(io::ensembleOrigin(*made().report, *m_kept.map, made().basis),
+                                     io::ensembleCautions(*made().report, *m_kept.map, made().basis));
     }
     content.stale = stale();
     content.running = running();
@@ -298,8 +298,8 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
     if (m_kept.map == nullptr) {
         return;
     }
-    const io::MapOrigin origin = io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs);
-    const std::vector<Caution> cautions = io::ensembleCautions(*made().report, *m_kept.map, made().frame, made().site);
+    const io::MapOrigin origin = io::ensembleOrigin(*made().report, *m_kept.map, made().basis);
+    const std::vector<Caution> cautions = io::ensembleCautions(*made().report, *m_kept.map, made().basis);
     m_computation.write([path, origin, cautions, map = m_kept.map, layer = m_page.layer()](
                             const Execution& execution) { writeMapFile(path, *map, layer, origin, cautions, execution); },
                         [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });

@@ -61,7 +61,7 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
         execution.check();
         const CaseInput stated = io::statedOfFile(causes.photographed, causes.base, file.path, {}, made.findings);
         evidence.surfaces.push_back(io::readEvidence(file, site, stated, order.surface, made.findings, execution));
-        made.inputs.push_back({"evidence", file.path, io::digestOfInput(file.path, InputRole::Survey, execution).sha256});
+        made.basis.inputs.push_back({"evidence", file.path, io::digestOfInput(file.path, InputRole::Survey, execution).sha256});
     }
     Case chosen = causes.photographed;
     std::erase_if(chosen.photographs, [&](const Photograph& photograph) {
@@ -75,8 +75,8 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
                           const Execution& execution) {
     MadeComparison made;
     const std::vector<io::EnsembleSource> sources = openCauses(causes, order, execution);
-    made.frame = sources.front().frame;
-    made.site = sources.front().theCase.site;
+    made.basis.frame = sources.front().frame;
+    made.basis.site = sources.front().theCase.site;
     const CauseEvidence evidence = readAll(causes, order, sources.front(), made, execution);
     io::SettledFiles files(io::cacheFolder());
     for (const io::EnsembleSource& source : sources) {
@@ -95,7 +95,8 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
         execution.check();
         made.findings.append(source.findings);
         made.findings.append(report->findings);
-        made.inputs.insert(made.inputs.end(), source.inputs.begin(), source.inputs.end());
+        made.basis.inputs.insert(made.basis.inputs.end(), source.inputs.begin(), source.inputs.end());
+        addCautions(made.basis.cautions, source.cautions);
         made.causes.push_back(source.name);
         made.hypotheses.push_back({source.name, std::move(report)});
     }
@@ -166,8 +167,7 @@ void StudyWork::simulate(const StudyCase& of, const StudyOrder& order) {
         io::SettledFiles files(io::cacheFolder());
         EnsembleOptions options = optionsOf(order, machine, files);
         const auto tell = [&](const EnsembleReport& report) {
-            const MadeEnsemble made{std::make_shared<const EnsembleReport>(report), source.inputs, source.frame,
-                                    source.theCase.site};
+            const MadeEnsemble made{std::make_shared<const EnsembleReport>(report), source.basis()};
             QMetaObject::invokeMethod(
                 this,
                 [this, generation, made] {

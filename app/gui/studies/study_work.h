@@ -40,9 +40,7 @@ EnsembleOptions optionsOf(const StudyOrder& order, const std::string& machine, S
 /// An ensemble, and what it was made from.
 struct MadeEnsemble {
     std::shared_ptr<const EnsembleReport> report;
-    std::vector<io::EnsembleInput> inputs;
-    Frame frame;
-    Site site;
+    io::EnsembleBasis basis;
 };
 
 /// What several causes are held against.
@@ -63,9 +61,7 @@ struct MadeComparison {
     std::shared_ptr<const CauseComparison> comparison;  ///< null: there was no evidence
     std::vector<BlindTest> blind;
     std::shared_ptr<const TellingEvidence> further;  ///< where causes could not be told apart, or blind tests were asked for
-    std::vector<io::EnsembleInput> inputs;
-    Frame frame;
-    Site site;
+    io::EnsembleBasis basis;
     Findings findings;
 };
 

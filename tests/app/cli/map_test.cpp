@@ -151,6 +151,49 @@ TEST_F(Map, LiesWhereControlPointsPutTheCase) {
     EXPECT_EQ(said["site"]["control_points"].size(), 3u);
 }
 
+// A system that counts in feet, and points that are twice as far apart as the model has them.
+TEST_F(Map, WhatMakesPlacesUncertainIsToldByRunMapAndReport) {
+    Case theCase = io::caseForFe(m_path, m_folder / "feet.rubble");
+    theCase.frame.crs = "EPSG:2263";
+    for (const double x : {0.0, 10.0}) {
+        theCase.site.controlPoints.push_back(
+            {"P" + std::to_string(int(x)), Vec3(x, 0, 0), Vec3(300000.0 + 2.0 * x, 60000.0, 5.0), true});
+    }
+    io::saveCase(m_folder / "feet.rubble", theCase);
+    const std::string placed = m_folder / "feet.run.h5";
+    const Outcome made = cli({"run", m_folder / "feet.rubble", "--out", placed, "--set", "settle_time=1", "--json"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    const auto told = [](const nlohmann::json& cautions) {
+        std::string words;
+        for (const auto& each : cautions) {
+            words += each["key"] == "place_doubt" ? each["text"].get<std::string>() : std::string();
+        }
+        return words;
+    };
+    EXPECT_THAT(told(made.json()["cautions"]), HasSubstr("the model is 0.5 times as large"));
+    const std::string map = m_folder / "feet";
+    const Outcome written = cli({"map", placed, "--out", map + ".tif", "--out", map + ".csv", "--out", map + ".gpkg", "--json"});
+    ASSERT_EQ(written.exitCode, 0) << written.err;
+    EXPECT_THAT(told(written.json()["cautions"]), HasSubstr("0.5 times"));
+    for (const char* file : {".tif", ".gpkg"}) {
+        const nlohmann::json said = nlohmann::json::parse(textOf(map + file + ".provenance.json"));
+        EXPECT_THAT(said["coordinates"].get<std::string>(),
+                    HasSubstr("units of the coordinate system, 0.3048 m each, heights in metres"));
+        EXPECT_THAT(told(said["cautions"]), HasSubstr("0.5 times"));
+    }
+    const nlohmann::json table = nlohmann::json::parse(textOf(map + ".csv.provenance.json"));
+    EXPECT_THAT(table["coordinates"].get<std::string>(), testing::StartsWith("metres")) << "as its columns say";
+    const Outcome report = CommandRun()
+                               .with("DISPLAY", std::nullopt)
+                               .cli({"report", placed, "--case", m_folder / "feet.rubble", "--out", m_folder / "report", "--cache",
+                                     m_folder / "cache", "--self-test", "none", "--repeats", "0"});
+    ASSERT_EQ(report.exitCode, 0) << report.err;
+    const std::string page = textOf(m_folder / "report/report.html");
+    EXPECT_THAT(page, HasSubstr("The model lies in the coordinate system EPSG:2263 by 2 of 2 control points"));
+    EXPECT_THAT(page, HasSubstr("300020, 60000, 5")) << "a control point in metres";
+    EXPECT_THAT(page, HasSubstr("the model is 0.5 times as large"));
+}
+
 TEST_F(Map, ASystemWithoutAPlaceOfTheModelIsNamedByNobodyAndToldByAll) {
     Case theCase = io::caseForFe(m_path, m_folder / "named.rubble");
     theCase.frame.crs = "EPSG:25832";

@@ -57,6 +57,26 @@ TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what), "1 limit of health passed, acknowledged");
 }
 
+TEST(Cautions, WhatMakesEveryPlaceUncertainIsToldOnce) {
+    Findings findings;
+    findings.add({"terrain.spikes", "{0} spikes", {3}}, {});
+    findings.add({"terrain.filled", "{0} of {1} were filled", {10, 1000}}, {});
+    EXPECT_TRUE(placeDoubts(findings).empty()) << "one place in a hundred";
+    findings.add({"site.way_accuracy", "good to {0}", {{5.0, "m"}}}, {});
+    RunStanding run = rested();
+    run.placeDoubts = placeDoubts(findings);
+    std::vector<Caution> list = runCautions(run);
+    ASSERT_NE(find(list, "place_doubt"), nullptr);
+    EXPECT_EQ(englishText(find(list, "place_doubt")->what), "good to 5 m");
+    EXPECT_NE(pictureCautions(list).find("good to 5 m"), std::string::npos);
+    const std::size_t before = list.size();
+    addCautions(list, inputCautions({}, run.placeDoubts));
+    EXPECT_EQ(list.size(), before);
+    Findings much;
+    much.add({"terrain.filled", "{0} of {1} were filled", {300, 1000}}, {});
+    EXPECT_EQ(placeDoubts(much).size(), 1u);
+}
+
 TEST(Cautions, OtherSettingsAndUnitsThatNobodySaidAreToldInPictures) {
     RunStanding run = rested();
     EXPECT_EQ(find(runCautions(run), "other_settings"), nullptr);

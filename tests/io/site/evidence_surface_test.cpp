@@ -166,7 +166,7 @@ TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
             MemberSurface{{{0, 0}, {0, 1}}, {height, height}, {100.0F, 100.0F}, {1.0F, 1.0F}});
     }
     const DebrisMap map = probabilityMap(report, usualThresholds);
-    const MapOrigin origin = ensembleOrigin(report, map, m_frame, Site(), {{"fe", "a.exo", std::string(64, 'b')}});
+    const MapOrigin origin = ensembleOrigin(report, map, {{{"fe", "a.exo", std::string(64, 'b')}}, m_frame, Site(), {}});
     const std::string path = m_folder / "probability.tif";
     writeMapTiff(path, map, map.present(), origin, Execution());
     // Its median of heights is evidence too.

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "io/base/drawing_unit.h"
 #include "io/base/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/site_place.h"
@@ -34,6 +35,7 @@ public:
 
     OutlineReading read(GDALDataset& file) {
         m_drawing = file.GetDriver() != nullptr && std::string_view(file.GetDriver()->GetDescription()) == "DXF";
+        m_drawingUnit = m_drawing ? drawingUnit(m_path, m_result.findings) : 1.0;
         for (OGRLayer* layer : layersOf(file)) {
             readLayer(*layer);
         }
@@ -80,7 +82,7 @@ private:
     void findWay(OGRLayer& layer) {
         const OGRSpatialReference* system = layer.GetSpatialRef();
         m_way.reset();
-        m_unit = 1.0;
+        m_unit = m_drawingUnit;
         m_degrees = false;
         if (system == nullptr || system->IsEmpty()) {
             m_unplaced = true;
@@ -219,10 +221,11 @@ private:
     bool m_unplaced = false;   ///< a layer names no system
     bool m_projected = false;
     std::size_t m_corners = 0;
-    bool m_ours = false;        ///< the layer is named as in maps of our own
-    bool m_drawing = false;     ///< a DXF
-    std::int64_t m_closed = 0;  ///< closed lines of a drawing
-    std::int64_t m_others = 0;  ///< shapes that are no polygons
+    bool m_ours = false;         ///< the layer is named as in maps of our own
+    bool m_drawing = false;      ///< a DXF
+    double m_drawingUnit = 1.0;  ///< m, in which it counts
+    std::int64_t m_closed = 0;   ///< closed lines of a drawing
+    std::int64_t m_others = 0;   ///< shapes that are no polygons
     OutlineReading m_result;
 };
 

@@ -5,6 +5,7 @@
 
 #include "io/base/delimited_table.h"
 #include "io/base/file_words.h"
+#include "io/base/files.h"
 #include "io/site/clouds/scans/ptx_source.h"
 #include "io/site/clouds/text_source.h"
 
@@ -186,6 +187,10 @@ ColourSteps colourStepsOf(const DelimitedTable& table, const ColumnPlan& plan) {
 
 std::unique_ptr<CloudSource> openTextCloud(const std::string& path, const CloudRequest& request) {
     auto file = std::make_shared<CloudFile>(path);
+    if (hasEnding(path, ".dxf")) {
+        refuseContent({"cloud.drawing", "{0} is a drawing, no point cloud", {path}},
+                      "Add it to the evidence as measured points, or cut a section through them (rubble-cli section --points).");
+    }
     const std::uint64_t start = requireText(*file);
     const DelimitedTable table = readDelimitedStart(path, startLines);
     if (table.rows.empty()) {

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/evidence/surveys/edge_rings.h"
 #include "core/scenario/scope_cover.h"
+#include "io/base/drawing_unit.h"
 #include "io/base/file_words.h"
 #include "io/base/files.h"
 #include "io/site/clouds/cloud_comparison.h"
@@ -28,9 +29,12 @@ constexpr std::array<const char*, 2> drawingFormats{"DXF", nullptr};
     refuseContent({"measured.many", "{0} has more than {1} points", {path, measuredMost}}, "Thin it, or cut out what is needed.");
 }
 
-/// Points and corners of lines of a drawing, in its numbers.
+/// Points and corners of lines of a drawing, in metres.
 class DrawnPoints {
 public:
+    /// @param unit  m, in which the drawing counts
+    explicit DrawnPoints(double unit) : m_unit(unit) {}
+
     std::vector<Vec3> places;              ///< of all of them
     std::vector<std::vector<Vec3>> lines;  ///< of more than one corner
     std::vector<Vec3> alone;               ///< points
@@ -39,7 +43,7 @@ public:
         const OGRwkbGeometryType type = wkbFlatten(shape.getGeometryType());
         if (type == wkbPoint) {
             const OGRPoint& point = *shape.toPoint();
-            alone.emplace_back(point.getX(), point.getY(), point.getZ());
+            alone.push_back(placeOf(point));
             places.push_back(alone.back());
         } else if (type == wkbLineString) {
             addLine(*shape.toLineString());
@@ -55,24 +59,27 @@ public:
     }
 
 private:
+    Vec3 placeOf(const OGRPoint& point) const { return m_unit * Vec3(point.getX(), point.getY(), point.getZ()); }
     void addLine(const OGRLineString& line) {
         std::vector<Vec3>& corners = lines.emplace_back();
         for (const OGRPoint& point : line) {
-            corners.emplace_back(point.getX(), point.getY(), point.getZ());
+            corners.push_back(placeOf(point));
         }
         places.insert(places.end(), corners.begin(), corners.end());
     }
+
+    double m_unit;
 };
 
 /// @return  unset: the file is no drawing
-std::optional<DrawnPoints> drawnPoints(const std::string& path, const Execution& execution) {
+std::optional<DrawnPoints> drawnPoints(const std::string& path, Findings& findings, const Execution& execution) {
     const GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::FromHandle(
         GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drawingFormats.data(), nullptr, nullptr)));
     if (!file || file->GetLayerCount() < 1) {
         return std::nullopt;
     }
-    DrawnPoints drawn;
+    DrawnPoints drawn(drawingUnit(path, findings));
     for (int l = 0; l < file->GetLayerCount(); ++l) {
         OGRLayer& layer = *file->GetLayer(l);
         layer.ResetReading();
@@ -92,7 +99,7 @@ std::optional<DrawnPoints> drawnPoints(const std::string& path, const Execution&
 void tellDrawing(const MeasuredRequest& request, Findings& findings) {
     if (!request.frame.crs.empty()) {
         addFinding(findings, request.path,
-                   {"measured.unplaced", "a DXF names no coordinate system; it is taken to be that of the case, in metres", {}},
+                   {"measured.unplaced", "a DXF names no coordinate system; it is taken to be that of the case", {}},
                    "make sure that both are in the same one");
     }
 }
@@ -156,7 +163,7 @@ OutlineRing planOf(const std::vector<Vec3>& places) {
 
 /// Lines of a drawing, or its points as one; of a table its rows.
 std::vector<OutlineRing> edgeLines(const MeasuredRequest& request, Findings& findings, const Execution& execution) {
-    std::optional<DrawnPoints> drawn = drawnPoints(request.path, execution);
+    std::optional<DrawnPoints> drawn = drawnPoints(request.path, findings, execution);
     if (!drawn) {
         return {planOf(cloudPoints(request, findings, execution))};
     }
@@ -195,7 +202,7 @@ void tellRings(const std::string& path, const EdgeRings& made, Findings& finding
 }  // namespace
 
 std::vector<Vec3> readMeasuredPoints(const MeasuredRequest& request, Findings& findings, const Execution& execution) {
-    std::optional<DrawnPoints> drawn = drawnPoints(request.path, execution);
+    std::optional<DrawnPoints> drawn = drawnPoints(request.path, findings, execution);
     std::vector<Vec3> places =
         drawn ? drawingPoints(request, std::move(drawn->places), findings) : cloudPoints(request, findings, execution);
     if (places.empty()) {

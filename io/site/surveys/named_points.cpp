@@ -12,6 +12,7 @@
 
 #include "core/base/small_letters.h"
 #include "io/base/delimited_table.h"
+#include "io/base/drawing_unit.h"
 #include "io/base/file_words.h"
 #include "io/base/files.h"
 #include "io/base/trimmed.h"
@@ -105,13 +106,16 @@ std::vector<NamedPoint> pointsOfTable(const std::string& path, std::int64_t& unn
 /// Points and texts of a drawing.
 class Drawing {
 public:
+    /// @param unit  m, in which it counts
+    explicit Drawing(double unit) : m_unit(unit) {}
+
     void add(const OGRFeature& feature) {
         const OGRGeometry* shape = feature.GetGeometryRef();
         if (shape == nullptr || wkbFlatten(shape->getGeometryType()) != wkbPoint) {
             return;
         }
         const OGRPoint& point = *shape->toPoint();
-        const Vec3 place(point.getX(), point.getY(), point.getZ());
+        const Vec3 place = m_unit * Vec3(point.getX(), point.getY(), point.getZ());
         const int field = feature.GetFieldIndex("Text");
         const std::string text(trimmed(field >= 0 ? feature.GetFieldAsString(field) : ""));
         if (text.empty()) {
@@ -150,6 +154,7 @@ public:
     }
 
 private:
+    double m_unit;
     std::vector<Vec3> m_points;
     std::vector<NamedPoint> m_texts;
 };
@@ -162,7 +167,7 @@ std::vector<NamedPoint> pointsOfDrawing(const std::string& path, std::int64_t& u
     if (!file) {
         refuseContent({"control.drawing", "{0} cannot be read as a DXF", {path}}, "Write it anew from the drawing, as DXF.");
     }
-    Drawing drawing;
+    Drawing drawing(drawingUnit(path, findings));
     for (int l = 0; l < file->GetLayerCount(); ++l) {
         OGRLayer& layer = *file->GetLayer(l);
         layer.ResetReading();

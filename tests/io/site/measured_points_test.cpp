@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "io/site/survey_file.h"
+#include "io/site/surveys/named_points.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
@@ -84,6 +86,37 @@ TEST_F(MeasuredPoints, ADrawingGivesItsPointsAndTheCornersOfItsLines) {
     EXPECT_LT((places[3] - Vec3(8.0, 6.0, 3.0)).norm(), 1e-9);
     EXPECT_GE(m_said.count("measured.level"), 4);
     EXPECT_EQ(m_said.count("measured.unplaced"), 1);
+}
+
+// Each reader of drawings: points, the edge, an outline, names.
+TEST_F(MeasuredPoints, ADrawingInFeetIsBroughtToMetres) {
+    const std::string metres = layDrawing(m_folder / "metres.dxf", 101.0);
+    std::ifstream in(metres);
+    std::stringstream body;
+    body << in.rdbuf();
+    const std::string feet = m_folder / "feet.dxf";
+    std::ofstream(feet) << "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n 70\n     2\n0\nENDSEC\n" << body.str();
+    m_frame.origin = Vec3::Zero();
+    const std::vector<Vec3> inMetres = read(metres);
+    EXPECT_EQ(m_said.count("drawing.unit_unsaid"), 1);
+    const std::vector<Vec3> inFeet = read(feet);
+    EXPECT_EQ(m_said.count("drawing.unit"), 1);
+    ASSERT_EQ(inFeet.size(), inMetres.size());
+    for (std::size_t p = 0; p < inFeet.size(); ++p) {
+        EXPECT_LT((inFeet[p] - 0.3048 * inMetres[p]).norm(), 1e-6);
+    }
+    const auto middle = [&](const std::string& path) {
+        const SurveyInput input = readSurvey(path, m_frame, {}, Aabb(), Execution());
+        return Eigen::Vector2d(input.survey.bounds().first + input.survey.bounds().second);
+    };
+    EXPECT_LT((middle(feet) - 0.3048 * middle(metres)).norm(), 1e-6);
+    const std::string named =
+        "0\nSECTION\n2\nENTITIES\n0\nPOINT\n8\n0\n10\n100\n20\n50\n30\n10\n0\nTEXT\n8\n0\n10\n100\n20\n50\n"
+        "30\n10\n40\n1\n1\nA1\n0\nENDSEC\n0\nEOF\n";
+    std::ofstream(feet) << "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n21\n0\nENDSEC\n" << named;
+    const std::vector<NamedPoint> points = readNamedPoints(feet, m_said, Execution());
+    ASSERT_EQ(points.size(), 1u);
+    EXPECT_NEAR(points[0].place.x(), 100.0 * 1200.0 / 3937.0, 1e-9);
 }
 
 TEST_F(MeasuredPoints, ClosedLinesOfADrawingAreAnOutline) {

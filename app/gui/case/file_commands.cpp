@@ -13,6 +13,7 @@
 #include "app/gui/case/project_files.h"
 #include "app/gui/session/file_kinds.h"
 #include "app/gui/session/moved_inputs.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "core/analysis/accuracy/calibration_table.h"
@@ -257,11 +258,7 @@ QString FileCommands::askForOutput(const QString& title, const QString& suffix, 
     const QFileInfo base(m_document.base());
     QString stem = base.fileName();
     stem = stem.left(stem.indexOf(u'.') > 0 ? stem.indexOf(u'.') : stem.size());
-    QString path = QFileDialog::getSaveFileName(&m_window, title, base.absolutePath() + u'/' + stem + suffix, filter);
-    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) {
-        path += suffix;
-    }
-    return path;
+    return askSavePath(&m_window, title, base.absolutePath() + u'/' + stem + suffix, filter);
 }
 
 bool FileCommands::save() {

@@ -8,6 +8,7 @@
 #include "app/gui/evidence/cause_choice.h"
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/evidence/map_export.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "core/evidence/ensembles/study_tables.h"
 #include "io/base/files.h"
@@ -323,9 +324,9 @@ void CausesDisplay::showPage() {
 }
 
 void CausesDisplay::saveTable() {
-    const QString path = QFileDialog::getSaveFileName(m_page.window(), tr("Ranking of the causes"),
-                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/causes.csv"),
-                                                      tr("Tables (*.csv)"));
+    const QString path =
+        askSavePath(m_page.window(), tr("Ranking of the causes"),
+                    QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/causes.csv"), tr("Tables (*.csv)"));
     if (!path.isEmpty()) {
         saveTableTo(path);
     }
@@ -341,8 +342,7 @@ void CausesDisplay::saveTableTo(const QString& path) {
 }
 
 void CausesDisplay::saveMap() {
-    const QString path =
-        QFileDialog::getSaveFileName(m_page.window(), tr("Map of what tells causes apart"),
+    const QString path = askSavePath(m_page.window(), tr("Map of what tells causes apart"),
                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/separation.tif"),
                                      tr("GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)"));
     if (!path.isEmpty()) {

@@ -1,6 +1,5 @@
 #include "app/gui/evidence/cloud_points.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "app/gui/evidence/surveys/cloud_tools.h"
 #include "app/gui/evidence/surveys/distance_words.h"
 #include "app/gui/session/file_kinds.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
@@ -435,9 +435,9 @@ bool CloudPoints::distancesKept() const {
 }
 
 void CloudPoints::saveDistances() {
-    const QString path = QFileDialog::getSaveFileName(
-        m_area.window(), tr("Distances"), QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/distances.las"),
-        writtenCloudKinds());
+    const QString path =
+        askSavePath(m_area.window(), tr("Distances"),
+                    QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/distances.las"), writtenCloudKinds());
     if (!path.isEmpty()) {
         saveDistancesTo(path);
     }

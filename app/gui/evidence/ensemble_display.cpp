@@ -1,11 +1,11 @@
 #include "app/gui/evidence/ensemble_display.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "app/gui/accuracy/accuracy_work.h"
 #include "app/gui/evidence/cluster_ensemble.h"
 #include "app/gui/evidence/map_export.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "core/evidence/ensembles/probability_map.h"
 #include "core/evidence/ensembles/study_tables.h"
@@ -285,8 +285,7 @@ void EnsembleDisplay::showGround() {
 }
 
 void EnsembleDisplay::saveMap() {
-    const QString path =
-        QFileDialog::getSaveFileName(m_page.window(), tr("Map of the ensemble"),
+    const QString path = askSavePath(m_page.window(), tr("Map of the ensemble"),
                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/probability.tif"),
                                      tr("GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)"));
     if (!path.isEmpty()) {
@@ -306,9 +305,9 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
 }
 
 void EnsembleDisplay::saveTable() {
-    const QString path = QFileDialog::getSaveFileName(m_page.window(), tr("Members of the ensemble"),
-                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/members.csv"),
-                                                      tr("Tables (*.csv)"));
+    const QString path =
+        askSavePath(m_page.window(), tr("Members of the ensemble"),
+                    QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/members.csv"), tr("Tables (*.csv)"));
     if (!path.isEmpty()) {
         saveTableTo(path);
     }

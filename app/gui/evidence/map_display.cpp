@@ -1,13 +1,13 @@
 #include "app/gui/evidence/map_display.h"
 
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <algorithm>
 #include <utility>
 
 #include "app/gui/evidence/map_export.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/dock_area.h"
@@ -246,18 +246,12 @@ void MapDisplay::save() {
         return;
     }
     const QFileInfo base(m_document.base());
-    QString chosen;
-    QString path = QFileDialog::getSaveFileName(
-        m_panel->window(), tr("Debris map"), base.absolutePath() + u'/' + base.completeBaseName() + QStringLiteral("-map.tif"),
-        tr("GeoTIFF (*.tif);;GeoPackage (*.gpkg);;Tables (*.csv);;Images (*.png)"), &chosen);
-    if (path.isEmpty()) {
-        return;
+    const QString path = askSavePath(m_panel->window(), tr("Debris map"),
+                                     base.absolutePath() + u'/' + base.completeBaseName() + QStringLiteral("-map.tif"),
+                                     tr("GeoTIFF (*.tif);;GeoPackage (*.gpkg);;Tables (*.csv);;Images (*.png)"));
+    if (!path.isEmpty()) {
+        saveTo(path);
     }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        const qsizetype star = chosen.indexOf(QStringLiteral("*."));
-        path += star < 0 ? QStringLiteral(".tif") : chosen.mid(star + 1, chosen.indexOf(u')') - star - 1);
-    }
-    saveTo(path);
 }
 
 void MapDisplay::saveTo(const QString& path) {

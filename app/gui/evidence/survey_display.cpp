@@ -11,6 +11,7 @@
 #include "app/gui/evidence/surveys/survey_pairs.h"
 #include "app/gui/evidence/surveys/survey_reading.h"
 #include "app/gui/session/file_kinds.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "app/gui/stage/panel_deck.h"
@@ -465,9 +466,9 @@ void SurveyDisplay::save() {
     if (!savable()) {
         return;
     }
-    const QString path = QFileDialog::getSaveFileName(m_page.window(), tr("Difference map"),
-                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/survey.tif"),
-                                                      tr("GeoTIFF (*.tif);;Images (*.png)"));
+    const QString path = askSavePath(m_page.window(), tr("Difference map"),
+                                     QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/survey.tif"),
+                                     tr("GeoTIFF (*.tif);;Images (*.png)"));
     if (!path.isEmpty()) {
         saveTo(path);
     }

@@ -6,6 +6,7 @@
 
 #include "app/gui/exports/folder_choice.h"
 #include "app/gui/exports/seal_memory.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "core/base/error.h"
@@ -236,9 +237,9 @@ void BundleOpening::putAnswer(const QString& path) {
 
 void BundleOpening::saveText() {
     const QFileInfo bundle(m_bundle.path);
-    const QString path = QFileDialog::getSaveFileName(
-        m_dialog, tr("Save the list"), bundle.absolutePath() + u'/' + bundle.completeBaseName() + QStringLiteral("-checked.txt"),
-        tr("Texts (*.txt)"));
+    const QString path =
+        askSavePath(m_dialog, tr("Save the list"),
+                    bundle.absolutePath() + u'/' + bundle.completeBaseName() + QStringLiteral("-checked.txt"), tr("Texts (*.txt)"));
     if (!path.isEmpty() && m_session.writeNow(path, [&] { io::writeIn(path.toStdString(), m_dialog->text().toStdString()); })) {
         m_dialog->setNote(tr("The list lies in %1.").arg(path));
     }

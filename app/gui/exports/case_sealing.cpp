@@ -1,6 +1,5 @@
 #include "app/gui/exports/case_sealing.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
@@ -11,6 +10,7 @@
 #include "app/gui/exports/report_work.h"
 #include "app/gui/exports/seal_making.h"
 #include "app/gui/exports/seal_memory.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "io/base/files.h"
@@ -139,13 +139,8 @@ void CaseSealing::ask(const std::vector<io::OfferedPart>& offer) {
 
 QString CaseSealing::askForBundle() {
     const QFileInfo base(m_session.document().path());
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Seal the case"),
-                                                base.absolutePath() + u'/' + base.completeBaseName() + bundleEnding,
-                                                tr("Sealed bundles (*.rubblecase)"));
-    if (!path.isEmpty() && !path.endsWith(bundleEnding, Qt::CaseInsensitive)) {
-        path += bundleEnding;
-    }
-    return path;
+    return askSavePath(&m_window, tr("Seal the case"), base.absolutePath() + u'/' + base.completeBaseName() + bundleEnding,
+                       tr("Sealed bundles (*.rubblecase)"));
 }
 
 void CaseSealing::sealAt(const QString& path, const widgets::SealChoice& choice) {

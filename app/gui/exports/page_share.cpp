@@ -1,7 +1,7 @@
-#include <QFileDialog>
 
 #include "app/gui/exports/picture_export.h"
 #include "app/gui/exports/run_orders.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 
 namespace rubble {
@@ -12,12 +12,9 @@ void PictureExport::sharePage(const render::SceneData& data) {
         return;
     }
     const render::SceneData shown = data;
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Page"), proposed(QStringLiteral(".html")), tr("Pages (*.html)"));
+    const QString path = askSavePath(&m_window, tr("Page"), proposed(QStringLiteral(".html")), tr("Pages (*.html)"));
     if (path.isEmpty()) {
         return;
-    }
-    if (!path.endsWith(QLatin1String(".html"), Qt::CaseInsensitive)) {
-        path += QStringLiteral(".html");
     }
     sharePageAt(path, shown);
 }

@@ -1,12 +1,12 @@
 #include "app/gui/exports/picture_export.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 #include <tuple>
 
 #include "app/gui/exports/export_source.h"
 #include "app/gui/exports/folder_choice.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "core/fe/north.h"
 #include "io/run/run_cautions.h"
@@ -209,13 +209,9 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
         return;
     }
     m_session.part<LastFigure>().choice = dialog.choice();
-    QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Figure"), proposed(QStringLiteral(".png")), tr("Figures (*.png *.svg *.pdf)"));
+    const QString path = askSavePath(&m_window, tr("Figure"), proposed(QStringLiteral(".png")), tr("Figures (*.png *.svg *.pdf)"));
     if (path.isEmpty()) {
         return;
-    }
-    if (!figures::isFigurePath(path.toStdString())) {
-        path += QStringLiteral(".png");
     }
     writeFigure(path, m_session.part<LastFigure>().choice, shown, data, made);
 }
@@ -251,15 +247,12 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
         return;
     }
     choice = dialog.choice();
-    QString path =
+    const QString path =
         choice.encoded
-            ? QFileDialog::getSaveFileName(&m_window, tr("Movie"), proposed(QStringLiteral(".mp4")), tr("Movies (*.mp4)"))
+            ? askSavePath(&m_window, tr("Movie"), proposed(QStringLiteral(".mp4")), tr("Movies (*.mp4)"))
             : chooseFolder(m_window, tr("Folder for the pictures of the movie"), QFileInfo(m_document.base()).absolutePath());
     if (path.isEmpty()) {
         return;
-    }
-    if (choice.encoded && !path.endsWith(QLatin1String(".mp4"), Qt::CaseInsensitive)) {
-        path += QStringLiteral(".mp4");
     }
     writeMovie(path, choice, shown, data, made);
 }

@@ -10,6 +10,7 @@
 #include "app/gui/evidence/evidence_work.h"
 #include "app/gui/evidence/surveys/distance_words.h"
 #include "app/gui/session/file_kinds.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
 #include "core/evidence/evidence_list.h"
@@ -145,9 +146,9 @@ void CloudTools::chooseScanFile(widgets::ScanDialog& dialog) {
     if (!dialog.scanners().places()) {
         return;  // the field says what is wrong
     }
-    const QString path = QFileDialog::getSaveFileName(&dialog, tr("Scan of the run"),
-                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/scan.las"),
-                                                      writtenCloudKinds());
+    const QString path =
+        askSavePath(&dialog, tr("Scan of the run"), QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/scan.las"),
+                    writtenCloudKinds());
     if (!path.isEmpty()) {
         scanTo(dialog, path);
     }
@@ -226,9 +227,9 @@ void CloudTools::compareClouds() {
         m_made = nullptr;
     });
     connect(&dialog, &widgets::CloudPairDialog::saveRequested, this, [&] {
-        const QString path = QFileDialog::getSaveFileName(
-            &dialog, tr("Distances"), QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/distances.las"),
-            writtenCloudKinds());
+        const QString path =
+            askSavePath(&dialog, tr("Distances"), QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/distances.las"),
+                        writtenCloudKinds());
         if (!path.isEmpty()) {
             saveTo(path);
         }

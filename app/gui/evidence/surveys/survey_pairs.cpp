@@ -1,10 +1,10 @@
 #include "app/gui/evidence/surveys/survey_pairs.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <utility>
 
 #include "app/gui/evidence/surveys/survey_placing.h"
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "core/base/error.h"
 #include "io/case/terrain_reader.h"
@@ -52,13 +52,9 @@ void SurveyPairs::ask(const std::string& id, io::SurveyInput& read) {
     dialog.resize(m_page.window()->size() * 0.92);
     dialog.setModel(m_page.model().data(), m_page.model().view());
     dialog.setKeeper([&](const std::vector<PlacePair>& pairs) {
-        QString path =
-            QFileDialog::getSaveFileName(&dialog, tr("Keep pairs as a table"), m_document.base(), tr("Tables of pairs (*.csv)"));
+        const QString path = askSavePath(&dialog, tr("Keep pairs as a table"), m_document.base(), tr("Tables of pairs (*.csv)"));
         if (path.isEmpty()) {
             return QString();
-        }
-        if (QFileInfo(path).suffix().isEmpty()) {
-            path += QStringLiteral(".csv");
         }
         io::writePlacePairs(path.toStdString(), pairs, inputs.frame, m_document.theCase().site);
         return tr("%1 pairs kept in %2").arg(pairs.size()).arg(QFileInfo(path).fileName());

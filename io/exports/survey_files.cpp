@@ -173,4 +173,17 @@ void writeSurveyTiff(const std::string& path, const SurveyComparison& made, cons
     writeProvenance(path, withCoordinates(origin.provenance, place.words()));
 }
 
+std::string sectionProvenance(const RunReader& run, const RunSection& made, const SitePlace& place) {
+    const SectionLine& line = made.section.line;
+    const Eigen::Vector2d from = place.planToWorld(line.from);
+    const Eigen::Vector2d to = place.planToWorld(line.to);
+    nlohmann::json document = nlohmann::json::parse(provenanceText(run));
+    document["section"] = {
+        {"time_s", made.time}, {"line_m", {from.x(), from.y(), to.x(), to.y()}}, {"width_m", line.width}, {"step_m", line.step}};
+    for (const RunSection::File& file : made.files) {
+        document["inputs"].push_back({{"role", "survey"}, {"path", file.path}, {"sha256", file.sha256}});
+    }
+    return jsonText(document);
+}
+
 }  // namespace rubble::io

@@ -9,6 +9,7 @@
 #include "io/exports/map_files.h"
 #include "io/site/clouds/run_scan.h"
 #include "io/site/survey_file.h"
+#include "io/site/surveys/run_section.h"
 
 namespace rubble::io {
 
@@ -30,5 +31,8 @@ std::string scanProvenance(const RunReader& run, const RunScan& made, const Site
 /// value -9999, rows from the north, the coordinate system of the case. Atomic, with NAME.provenance.json.
 /// Throws WorldError, UsageError, Cancelled.
 void writeSurveyTiff(const std::string& path, const SurveyComparison& made, const MapOrigin& origin, const Execution& execution);
+
+/// Provenance of the picture of a section: that of its run, with what was cut, where, and the files that were measured, as JSON.
+std::string sectionProvenance(const RunReader& run, const RunSection& made, const SitePlace& place);
 
 }  // namespace rubble::io

@@ -112,6 +112,7 @@ QMenu::item { padding: 5px 24px 5px 20px; }
 QMenu::icon { padding-left: 10px; }
 QMenu::item:selected { background: %accentTint%; color: %text%; }
 QMenu::item:disabled { color: %muted%; }
+QComboBox QAbstractItemView::item:disabled { color: %muted%; }
 QMenu::separator { height: 1px; background: %hairline%; margin: 4px 0; }
 QToolBar { border: none; border-bottom: 1px solid %hairline%; padding: 4px 6px; spacing: 4px; }
 QToolBar::separator { background: %hairline%; width: 1px; margin: 5px 4px; }

@@ -215,6 +215,7 @@ void ReportPanel::showCauses() {
     QStandardItem* page = qobject_cast<QStandardItemModel*>(m_causes->model())->item(itemOf(ReportedCauses::Page));
     page->setEnabled(compared);
     page->setToolTip(m_noComparison);
+    page->setText(compared ? tr("of the page Causes") : tr("of the page Causes, which has none"));
     m_causes->setItemText(itemOf(ReportedCauses::File),
                           m_causesFile.isEmpty() ? tr("of a file…") : tr("of %1…").arg(QFileInfo(m_causesFile).fileName()));
     m_causes->setItemData(itemOf(ReportedCauses::File), m_causesFile, Qt::ToolTipRole);

@@ -19,7 +19,9 @@
 #include "core/evidence/site_section.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/exports/exports.h"
+#include "io/exports/provenance.h"
+#include "io/exports/survey_files.h"
+#include "io/run/run_cautions.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/site_place.h"
 #include "io/site/surveys/measured_points.h"
@@ -112,6 +114,9 @@ io::RunSection makeSection(const Arguments& arguments, const MapSubject& subject
     findings.append(made.findings);
     made.findings = std::move(findings);
     made.zero = place.transform().height;
+    for (const std::string& path : arguments.values("--points")) {
+        made.files.push_back({path, io::sha256OfFile(path)});
+    }
     return made;
 }
 
@@ -131,7 +136,7 @@ TextTable stepTable(const io::RunSection& made) {
     return table;
 }
 
-void drawSection(const std::string& path, const io::RunSection& made, const Arguments& arguments, const std::string& metadata) {
+void drawSection(const std::string& path, const io::RunSection& made, const Arguments& arguments, const io::RunReader& run) {
     quietQt();
     figures::ensureGuiApplication();
     figures::SectionPictureStyle style;
@@ -140,7 +145,17 @@ void drawSection(const std::string& path, const io::RunSection& made, const Argu
     }
     style.textPixels = 0.028 * style.pixels.height();
     style.zero = made.zero;
-    figures::writePng(path, figures::sectionPicture(made.section, style), metadata);
+    const io::SitePlace place(run.origin().frame, run.origin().site);
+    const SectionLine& line = made.section.line;
+    style.note = figures::SectionNote{made.time,
+                                      place.planToWorld(line.from),
+                                      place.planToWorld(line.to),
+                                      line.width,
+                                      QString::fromStdString(pictureCautions(runCautions(io::standingOf(run)))),
+                                      io::footLine(run.origin())};
+    const std::string provenance = io::sectionProvenance(run, made, place);
+    figures::writePng(path, figures::sectionPicture(made.section, style), provenance);
+    io::writeProvenance(path, provenance);
 }
 
 Json sectionNumber(double number) {
@@ -218,9 +233,7 @@ ExitCode section(const Arguments& arguments, Session& session) {
     const MapSubject subject = openMapSubject(arguments, session);
     const io::RunSection made = makeSection(arguments, subject, session.execution());
     for (const std::string& path : files) {
-        const std::string provenance = io::provenanceText(*subject.run);
-        drawSection(path, made, arguments, provenance);
-        io::writeProvenance(path, provenance);
+        drawSection(path, made, arguments, *subject.run);
     }
     writeCsv(arguments, stepTable(made));
     Findings findings = subject.findings;

@@ -1,17 +1,19 @@
 #include "app/gui/evidence/survey_sections.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <filesystem>
 #include <utility>
 
+#include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "core/evidence/evidence_list.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "core/scenario/scope_cover.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/exports/exports.h"
+#include "io/exports/provenance.h"
+#include "io/exports/survey_files.h"
+#include "io/run/run_cautions.h"
 #include "io/site/clouds/cloud_comparison.h"
 #include "io/site/clouds/height_source.h"
 #include "io/site/site_place.h"
@@ -19,6 +21,7 @@
 #include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/surveys/section_dialog.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble {
 
@@ -131,6 +134,10 @@ void SurveySections::cutAgain() {
              findings.append(outcome->findings);
              outcome->findings = std::move(findings);
              outcome->zero = io::SitePlace(frame, site).transform().height;
+             outcome->files.push_back({path, order.survey.sha256});
+             for (const CaseInput& input : points) {
+                 outcome->files.push_back({input.path, input.sha256});
+             }
          },
          [this, outcome](const std::exception_ptr& thrown) {
              if (thrown == nullptr) {
@@ -167,9 +174,9 @@ void SurveySections::show(const QString& complaint) {
 }
 
 void SurveySections::save() {
-    const QString path = QFileDialog::getSaveFileName(m_dialog, tr("Section"),
-                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/section.png"),
-                                                      tr("Images (*.png)"));
+    const QString path =
+        askSavePath(m_dialog, tr("Section"), QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/section.png"),
+                    tr("Images (*.png)"));
     if (!path.isEmpty()) {
         saveTo(path);
     }
@@ -181,8 +188,18 @@ void SurveySections::saveTo(const QString& path) {
         return;
     }
     m_session.writeNow(path, [&] {
-        const std::string provenance = io::provenanceText(*record->reader);
-        figures::writePng(path.toStdString(), figures::sectionPicture(m_section->section, m_dialog->printed()), provenance);
+        const io::RunReader& run = *record->reader;
+        const io::SitePlace place(run.origin().frame, m_document.theCase().site);
+        const SectionLine& line = m_section->section.line;
+        figures::SectionPictureStyle style = m_dialog->printed();
+        style.note = figures::SectionNote{m_section->time,
+                                          place.planToWorld(line.from),
+                                          place.planToWorld(line.to),
+                                          line.width,
+                                          widgets::cautionWords(runCautions(io::standingOf(run))),
+                                          io::footLine(run.origin())};
+        const std::string provenance = io::sectionProvenance(run, *m_section, place);
+        figures::writePng(path.toStdString(), figures::sectionPicture(m_section->section, style), provenance);
         io::writeProvenance(path.toStdString(), provenance);
     });
 }

@@ -111,7 +111,7 @@ QString ReportWork::whyNot() const {
 void ReportWork::refresh() {
     const QString why = whyNot();
     m_deck.report().setReady(why, m_kept.writing);
-    m_deck.report().setComparison(comparison() != nullptr ? QString() : tr("The page Causes holds no comparison that is of now."));
+    m_deck.report().setComparison(whyNoComparison());
     const RunRecord* record = m_computation.currentRun();
     if (m_kept.of != nullptr && (record == nullptr || record->reader != m_kept.of)) {
         dropCheck();
@@ -183,7 +183,7 @@ ReportOrder ReportWork::wished() const {
         request.causesPath = wishes.causesFile.toStdString();
     } else if (const MadeComparison* made = comparison(); made != nullptr && wishes.causes == widgets::ReportedCauses::Page) {
         request.causes = reportCauses(*made->comparison, made->further.get());
-        for (const io::EnsembleInput& input : made->inputs) {
+        for (const io::EnsembleInput& input : made->basis.inputs) {
             request.causesFiles.push_back({"cause", input.path, input.sha256});
         }
     }
@@ -312,6 +312,18 @@ void ReportWork::chooseCauses() {
                                                                QFileInfo(m_document.base()).absolutePath(),
                                                                tr("Comparisons (*.json);;All files (*)")));
     m_keeping.start();
+}
+
+QString ReportWork::whyNoComparison() const {
+    const auto& made = m_causes != nullptr ? m_causes->made() : nullptr;
+    if (made == nullptr || (made->comparison == nullptr && made->blind.empty())) {
+        return tr("The page Causes holds no comparison.");
+    }
+    if (made->comparison == nullptr) {
+        return tr("The page Causes holds blind tests alone: no cause was held against evidence.");
+    }
+    return m_causes->stale() ? tr("The comparison of the page Causes is of other causes, evidence or settings: compare again.")
+                             : QString();
 }
 
 const MadeComparison* ReportWork::comparison() const {

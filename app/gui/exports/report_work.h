@@ -83,6 +83,8 @@ private:
     void keepNotes();
     /// The comparison of the page Causes; null: there is none that is of now.
     const MadeComparison* comparison() const;
+    /// Why there is none for a report; empty: there is.
+    QString whyNoComparison() const;
     QString whyNot() const;
 
     Session& m_session;

@@ -1,6 +1,7 @@
 #include "app/gui/session/worker.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <new>
 
@@ -203,7 +204,12 @@ std::optional<Failure> failureOf(std::exception_ptr exception) {
 }
 
 QString Failure::inOneLine() const {
-    return what() + QLatin1Char(' ') + remedy();
+    const QString sentence = what();
+    static constexpr std::array<char16_t, 6> ends{u'.', u'!', u'?', u':', u'。', u'；'};
+    if (sentence.isEmpty() || std::find(ends.begin(), ends.end(), sentence.back().unicode()) != ends.end()) {
+        return sentence + QLatin1Char(' ') + remedy();
+    }
+    return sentence + (sentence.back().script() == QChar::Script_Han ? QStringLiteral("。") : QStringLiteral(". ")) + remedy();
 }
 
 }  // namespace rubble

@@ -11,9 +11,15 @@ namespace rubble::io {
 
 /// A section through what a run leaves on a site.
 struct RunSection {
+    /// A file that was measured, beside the simulated surface.
+    struct File {
+        std::string path;
+        std::string sha256;
+    };
     SiteSection section;
     double time = 0.0;  ///< s, of what is cut
     double zero = 0.0;  ///< m, height of the local zero in the system of the case
+    std::vector<File> files{};
     Findings findings;  ///< terrain taken coarser, points without a surface or beside the line
 };
 

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
+#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/report/report_chart.h"
 #include "widgets/figures/sheets/sheet_text.h"
@@ -97,6 +99,30 @@ std::size_t strideOf(const SiteSection& section, std::size_t source) {
     return pointsOf(section, source) > pointsDrawn / 4 ? section.points.size() / pointsDrawn + 1 : 1;
 }
 
+QString placeText(double metres) {
+    constexpr double thousand = 1000.0;
+    constexpr int digits = 12;
+    return numberText(std::round(metres * thousand) / thousand, digits);
+}
+
+/// Writes the note from the foot upwards. @returns pixels, how high it is
+double paintNote(QPainter& painter, const SectionNote& note, const QSize& pixels, double text, const QColor& colour) {
+    QStringList lines{tr("%1, from %2, %3 to %4, %5 m (easting, northing), %6 wide")
+                          .arg(timeText(note.time), placeText(note.from.x()), placeText(note.from.y()), placeText(note.to.x()),
+                               placeText(note.to.y()), lengthText(note.width))};
+    if (!note.cautions.isEmpty()) {
+        lines << note.cautions;
+    }
+    lines << QString::fromStdString(note.provenance);
+    const QRectF room(2.0 * text, 0.0, pixels.width() - 3.0 * text, pixels.height() - 0.5 * text);
+    painter.setFont(sheetFont(0.75 * text));
+    painter.setPen(colour);
+    const QString words = lines.join(QLatin1Char('\n'));
+    QRectF taken;
+    painter.drawText(room, Qt::AlignBottom | Qt::AlignLeft | Qt::TextWordWrap, words, &taken);
+    return pixels.height() - taken.top();
+}
+
 QString counted(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
 }
@@ -143,7 +169,9 @@ QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& sty
     painter.setRenderHint(QPainter::Antialiasing);
     const double text = style.textPixels;
     const double top = paintKey(painter, key, style.pixels.width(), text);
-    chart.paint(painter, QRectF(text, top, style.pixels.width() - 2.0 * text, style.pixels.height() - top - text), text);
+    const double foot = style.note ? paintNote(painter, *style.note, style.pixels, text, colours.text) : 0.0;
+    const double below = std::max(text, foot + 0.5 * text);
+    chart.paint(painter, QRectF(text, top, style.pixels.width() - 2.0 * text, style.pixels.height() - top - below), text);
     return image;
 }
 

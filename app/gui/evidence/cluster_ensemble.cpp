@@ -65,8 +65,7 @@ struct Making {
         execution.check();
         report.findings.append(source.findings);
         report.findings.append(findingsOf(progress));
-        ensemble.take(
-            {std::make_shared<const EnsembleReport>(std::move(report)), source.inputs, source.frame, source.theCase.site});
+        ensemble.take({std::make_shared<const EnsembleReport>(std::move(report)), source.basis()});
     }
 };
 

@@ -96,7 +96,7 @@ TEST_F(MeasuredPoints, ADrawingInFeetIsBroughtToMetres) {
     body << in.rdbuf();
     const std::string feet = m_folder / "feet.dxf";
     std::ofstream(feet) << "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n 70\n     2\n0\nENDSEC\n" << body.str();
-    m_frame.origin = Vec3::Zero();
+    m_frame.origin.setZero();
     const std::vector<Vec3> inMetres = read(metres);
     EXPECT_EQ(m_said.count("drawing.unit_unsaid"), 1);
     const std::vector<Vec3> inFeet = read(feet);

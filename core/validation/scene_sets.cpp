@@ -73,7 +73,7 @@ ValidationSet packingSet() {
 
 constexpr const char* columnsSource =
     "Lube et al., J. Fluid Mech. 508 (2004) 175: run-out 1.6 a^0.5 and height 0.88 a^(1/6) of tall columns, whatever the grains; "
-    "Trepanier & Franklin, Phys. Rev. E 82 (2010) 011308: columns of rods, exponent of the run-out of tall ones 0.6 +- 0.1";
+    "Trepanier & Franklin, Phys. Rev. E 82 (2010) 011308: columns of rods, exponent of the run-out of tall ones 0.6 ± 0.1";
 constexpr std::array columnAspects{3.0, 6.0, 12.0};
 
 /// Grains with the law that columns of them are held against.

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/scenario/case_lookup.h"
+#include "core/scenario/differences.h"
 
 namespace rubble::io {
 
@@ -34,6 +36,30 @@ void addScene(EnsembleSource& source, const OpenedCase& opened, const std::strin
     note(source, "terrain", origin.terrainPath, origin.terrainSha256);
     for (const RecordedInput& mesh : origin.surroundings) {
         note(source, "surroundings", mesh.path, mesh.sha256);
+    }
+}
+
+/// Causes that are simulated in different ways differ by more than their cause.
+void tellOtherSettings(EnsembleSource& next, const EnsembleSource& first) {
+    const auto differences =
+        sharedDifferences(differencesBetween(first.scenes.front().scenario, next.scenes.front().scenario));
+    constexpr std::size_t most = 6;
+    std::string listed;
+    for (std::size_t i = 0; i < std::min(differences.size(), most); ++i) {
+        const SharedDifference& each = differences[i];
+        listed += (i == 0 ? "" : "; ") + each.key() + " " + valueText(each.change.second) + ", not " + valueText(each.change.first);
+    }
+    if (differences.size() > most) {
+        listed += "; …";
+    }
+    if (!differences.empty()) {
+        next.findings.add({"causes.other_settings",
+                           "\"{0}\" has other settings than \"{1}\": {2}",
+                           {next.name, first.name, listed}},
+                          {"causes.other_settings.remedy",
+                           "set them alike, unless the cause itself asks for the difference: it is measured with the causes",
+                           {}},
+                          {}, static_cast<std::int64_t>(differences.size()));
     }
 }
 
@@ -92,6 +118,22 @@ void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<con
                          {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
     }
     next.name = causeName(next.name, next.fePath, taken);
+    if (first != nullptr) {
+        tellOtherSettings(next, *first);
+    }
+}
+
+Case caseOfCause(const Case& like, const CaseScenario& scenario, const std::string& fePath) {
+    Case cause = like;
+    cause.scenarios = {scenario};
+    const CaseInput* replaced = findFeInput(cause, scenario);
+    for (CaseInput& input : cause.inputs) {
+        if (&input == replaced) {
+            input.path = fePath;
+            input.sha256.clear();
+        }
+    }
+    return cause;
 }
 
 std::string evidenceGround(const EnsembleSource& source) {

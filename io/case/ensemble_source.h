@@ -54,7 +54,10 @@ EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& 
 /// @param taken  names so far
 std::string causeName(const std::string& name, const std::string& fePath, std::span<const std::string> taken);
 
-/// Takes a case as one more cause of what happened at one site, under causeName().
+/// The case that an FE result without one is simulated by as one more cause: a scenario of another case, with this result instead.
+Case caseOfCause(const Case& like, const CaseScenario& scenario, const std::string& fePath);
+
+/// Takes a case as one more cause of what happened at one site, under causeName(). Settings other than those of the first are told.
 /// @param first  of the causes so far; null: this is the first. @param taken  names so far
 /// Throws UsageError ("causes.other_frame") where frame or control points are others than those of the first.
 void joinCauses(EnsembleSource& next, const EnsembleSource* first, std::span<const std::string> taken);

@@ -57,6 +57,7 @@ const words = {
     outcome: ['What came out', '结果'],
     fragments: ['fragments', '碎块'],
     theirMass: ['their mass', '其质量'],
+    liveFell: ['live structure that moved farther than {0} m', '移动超过 {0} m 的未失效结构'],
     bodies: ['rigid bodies of fragments', '碎块的刚体'],
     islands: ['loose parts of live structure', '松脱的未失效结构部分'],
     endsAt: ['simulated until', '模拟至'],

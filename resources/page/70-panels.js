@@ -94,6 +94,9 @@ class Panels {
         const rows = [[say('fragments'), sayCount(outcome.fragments)],
             [say('theirMass'), `${sayNumber(outcome.fragmentMass / 1000, 4)} t`], [say('bodies'), sayCount(outcome.bodies)],
             [say('endsAt'), `${outcome.end.toFixed(2)} s`]];
+        if (this.facts.map && this.facts.map.liveElements > 0) {
+            rows.push([say('liveFell', this.facts.map.liveThreshold), `${sayNumber(this.facts.map.liveMass / 1000, 4)} t`]);
+        }
         if (outcome.atRest !== undefined) {
             rows.push([say('islands'), sayCount(outcome.islands)], [say('atRest'), `${sayNumber(100 * outcome.atRest)} %`],
                 [say('stillMoving'), sayCount(outcome.stillMoving)], [say('fastest'), `${sayNumber(outcome.maxSpeed)} m/s`]);

@@ -99,6 +99,12 @@ void NewCaseUnits::buildTable() {
             take("units", std::string(m_evidence.fits[static_cast<std::size_t>(row)].system->id));
         }
     };
+    // Also where a scroll bar or a longer name takes room from the words.
+    connect(m_fits->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column == 1) {
+            fitRows();
+        }
+    });
     connect(m_fits, &QTableWidget::cellClicked, this, takeRow);
     connect(m_fits, &QTableWidget::cellActivated, this, takeRow);
 }
@@ -184,7 +190,6 @@ void NewCaseUnits::showFits() {
     const int rows = std::min<int>(rowsShown, static_cast<int>(m_evidence.fits.size()));
     m_fits->setVisible(rows > 0);
     m_fits->setRowCount(rows);
-    int height = m_fits->horizontalHeader()->sizeHint().height() + 4;
     for (int row = 0; row < rows; ++row) {
         const UnitFit& fit = m_evidence.fits[static_cast<std::size_t>(row)];
         const QString reasons = reasonsOf(fit);
@@ -201,8 +206,14 @@ void NewCaseUnits::showFits() {
         m_fits->setItem(row, 0, name);
         m_fits->setItem(row, 1, why);
     }
+    fitRows();
+}
+
+/// Each row is as high as its words need.
+void NewCaseUnits::fitRows() {
+    int height = m_fits->horizontalHeader()->sizeHint().height() + 4;
     m_fits->resizeRowsToContents();
-    for (int row = 0; row < rows; ++row) {
+    for (int row = 0; row < m_fits->rowCount(); ++row) {
         height += m_fits->rowHeight(row);
     }
     m_fits->setFixedHeight(std::min(height, 300));

@@ -35,6 +35,7 @@ public:
 private:
     void buildTable();
     void showFits();
+    void fitRows();
     void showProposals();
     void take(const char* key, const std::string& choice);
 

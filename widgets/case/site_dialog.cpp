@@ -139,6 +139,10 @@ void SiteDialog::buildTable() {
     m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
+    // Three points are seen at once, whatever stands above and below.
+    constexpr int pointsSeen = 3;
+    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() +
+                              pointsSeen * m_table->verticalHeader()->defaultSectionSize() + 2 * m_table->frameWidth());
     m_remove->setToolTip(tr("Delete the chosen control point"));
     m_add->setToolTip(tr("Add a control point to be typed"));
 }

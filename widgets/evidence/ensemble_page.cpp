@@ -239,13 +239,14 @@ void EnsemblePage::showSpread() {
         const FigureSpread spread = spreadOf(report, measure);
         const int line = m_spread->rowCount();
         m_spread->insertRow(line);
-        const QString name = tr("%1, %2").arg(said("messages", row.name), figures::shownUnit(row.unit).name);
-        const auto shown = [&](double value) { return deserved(value, spread.standardError, row.unit); };
+        const QString name = tr("%1, %2").arg(said("messages", row.name), figures::shownUnit(row.toldUnit).name);
+        const auto told = [&](double value) { return value * row.toldPerUnit; };
+        const auto shown = [&](double value) { return deserved(told(value), told(spread.standardError), row.toldUnit); };
         const bool same = spread.deviation == 0.0;
         const std::array<QString, 7> texts{name,
                                            shown(spread.mean),
-                                           same ? tr("none") : shownIn(spread.standardError, row.unit, 2),
-                                           same ? tr("none") : shownIn(spread.deviation, row.unit, 2),
+                                           same ? tr("none") : shownIn(told(spread.standardError), row.toldUnit, 2),
+                                           same ? tr("none") : shownIn(told(spread.deviation), row.toldUnit, 2),
                                            shown(spread.lower()),
                                            shown(spread.middle),
                                            shown(spread.upper())};

@@ -437,7 +437,7 @@ QStringList SurveyBox::wordsOf(const SurveyComparison& made) const {
                 << tr("Heights differ by %1 m RMS, by %2 m in the mean.").arg(shown(made.heightRms, 2), shown(made.heightMean, 2));
         }
         words << tr("Volumes hold the voids.");
-        words << tr("Surveyed fill %1, cut %2, net %3 m³.")
+        words << tr("Surveyed surface against the ground: %1 m³ above it (fill), %2 m³ below it (cut), net %3 m³.")
                      .arg(shown(made.volumes.fill, 0), shown(made.volumes.cut, 0), shown(made.volumes.net(), 0));
         words << noiseWords(made.noise);
         if (made.noise.source == SurveyNoise::Source::Stated || made.noise.source == SurveyNoise::Source::Estimated) {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/cli/accuracy/study_options.h"
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/subject.h"
 #include "core/base/error.h"
+#include "core/scenario/case_lookup.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
 
@@ -72,14 +74,27 @@ EnsembleSettings EnsembleRequest::settingsFor(const Case& theCase) const {
 }
 
 EnsembleSubject openEnsembleSubject(const std::string& path, const std::optional<std::string>& scenario, const Arguments& arguments,
-                                    const EnsembleRequest& request, Session& session) {
+                                    const EnsembleRequest& request, Session& session, const EnsembleSubject* like) {
     io::CaseRequest opening = caseRequest(arguments, path);
     opening.scenario = scenario;
-    if (io::isCaseFile(path)) {
+    const bool isCase = io::isCaseFile(path);
+    const bool alike = !isCase && like != nullptr && !like->theCase.scenarios.empty();
+    if (isCase) {
         opening.theCase = io::loadCase(path);
+    } else if (alike) {
+        const CaseScenario& active = *findScenario(like->theCase, std::nullopt);
+        opening.path = like->path;
+        opening.theCase = io::caseOfCause(like->theCase, active, std::filesystem::absolute(path).string());
     }
     const EnsembleSettings settings = request.settingsFor(opening.theCase.value_or(Case()));
-    EnsembleSubject subject{io::openEnsemble(opening, settings, session.execution()), settings};
+    EnsembleSubject subject{io::openEnsemble(opening, settings, session.execution()), settings, opening.path};
+    if (alike) {
+        subject.name = std::filesystem::path(path).stem().string();
+        subject.findings.add({"causes.like_first",
+                              "{0} is an FE result without a case: settings, frame and site are those of {1}",
+                              {path, like->path}},
+                             {"causes.like_first.remedy", "give a case of it if it is to have others", {}});
+    }
     if (scenario) {
         // One scenario is asked for: then it is not varied.
         std::erase_if(subject.settings.varied, [](const VariedSetting& varied) { return varied.key == scenarioKey; });

@@ -40,11 +40,13 @@ private:
 /// A case or FE file with the scenarios that its ensemble needs, and how that is made.
 struct EnsembleSubject : io::EnsembleSource {
     EnsembleSettings settings;
+    std::string path;  ///< case or FE file that it was opened from
 };
 
 /// Opens a case or FE file with every scenario that is varied, or only the one that is named. Throws as openSubject().
+/// @param like  whose case an FE file takes instead of the delivered settings; null: none
 EnsembleSubject openEnsembleSubject(const std::string& path, const std::optional<std::string>& scenario, const Arguments& arguments,
-                                    const EnsembleRequest& request, Session& session);
+                                    const EnsembleRequest& request, Session& session, const EnsembleSubject* like = nullptr);
 
 /// The worlds of the members of a subject, for others to make. Throws what ensembleTasks() throws.
 std::vector<StudyTask> tasksOf(const EnsembleSubject& subject, const EnsembleRequest& request, const Execution& execution);

@@ -85,8 +85,10 @@ std::vector<std::pair<std::string, std::optional<std::string>>> causesOf(const s
 Causes openCauses(const Arguments& arguments, const EnsembleRequest& request, Session& session) {
     Causes causes;
     for (const auto& [path, scenario] : causesOf(operandsOf(arguments))) {
-        EnsembleSubject subject = openEnsembleSubject(path, scenario, arguments, request, session);
-        io::joinCauses(subject, causes.subjects.empty() ? nullptr : &causes.subjects.front(), causes.names);
+        const EnsembleSubject* first = causes.subjects.empty() ? nullptr : &causes.subjects.front();
+        const bool like = first != nullptr && io::isCaseFile(first->path);
+        EnsembleSubject subject = openEnsembleSubject(path, scenario, arguments, request, session, like ? first : nullptr);
+        io::joinCauses(subject, first, causes.names);
         causes.names.push_back(subject.name);
         causes.subjects.push_back(std::move(subject));
     }
@@ -435,6 +437,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
     if (arguments.has("--blind") || !made) {
         for (const EvidenceKind kind : {EvidenceKind::Footprint, EvidenceKind::Heights}) {
             blind.push_back(blindTest(hypotheses, kind, session.execution()));
+            findings.append(blind.back().findings);
         }
     }
     const std::optional<TellingEvidence> telling = furtherEvidence(hypotheses, made, evidence, causes, arguments, session);
@@ -444,6 +447,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
         for (std::size_t h = 1; h < causes.subjects.size(); ++h) {
             const EnsembleSubject& other = causes.subjects[h];
             all.inputs.insert(all.inputs.end(), other.inputs.begin(), other.inputs.end());
+            addCautions(all.cautions, other.cautions);
         }
         written = maps.write(*made->separation, "separation", *hypotheses[made->ranking.causes.front().hypothesis].ensemble, all,
                              session);

@@ -273,7 +273,8 @@ std::string volumeText(double volume, const VolumeError& error) {
 }
 
 std::string volumesText(const SurveyVolumes& volumes) {
-    return "fill " + volumeText(volumes.fill, volumes.fillError) + ", cut " + volumeText(volumes.cut, volumes.cutError) + ", net " +
+    return "fill above it " + volumeText(volumes.fill, volumes.fillError) + ", cut below it " +
+           volumeText(volumes.cut, volumes.cutError) + ", net " +
            volumeText(volumes.net(), volumes.netError);
 }
 
@@ -330,7 +331,7 @@ void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInpu
         facts.add("volume with voids",
                   bothSides(made.survey.volume, made.simulated.volume, made.seen ? made.seen->volume : std::nan(""), "m3"));
         facts.add("height difference", heightsText(made));
-        facts.add("surveyed volumes", volumesText(made.volumes));
+        facts.add("surveyed against ground", volumesText(made.volumes));
         facts.add("not counted", undetectedText(made));
         facts.add("level of detection", detectionText(made.noise));
     }

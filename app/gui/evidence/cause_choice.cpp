@@ -161,16 +161,7 @@ StudyCase CauseChoice::asOpen(const Opened& result, const std::string& path) con
     if (active == nullptr) {
         return result.cause;
     }
-    StudyCase cause{result.cause.name, m_document.theCase(), m_document.base().toStdString(), active->id};
-    cause.theCase.scenarios = {*active};
-    const CaseInput* replaced = findFeInput(cause.theCase, *active);
-    for (CaseInput& input : cause.theCase.inputs) {
-        if (&input == replaced) {
-            input.path = path;
-            input.sha256.clear();
-        }
-    }
-    return cause;
+    return {result.cause.name, io::caseOfCause(m_document.theCase(), *active, path), m_document.base().toStdString(), active->id};
 }
 
 std::vector<CauseChoice::Cause> CauseChoice::causes() const {

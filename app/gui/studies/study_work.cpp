@@ -108,6 +108,7 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
     if (causes.blind || evidence.count() == 0) {
         for (const EvidenceKind kind : {EvidenceKind::Footprint, EvidenceKind::Heights}) {
             made.blind.push_back(blindTest(made.hypotheses, kind, execution));
+            made.findings.append(made.blind.back().findings);
         }
     }
     const bool open = made.comparison == nullptr || !made.comparison->ranking.decided();

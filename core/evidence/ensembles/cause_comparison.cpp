@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -249,6 +250,21 @@ Message verdictOf(const CauseComparison& made) {
 }
 
 /// What the program says against resting a conclusion on a photograph counts here too.
+/// @param leftOut  members that are held against the others
+void findTooFew(Findings& findings, std::span<const Hypothesis> hypotheses, std::size_t leftOut) {
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const Hypothesis& hypothesis : hypotheses) {
+        least = std::min(least, hypothesis.ensemble->done().size());
+    }
+    const std::size_t needed = membersToTell(hypotheses.size()) + leftOut;
+    if (hypotheses.size() > 1 && least < needed) {
+        findings.add({"causes.too_few_to_tell",
+                      "With {0} members of a cause none of {1} causes can be named, however clear the evidence is",
+                      {least, hypotheses.size()}},
+                     {"causes.too_few_to_tell.remedy", "Simulate at least {0} members of each cause.", {needed}});
+    }
+}
+
 void findDoubtful(Findings& findings, const PhotoEvidence& photo) {
     for (const MatchDoubt& doubt : matchDoubts(photo.photograph, photo.match)) {
         findings.add(doubt.what,
@@ -293,6 +309,7 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
                            {static_cast<std::int64_t>(membersToJudge)}},
                           '"' + made.hypotheses[best.hypothesis] + '"');
     }
+    findTooFew(made.findings, hypotheses, 0);
     for (const SurfaceEvidence& surface : evidence.surfaces) {
         findApart(made.findings, surface, hypotheses);
     }
@@ -502,6 +519,7 @@ BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, c
     const bool judged = count > 1 && std::all_of(among.begin(), among.end(),
                                                  [](const FigureSpread& spread) { return spread.count >= membersToJudge; });
     test.noticed.assign(judged ? count : 0, 0);
+    findTooFew(test.findings, hypotheses, 1);
     for (std::size_t truth = 0; truth < count; ++truth) {
         for (const EnsembleMember* seen : hypotheses[truth].ensemble->done()) {
             execution.check();

@@ -143,6 +143,7 @@ struct BlindTest {
     /// [true cause] trials in which, with that cause not among the hypotheses, the evidence lies outside of what the closest of the
     /// others does: what would not be noticed is a wrong cause named. Empty with fewer than eight members of any.
     std::vector<std::int64_t> noticed;
+    Findings findings;
 
     std::int64_t trials() const;
     std::int64_t right() const;  ///< named, and rightly

@@ -67,6 +67,12 @@ double endOf(double observed, double end, double first, double second, double z)
     return 0.5 * (inside + outside);
 }
 
+/// Of each interval, so that those of all hypotheses against the closest hold together.
+double quantileFor(std::size_t hypotheses, double confidence) {
+    const double comparisons = std::max<double>(1.0, static_cast<double>(hypotheses) - 1.0);
+    return normalPlaceAbove(0.5 * (1.0 - confidence) / comparisons);
+}
+
 }  // namespace
 
 Superiority superiorityOf(std::span<const double> first, std::span<const double> second, double z) {
@@ -98,6 +104,19 @@ bool CauseRanking::decided() const {
     return causes.size() > 1 && std::all_of(causes.begin() + 1, causes.end(), [](const RankedCause& cause) { return cause.apart; });
 }
 
+std::size_t membersToTell(std::size_t hypotheses, double confidence) {
+    constexpr std::size_t most = 1000;
+    const double z = quantileFor(hypotheses, confidence);
+    for (std::size_t count = 2; count < most; ++count) {
+        const std::vector<double> closer(count, 0.0);
+        const std::vector<double> farther(count, 1.0);
+        if (superiorityOf(closer, farther, z).low > tellingShare) {
+            return count;
+        }
+    }
+    return most;
+}
+
 CauseRanking rankCauses(std::span<const Departures> hypotheses, double confidence) {
     CauseRanking ranking;
     ranking.confidence = confidence;
@@ -124,8 +143,7 @@ CauseRanking rankCauses(std::span<const Departures> hypotheses, double confidenc
     // By the middle, which one member that went astray does not move.
     std::stable_sort(ranking.causes.begin(), ranking.causes.end(),
                      [](const RankedCause& a, const RankedCause& b) { return a.score.middle < b.score.middle; });
-    const double comparisons = std::max<double>(1.0, static_cast<double>(ranking.causes.size()) - 1.0);
-    const double z = normalPlaceAbove(0.5 * (1.0 - confidence) / comparisons);
+    const double z = quantileFor(ranking.causes.size(), confidence);
     const RankedCause& best = ranking.causes.front();
     for (RankedCause& cause : ranking.causes) {
         const bool self = &cause == &best;

@@ -53,6 +53,9 @@ struct CauseRanking {
 /// one collapse: with many members a difference that means nothing would pass a test against one half.
 inline constexpr double tellingShare = 0.7;
 
+/// Members of each of so many hypotheses below which none is told from the others, however clear the evidence is.
+std::size_t membersToTell(std::size_t hypotheses, double confidence = 0.95);
+
 /// Ranks hypotheses. A piece of evidence weighs by the inverse of its scatter within hypotheses: what birth times and friction
 /// change as much as causes do says little. A hypothesis is told from the closest one if the lower end of the interval of
 /// superiority lies above tellingShare, intervals of all comparisons holding together with the confidence.

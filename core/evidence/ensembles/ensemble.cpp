@@ -250,12 +250,12 @@ private:
 }  // namespace
 
 const MemberMeasureRow& memberMeasureRow(MemberMeasure measure) {
-    static constexpr std::array<MemberMeasureRow, memberMeasureCount> rows{{{"footprint_m2", "m2", "Covered area"},
-                                                                            {"pile_volume_m3", "m3", "Volume of the pile"},
-                                                                            {"run_out_m", "m", "Run-out of 95 % of the mass"},
-                                                                            {"mass_kg", "kg", "Mass that fell"},
-                                                                            {"mean_height_m", "m", "Mean height of fragments"},
-                                                                            {"pile_height_m", "m", "Highest cell"}}};
+    static constexpr std::array<MemberMeasureRow, memberMeasureCount> rows{{{"footprint_m2", "m2", "Covered area", "m2", 1.0},
+                                                                            {"pile_volume_m3", "m3", "Volume of the pile", "m3", 1.0},
+                                                                            {"run_out_m", "m", "Run-out of 95 % of the mass", "m", 1.0},
+                                                                            {"mass_kg", "kg", "Mass that fell", "t", 1e-3},
+                                                                            {"mean_height_m", "m", "Mean height of fragments", "m", 1.0},
+                                                                            {"pile_height_m", "m", "Highest cell", "m", 1.0}}};
     return rows[static_cast<std::size_t>(measure)];
 }
 

@@ -45,6 +45,8 @@ struct MemberMeasureRow {
     std::string_view key;  ///< "footprint_m2"
     std::string_view unit;
     std::string_view name;
+    std::string_view toldUnit;  ///< that people are told it in
+    double toldPerUnit;         ///< how many of it are one unit
 };
 const MemberMeasureRow& memberMeasureRow(MemberMeasure measure);
 

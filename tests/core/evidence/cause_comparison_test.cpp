@@ -369,6 +369,21 @@ TEST(CauseComparison, BlindTestFindsWhatCanBeFound) {
     EXPECT_TRUE(blindTest(few, EvidenceKind::Footprint, Execution()).noticed.empty());
 }
 
+TEST(CauseComparison, SaysHowManyMembersItTakesToNameACause) {
+    const int needed = static_cast<int>(membersToTell(2)) + 1;
+    EXPECT_GT(needed, 3);
+    EXPECT_GT(membersToTell(6), membersToTell(2)) << "all intervals hold together";
+    const auto clear = [](int members) {
+        return std::vector<Hypothesis>{scattering("a", 0, 1, 1, members), scattering("b", 60, 1, 2, members)};
+    };
+    const BlindTest enough = blindTest(clear(needed), EvidenceKind::Footprint, Execution());
+    EXPECT_EQ(enough.right(), 2 * needed);
+    EXPECT_TRUE(enough.findings.empty());
+    const BlindTest few = blindTest(clear(needed - 1), EvidenceKind::Footprint, Execution());
+    EXPECT_EQ(few.right(), 0) << "however clear the evidence is";
+    EXPECT_EQ(few.findings.count("causes.too_few_to_tell"), 1);
+}
+
 TEST(CauseComparison, RefusesWhatCannotBeCompared) {
     std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2)};
     EXPECT_THROW(compareCauses(hypotheses, CauseEvidence()), UsageError);

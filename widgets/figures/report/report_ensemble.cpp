@@ -107,13 +107,14 @@ void ReportSections::addEnsembleSpread() {
         const auto measure = static_cast<MemberMeasure>(k);
         const MemberMeasureRow& row = memberMeasureRow(measure);
         const FigureSpread spread = spreadOf(ensemble, measure);
-        const QString unit = raisedUnits(QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size())));
+        const QString unit = raisedUnits(QString::fromUtf8(row.toldUnit.data(), static_cast<qsizetype>(row.toldUnit.size())));
+        const auto told = [&](double value) { return value * row.toldPerUnit; };
         const Message name{"", std::string(row.name), {}};
         const bool same = spread.deviation == 0.0;
-        table.rows.push_back({QStringLiteral("%1 [%2]").arg(said(name), unit), reportNumber(spread.mean),
-                              same ? tr("none") : reportNumber(spread.standardError, 2),
-                              same ? tr("none") : reportNumber(spread.deviation, 2), reportNumber(spread.lower()),
-                              reportNumber(spread.upper())});
+        table.rows.push_back({QStringLiteral("%1 [%2]").arg(said(name), unit), reportNumber(told(spread.mean)),
+                              same ? tr("none") : reportNumber(told(spread.standardError), 2),
+                              same ? tr("none") : reportNumber(told(spread.deviation), 2), reportNumber(told(spread.lower())),
+                              reportNumber(told(spread.upper()))});
     }
     QStringList members;
     for (const EnsembleMember* member : ensemble.done()) {

@@ -117,7 +117,7 @@ void ReportSections::addComponentDebris() {
     table.caption = tr("Fragments by component");
     table.columns = QStringList{
         tr("component"),        tr("mass [t]"), tr("first birth [s]"), tr("last birth [s]"), tr("farthest way in plan [m]"),
-        tr("hardest hit [m/s]")};
+        tr("at the hardest hit [m/s]")};
     table.words = {true, false, false, false, false, false};
     for (std::size_t c = 0; c < components; ++c) {
         if (mass[c] > 0.0) {
@@ -128,6 +128,8 @@ void ReportSections::addComponentDebris() {
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
+    text(tr("At the hardest hit: the speed of a fragment just before the hit that changed the motion of its body most, the fastest "
+            "of each component. A fragment at the end of a body that turns is faster than the body is as a whole."));
 }
 
 void ReportSections::addCourse() {

@@ -42,14 +42,7 @@ AccuracyPage::AccuracyPage(QWidget* parent)
       m_saveTable(new QPushButton(tr("Save table…"))),
       m_saveChart(new QPushButton(tr("Save chart…"))),
       m_splitter(new QSplitter(Qt::Horizontal)) {
-    setObjectName(QStringLiteral("panelBody"));
-    setAttribute(Qt::WA_StyledBackground);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(8);
-    auto* title = new QLabel(tr("What agreement with the reference costs"));
-    title->setFont(titleFont());
-    column->addWidget(title);
+    QVBoxLayout* column = pageColumn(*this, tr("What agreement with the reference costs"));
     m_sentence->setObjectName(QStringLiteral("muted"));
     m_sentence->setWordWrap(true);
     column->addWidget(m_sentence);

@@ -2,9 +2,11 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QToolButton>
 #include <nlohmann/json.hpp>
@@ -33,6 +35,7 @@ protected:
     void asksForAFile();
     void staysWhereItIsDocked();
     void saysThatTheModelHasNoPlace();
+    void leavesTheWindowAsWideAsItIs();
 };
 
 void RunMapTest::showsTheInstantOfTheViews() {
@@ -111,6 +114,45 @@ void RunMapTest::asksForAFile() {
     });
     QTest::mouseClick(panel().findChild<QPushButton*>(QStringLiteral("saveMap")), Qt::LeftButton);
     EXPECT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(path); }, patience));
+    // No file says that it is what it is not, and none is replaced without a word.
+    const QString other = folder.filePath(QStringLiteral("chosen.svg"));
+    const auto save = [&](const QString& name) {
+        whenAsked([name](QDialog& dialog) {
+            dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(name);
+            QMetaObject::invokeMethod(&dialog, "accept");
+        });
+        QTest::mouseClick(panel().findChild<QPushButton*>(QStringLiteral("saveMap")), Qt::LeftButton);
+    };
+    save(other);
+    const QString given = other + QStringLiteral(".tif");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(given) && !session->computation().busy(); }, patience));
+    EXPECT_FALSE(QFileInfo::exists(other));
+    const QDateTime written = QFileInfo(given).lastModified();
+    QString asked;
+    QTimer waits;
+    waits.setInterval(50);
+    QObject::connect(&waits, &QTimer::timeout, &waits, [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            asked = box->text();
+            box->button(QMessageBox::No)->click();
+        }
+    });
+    waits.start();
+    save(other);
+    EXPECT_TRUE(asked.contains(QStringLiteral("chosen.svg.tif"))) << qPrintable(asked);
+    EXPECT_FALSE(session->computation().busy());
+    EXPECT_EQ(QFileInfo(given).lastModified(), written);
+}
+
+// The accuracy page beside its chart made the window wider than the screen, which nothing took back.
+void RunMapTest::leavesTheWindowAsWideAsItIs() {
+    ASSERT_TRUE(map().dock().isVisible() && !map().dock().isFloating());
+    const int width = window->width();
+    for (const auto entry : {PanelDeck::Accuracy, PanelDeck::Evidence, PanelDeck::Report, PanelDeck::Run}) {
+        window->rooms().deck->choose(entry);
+        QTest::qWait(50);
+        EXPECT_EQ(window->width(), width) << static_cast<int>(entry);
+    }
 }
 
 // One run serves all: it stops at the last FE state, so that much still moves.
@@ -131,6 +173,7 @@ TEST_F(RunMapTest, TheMapOfTheRunIsShownByItsKeyFollowsTheViewsAndIsSaved) {
     isSavedInEachFormat();
     asksForAFile();
     staysWhereItIsDocked();
+    leavesTheWindowAsWideAsItIs();
     showsTheInstantOfTheViews();
     QTest::keyClick(window, Qt::Key_M, Qt::ControlModifier);
     EXPECT_FALSE(map().dock().isVisible());

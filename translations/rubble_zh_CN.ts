@@ -156,6 +156,13 @@
     </message>
 </context>
 <context>
+    <name>SavePath</name>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 已存在。要替换吗？</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>Save the run as one page that any browser opens without network, with both views and its sources</source>
@@ -6656,10 +6663,6 @@
         <translation>请使用导出时的原文件，或重新导出。</translation>
     </message>
     <message>
-        <source>Testing this machine</source>
-        <translation>正在测试本机</translation>
-    </message>
-    <message>
         <source>The case has no scenario &quot;{0}&quot;</source>
         <translation>案例中没有方案“{0}”</translation>
     </message>
@@ -11252,10 +11255,6 @@
         <translation>若属于剖面，请给出其高程</translation>
     </message>
     <message>
-        <source>a DXF names no coordinate system; it is taken to be that of the case, in metres</source>
-        <translation>DXF 不说明坐标系；视为案例的坐标系，以米为单位</translation>
-    </message>
-    <message>
         <source>Give points with heights.</source>
         <translation>请给出有高程的点。</translation>
     </message>
@@ -11570,10 +11569,6 @@
     <message>
         <source>Give a footprint, a height model, a time, or photographs with an outline.</source>
         <translation>请给出覆盖范围、高程模型、时刻，或绘有轮廓的照片。</translation>
-    </message>
-    <message>
-        <source>Lube et al., J. Fluid Mech. 508 (2004) 175: run-out 1.6 a^0.5 and height 0.88 a^(1/6) of tall columns, whatever the grains; Trepanier &amp; Franklin, Phys. Rev. E 82 (2010) 011308: columns of rods, exponent of the run-out of tall ones 0.6 +- 0.1</source>
-        <translation>Lube 等，J. Fluid Mech. 508 (2004) 175：高柱的散落距离 1.6 a^0.5 和高度 0.88 a^(1/6)，与颗粒无关；Trepanier &amp; Franklin，Phys. Rev. E 82 (2010) 011308：杆的柱，高柱散落距离的指数 0.6 +- 0.1</translation>
     </message>
     <message>
         <source>Of these hypotheses &quot;{0}&quot; explains the times best: one of its members is closer than one of &quot;{1}&quot; in {2} % of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may give the same times.</source>
@@ -12734,6 +12729,50 @@
     <message>
         <source>{0} was made of the FE result with another axis, origin, active flag or displacement than the case has now</source>
         <translation>{0} 由按其他轴、原点、激活标志或位移读取的有限元结果得出，与案例现在的不同</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; has other settings than &quot;{1}&quot;: {2}</source>
+        <translation>“{0}”的设置与“{1}”不同：{2}</translation>
+    </message>
+    <message>
+        <source>Add it to the evidence as measured points, or cut a section through them (rubble-cli section --points).</source>
+        <translation>将其作为测点加入证据，或用其作剖面（rubble-cli section --points）。</translation>
+    </message>
+    <message>
+        <source>Lube et al., J. Fluid Mech. 508 (2004) 175: run-out 1.6 a^0.5 and height 0.88 a^(1/6) of tall columns, whatever the grains; Trepanier &amp; Franklin, Phys. Rev. E 82 (2010) 011308: columns of rods, exponent of the run-out of tall ones 0.6 ± 0.1</source>
+        <translation>Lube 等，J. Fluid Mech. 508 (2004) 175：高柱的滑移距离为 1.6 a^0.5，高度为 0.88 a^(1/6)，与颗粒无关；Trepanier 和 Franklin，Phys. Rev. E 82 (2010) 011308：杆柱，高柱滑移距离的指数为 0.6 ± 0.1</translation>
+    </message>
+    <message>
+        <source>With {0} members of a cause none of {1} causes can be named, however clear the evidence is</source>
+        <translation>一种原因只有 {0} 个成员时，无论证据多么清楚，{1} 种原因都无法指认</translation>
+    </message>
+    <message>
+        <source>a DXF names no coordinate system; it is taken to be that of the case</source>
+        <translation>DXF 不说明坐标系；视为与案例相同</translation>
+    </message>
+    <message>
+        <source>set the unit of the drawing ($INSUNITS) if it is another one</source>
+        <translation>若为其他单位，请设定图的单位（$INSUNITS）</translation>
+    </message>
+    <message>
+        <source>set the unit of the drawing ($INSUNITS) to metres if its numbers are metres</source>
+        <translation>若其数值为米，请将图的单位（$INSUNITS）设为米</translation>
+    </message>
+    <message>
+        <source>set them alike, unless the cause itself asks for the difference: it is measured with the causes</source>
+        <translation>请将其设为相同，除非原因本身要求这一差别：它会与原因一起被测量</translation>
+    </message>
+    <message>
+        <source>the drawing does not say its unit; its coordinates are taken as metres</source>
+        <translation>图未说明其单位；坐标以米计</translation>
+    </message>
+    <message>
+        <source>the drawing says that it counts in units of {0}, from which its coordinates were brought to metres</source>
+        <translation>图说明其以 {0} 为单位，坐标已由此换算为米</translation>
+    </message>
+    <message>
+        <source>{0} is a drawing, no point cloud</source>
+        <translation>{0} 是图，不是点云</translation>
     </message>
 </context>
 <context>
@@ -15441,10 +15480,6 @@
         <translation>报告已取消</translation>
     </message>
     <message>
-        <source>The page Causes holds no comparison that is of now.</source>
-        <translation>原因页没有与当前设置相符的比较。</translation>
-    </message>
-    <message>
         <source>The report was checked</source>
         <translation>报告已检查</translation>
     </message>
@@ -15455,6 +15490,18 @@
     <message>
         <source>Comparisons (*.json);;All files (*)</source>
         <translation>比较 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>The page Causes holds no comparison.</source>
+        <translation>“原因”页没有比较。</translation>
+    </message>
+    <message>
+        <source>The page Causes holds blind tests alone: no cause was held against evidence.</source>
+        <translation>“原因”页只有盲测：没有原因与证据比较过。</translation>
+    </message>
+    <message>
+        <source>The comparison of the page Causes is of other causes, evidence or settings: compare again.</source>
+        <translation>“原因”页的比较属于其他原因、证据或设置：请重新比较。</translation>
     </message>
 </context>
 <context>
@@ -16323,6 +16370,10 @@
         <source>given</source>
         <translation>给定</translation>
     </message>
+    <message>
+        <source>%1, from %2, %3 to %4, %5 m (easting, northing), %6 wide</source>
+        <translation>%1，从 %2, %3 到 %4, %5 m（东坐标、北坐标），宽 %6</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::EncodedMovie</name>
@@ -16522,10 +16573,6 @@
     <message>
         <source>farthest way in plan [m]</source>
         <translation>平面上最远路径 [m]</translation>
-    </message>
-    <message>
-        <source>hardest hit [m/s]</source>
-        <translation>最重撞击 [m/s]</translation>
     </message>
     <message>
         <source>time [s]</source>
@@ -17854,6 +17901,87 @@
     <message>
         <source>as %1, for no material has its density</source>
         <translation>按%1处理，因没有材料有此密度</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <comment>the three parts of a vector</comment>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The case names no coordinate system: coordinates are those of the model.</source>
+        <translation>案例未指定坐标系：坐标为模型的坐标。</translation>
+    </message>
+    <message>
+        <source>The model lies in %1 by %2 of %3 control points: turned by %4°, drawn out %5 times, %6 m off in plan and %7 m in height (RMS).</source>
+        <translation>模型由 %3 个控制点中的 %2 个置于%1：旋转 %4°，缩放 %5 倍，平面偏差 %6 m，高程偏差 %7 m（均方根）。</translation>
+    </message>
+    <message>
+        <source>the frame of its control points</source>
+        <translation>其控制点的框架中</translation>
+    </message>
+    <message>
+        <source>the coordinate system %1</source>
+        <translation>坐标系 %1 中</translation>
+    </message>
+    <message>
+        <source>The case names the coordinate system %1, but the model has no place in it: coordinates are those of the model.</source>
+        <translation>案例指定了坐标系 %1，但模型在其中没有位置：坐标为模型的坐标。</translation>
+    </message>
+    <message>
+        <source>The model lies in the coordinate system %1 by the origin of its frame, at %2 m.</source>
+        <translation>模型由其框架的原点置于坐标系 %1 中，位于 %2 m。</translation>
+    </message>
+    <message>
+        <source>Debris falls on the terrain %1: %2 by %3 heights, %4 m apart, from %5 m to %6 m.</source>
+        <translation>堆积物落于地形 %1：%2 × %3 个高程，间距 %4 m，从 %5 m 到 %6 m。</translation>
+    </message>
+    <message>
+        <source>Debris falls on the surroundings %1 as well.</source>
+        <translation>堆积物也落于周边环境 %1。</translation>
+    </message>
+    <message>
+        <source>Debris falls on the surroundings %1 as well, which were moved by %2 m from where their file has them.</source>
+        <translation>堆积物也落于周边环境 %1，其位置相对于文件移动了 %2 m。</translation>
+    </message>
+    <message>
+        <source>Control points: where the model has them, and where they were measured</source>
+        <translation>控制点：在模型中的位置和测得的位置</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>model x, y, z [m]</source>
+        <translation>模型 x, y, z [m]</translation>
+    </message>
+    <message>
+        <source>easting, northing, height [m]</source>
+        <translation>东坐标、北坐标、高程 [m]</translation>
+    </message>
+    <message>
+        <source>off in plan [m]</source>
+        <translation>平面偏差 [m]</translation>
+    </message>
+    <message>
+        <source>off in height [m]</source>
+        <translation>高程偏差 [m]</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1，未使用</translation>
+    </message>
+    <message>
+        <source>at the hardest hit [m/s]</source>
+        <translation>最强碰撞时 [m/s]</translation>
+    </message>
+    <message>
+        <source>At the hardest hit: the speed of a fragment just before the hit that changed the motion of its body most, the fastest of each component. A fragment at the end of a body that turns is faster than the body is as a whole.</source>
+        <translation>最强碰撞时：碎块在使其刚体运动改变最大的碰撞之前的速度，取各构件中最快的。位于转动刚体末端的碎块比刚体整体更快。</translation>
+    </message>
+    <message>
+        <source>Cases of this kind that were left out, since they take minutes: %1. &lt;code&gt;rubble-cli self-test&lt;/code&gt; runs them.</source>
+        <translation>因耗时数分钟而略去的此类算例：%1 个。&lt;code&gt;rubble-cli self-test&lt;/code&gt; 运行它们。</translation>
     </message>
 </context>
 <context>
@@ -24699,6 +24827,10 @@ What the file fits: %2.</source>
         <source>A comparison of causes that becomes a table of the report: that of the page Causes, or what rubble-cli compare printed into a file</source>
         <translation>成为报告中一个表的原因比较：原因页的，或命令行写入文件的</translation>
     </message>
+    <message>
+        <source>of the page Causes, which has none</source>
+        <translation>“原因”页的（该页没有）</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::RunList</name>
@@ -26521,10 +26653,6 @@ Program: %3</source>
         <translation>完美模拟在此网格上达到 %1；两侧以同样方式测绘时为 %2。</translation>
     </message>
     <message>
-        <source>Surveyed fill %1, cut %2, net %3 m³.</source>
-        <translation>测得填方 %1、挖方 %2、净值 %3 m³。</translation>
-    </message>
-    <message>
         <source>Not compared: %1 m² of surveyed and %2 m² of simulated debris.</source>
         <translation>未比较：测得堆积物 %1 m²，模拟堆积物 %2 m²。</translation>
     </message>
@@ -26583,6 +26711,10 @@ Program: %3</source>
     <message>
         <source>Take this survey out</source>
         <translation>移除该测绘</translation>
+    </message>
+    <message>
+        <source>Surveyed surface against the ground: %1 m³ above it (fill), %2 m³ below it (cut), net %3 m³.</source>
+        <translation>测绘表面相对地面：其上 %1 m³（填），其下 %2 m³（挖），净 %3 m³。</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,9 @@ std::string provenanceText(const RunOrigin& origin, const RunReader* run) {
 
 std::string withCoordinates(const std::string& provenance, const std::string& words) {
     nlohmann::json document = nlohmann::json::parse(provenance);
+    if (!document.contains("coordinates") || document["coordinates"] == words) {
+        return provenance;
+    }
     document["coordinates"] = words;
     return jsonText(document);
 }

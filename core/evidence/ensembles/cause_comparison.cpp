@@ -256,7 +256,7 @@ void findTooFew(Findings& findings, std::span<const Hypothesis> hypotheses, std:
     for (const Hypothesis& hypothesis : hypotheses) {
         least = std::min(least, hypothesis.ensemble->done().size());
     }
-    const std::size_t needed = membersToTell(hypotheses.size()) + leftOut;
+    const std::size_t needed = membersToTell(hypotheses.size(), leftOut);
     if (hypotheses.size() > 1 && least < needed) {
         findings.add({"causes.too_few_to_tell",
                       "With {0} members of a cause none of {1} causes can be named, however clear the evidence is",

@@ -104,11 +104,11 @@ bool CauseRanking::decided() const {
     return causes.size() > 1 && std::all_of(causes.begin() + 1, causes.end(), [](const RankedCause& cause) { return cause.apart; });
 }
 
-std::size_t membersToTell(std::size_t hypotheses, double confidence) {
+std::size_t membersToTell(std::size_t hypotheses, std::size_t leftOut, double confidence) {
     constexpr std::size_t most = 1000;
     const double z = quantileFor(hypotheses, confidence);
-    for (std::size_t count = 2; count < most; ++count) {
-        const std::vector<double> closer(count, 0.0);
+    for (std::size_t count = leftOut + 1; count < most; ++count) {
+        const std::vector<double> closer(count - leftOut, 0.0);
         const std::vector<double> farther(count, 1.0);
         if (superiorityOf(closer, farther, z).low > tellingShare) {
             return count;

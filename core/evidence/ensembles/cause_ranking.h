@@ -54,7 +54,8 @@ struct CauseRanking {
 inline constexpr double tellingShare = 0.7;
 
 /// Members of each of so many hypotheses below which none is told from the others, however clear the evidence is.
-std::size_t membersToTell(std::size_t hypotheses, double confidence = 0.95);
+/// @param leftOut  members of the closest one that do not count
+std::size_t membersToTell(std::size_t hypotheses, std::size_t leftOut = 0, double confidence = 0.95);
 
 /// Ranks hypotheses. A piece of evidence weighs by the inverse of its scatter within hypotheses: what birth times and friction
 /// change as much as causes do says little. A hypothesis is told from the closest one if the lower end of the interval of

@@ -161,7 +161,7 @@ TEST_F(Map, WhatMakesPlacesUncertainIsToldByRunMapAndReport) {
     }
     io::saveCase(m_folder / "feet.rubble", theCase);
     const std::string placed = m_folder / "feet.run.h5";
-    const Outcome made = cli({"run", m_folder / "feet.rubble", "--out", placed, "--set", "settle_time=1", "--json"});
+    const Outcome made = cli({"run", m_folder / "feet.rubble", "--out", placed, "--json"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
     const auto told = [](const nlohmann::json& cautions) {
         std::string words;

@@ -17912,7 +17912,7 @@
         <translation>案例未指定坐标系：坐标为模型的坐标。</translation>
     </message>
     <message>
-        <source>The model lies in %1 by %2 of %3 control points: turned by %4°, drawn out %5 times, %6 m off in plan and %7 m in height (RMS).</source>
+        <source>The model lies in %1 by %2 of %3 control points: turned by %4°, scaled %5 times, %6 m off in plan and %7 m in height (RMS).</source>
         <translation>模型由 %3 个控制点中的 %2 个置于%1：旋转 %4°，缩放 %5 倍，平面偏差 %6 m，高程偏差 %7 m（均方根）。</translation>
     </message>
     <message>

@@ -1,18 +1,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "widgets/figures/number_text.h"
 #include "widgets/figures/report/report_sections.h"
 
 namespace rubble::figures {
 
 namespace {
 
-/// To the millimetre.
+/// To the millimetre, and without groups of digits: commas part coordinates.
 QString metres(double length) {
     constexpr double thousand = 1000.0;
     constexpr int digits = 12;
-    return numberText(std::round(length * thousand) / thousand, digits).replace(u'-', QStringLiteral("−"));
+    return QString::number(std::round(length * thousand) / thousand, 'g', digits).replace(u'-', QStringLiteral("−"));
 }
 
 /// "12.5, 3, −4".
@@ -29,7 +28,7 @@ void ReportSections::addPlace() {
     if (place.named.empty() && place.fit.used < 2) {
         text(tr("The case names no coordinate system: coordinates are those of the model."));
     } else if (place.fit.used >= 2) {
-        text(tr("The model lies in %1 by %2 of %3 control points: turned by %4°, drawn out %5 times, %6 m off in plan and %7 m in "
+        text(tr("The model lies in %1 by %2 of %3 control points: turned by %4°, scaled %5 times, %6 m off in plan and %7 m in "
                 "height (RMS).")
                  .arg(place.named.empty() ? tr("the frame of its control points") : tr("the coordinate system %1").arg(named))
                  .arg(place.fit.used)

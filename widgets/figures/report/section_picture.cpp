@@ -102,7 +102,7 @@ std::size_t strideOf(const SiteSection& section, std::size_t source) {
 QString placeText(double metres) {
     constexpr double thousand = 1000.0;
     constexpr int digits = 12;
-    return numberText(std::round(metres * thousand) / thousand, digits);
+    return QString::number(std::round(metres * thousand) / thousand, 'g', digits).replace(u'-', QStringLiteral("−"));
 }
 
 /// Writes the note from the foot upwards. @returns pixels, how high it is

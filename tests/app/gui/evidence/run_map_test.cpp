@@ -151,7 +151,10 @@ void RunMapTest::leavesTheWindowAsWideAsItIs() {
     for (const auto entry : {PanelDeck::Accuracy, PanelDeck::Evidence, PanelDeck::Report, PanelDeck::Run}) {
         window->rooms().deck->choose(entry);
         QTest::qWait(50);
-        EXPECT_EQ(window->width(), width) << static_cast<int>(entry);
+        EXPECT_EQ(window->width(), width) << static_cast<int>(entry) << ", panel "
+                                          << window->rooms().deck->stack().minimumSizeHint().width() << ", page "
+                                          << window->area().parentWidget()->minimumSizeHint().width() << ", map "
+                                          << map().dock().minimumSizeHint().width();
     }
 }
 

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QStyle>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 
+#include "widgets/basics/folding_bar.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/number_field.h"
@@ -28,11 +30,17 @@ constexpr std::array contourSteps{0.0, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0};  // m
 constexpr double smallestCell = 1e-4;                                   // m
 constexpr double largestCell = 100.0;                                   // m
 
-QHBoxLayout* rowOf(QWidget& row) {
-    auto* layout = new QHBoxLayout(&row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    return layout;
+/// Groups of fields beside each other; below each other where the map has little room, so that the window need not grow.
+FoldingBar* newRow() {
+    auto* row = new FoldingBar;
+    row->layout()->setContentsMargins(0, 0, 0, 0);
+    return row;
+}
+
+QHBoxLayout* groupOf(FoldingBar& row) {
+    QHBoxLayout* group = row.add();
+    group->setSpacing(8);
+    return group;
 }
 
 void addNamed(QHBoxLayout& row, const QString& name, QWidget* field, const QString& tip) {
@@ -79,13 +87,14 @@ RunMapPanel::RunMapPanel(QWidget* parent)
 }
 
 QWidget* RunMapPanel::buildLayerRow() {
-    auto* widget = new QWidget;
-    QHBoxLayout* row = rowOf(*widget);
+    FoldingBar* widget = newRow();
+    QHBoxLayout* row = groupOf(*widget);
     m_layer->setObjectName(QStringLiteral("mapLayer"));
     m_layer->setMinimumContentsLength(12);
     m_layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     addNamed(*row, tr("Show"), m_layer, tr("What the colours of the map say"));
     row->setStretchFactor(m_layer, 1);
+    row = groupOf(*widget);
     m_onGround->setText(tr("On the ground"));
     m_onGround->setObjectName(QStringLiteral("mapOnGround"));
     m_onGround->setAccessibleName(m_onGround->text());
@@ -96,6 +105,7 @@ QWidget* RunMapPanel::buildLayerRow() {
     m_save->setObjectName(QStringLiteral("saveMap"));
     m_save->setToolTip(tr("Save the map as GeoTIFF, GeoPackage or CSV with all layers, or as the picture that stands here"));
     row->addWidget(m_save);
+    row->addStretch();
     connect(m_layer, &QComboBox::activated, this, [this] {
         m_choice.layer = static_cast<MapLayer>(m_layer->currentData().toInt());
         draw();
@@ -112,8 +122,8 @@ QWidget* RunMapPanel::buildLayerRow() {
 }
 
 QWidget* RunMapPanel::buildTimeRow() {
-    auto* widget = new QWidget;
-    QHBoxLayout* row = rowOf(*widget);
+    FoldingBar* widget = newRow();
+    QHBoxLayout* row = groupOf(*widget);
     m_when->setObjectName(QStringLiteral("mapWhen"));
     m_when->addItem(tr("at the end"));
     m_when->addItem(tr("as the views"));
@@ -124,6 +134,8 @@ QWidget* RunMapPanel::buildTimeRow() {
     m_cell->setMinimumWidth(84);
     addNamed(*row, tr("Cells [%1]").arg(figures::shownUnit("m").name), m_cell,
              tr("Side of a cell of the map. Left empty it is 0.25 m, or less where the fragments are smaller"));
+    row->addStretch();
+    row = groupOf(*widget);
     m_contours->setObjectName(QStringLiteral("mapContours"));
     for (const double step : contourSteps) {
         m_contours->addItem(step == 0.0 ? tr("none") : shownLength(step, 2), step);
@@ -166,17 +178,18 @@ QCheckBox* RunMapPanel::overlay(const QString& text, const QString& tip, const c
 }
 
 QWidget* RunMapPanel::buildOverlayRow() {
-    auto* widget = new QWidget;
-    QHBoxLayout* row = rowOf(*widget);
+    FoldingBar* widget = newRow();
+    QHBoxLayout* row = groupOf(*widget);
     m_live =
         overlay(tr("Fallen live structure"), tr("Live elements that fell, in layers of their own"), "mapLive", &RunMapChoice::live);
     m_structure =
         overlay(tr("Structure"), tr("Outline in plan of what collapsed, as it stood"), "mapStructure", &RunMapChoice::structure);
     m_evidence = overlay(tr("Evidence"), tr("Outlines that were surveyed, and the areas in which surveys are compared"),
                          "mapEvidence", &RunMapChoice::evidence);
-    for (QCheckBox* box : {m_live, m_structure, m_evidence}) {
-        row->addWidget(box);
-    }
+    row->addWidget(m_live);
+    row = groupOf(*widget);
+    row->addWidget(m_structure);
+    row->addWidget(m_evidence);
     row->addStretch(1);
     return widget;
 }

@@ -142,6 +142,9 @@ void RunMapTest::asksForAFile() {
     EXPECT_TRUE(asked.contains(QStringLiteral("chosen.svg.tif"))) << qPrintable(asked);
     EXPECT_FALSE(session->computation().busy());
     EXPECT_EQ(QFileInfo(given).lastModified(), written);
+    // A bare X server gives the keyboard back to nobody.
+    QApplication::setActiveWindow(window);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window, patience));
 }
 
 // The accuracy page beside its chart made the window wider than the screen, which nothing took back.

@@ -57,7 +57,7 @@ CameraModel cameraFor(const Mesh& mesh) {
 class Evidence : public Workbench {
 protected:
     void simulated() {
-        openArch();
+        openArch(wholeArch());
         session->document().setParameter(QStringLiteral("loose_structure"), std::string("fe"));  // quicker
         makeCheap();
         simulateToEnd();

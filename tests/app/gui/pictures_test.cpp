@@ -101,7 +101,7 @@ protected:
 TEST_F(Pictures, WholeOfTheManualShowTheWindowAsItIs) {
     window->setTheme(QStringLiteral("light"));
     hold(QStringLiteral("start"), *window);
-    openArch();
+    openArch(wholeArch());
     makeCheap();
     session->document().setParameter(QStringLiteral("loose_structure"), std::string("at_once"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
@@ -117,7 +117,7 @@ TEST_F(Pictures, WholeOfTheManualShowTheWindowAsItIs) {
     hold(QStringLiteral("run"), *window);
     window->rooms().deck->choose(PanelDeck::Case);
     hold(QStringLiteral("views"), *window);
-    window->rooms().opening->newCase(arch());
+    window->rooms().opening->newCase(wholeArch());
     NewCase& making = *window->rooms().opening->caseInTheMaking();
     making.wizard().go(widgets::NewCaseWizard::Components);
     ASSERT_TRUE(QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
@@ -131,7 +131,7 @@ TEST_F(Pictures, WholeOfTheManualShowTheWindowAsItIs) {
 // What the tolerance lets pass is less than any of these.
 TEST_F(Pictures, WholeTellAMissingViewAnotherPanelAndAnotherTheme) {
     window->setTheme(QStringLiteral("light"));
-    openArch();
+    openArch(wholeArch());
     window->rooms().playback->showInstant(window->rooms().playback->clock().last());
     const QImage whole = smallPictureOf(*window);
     EXPECT_LT(shareOfOthers(whole, smallPictureOf(*window)), shareTolerance / 4.0);

@@ -35,7 +35,7 @@ QImage pictureOf(QWidget& shown);
 class Workbench : public testing::Test {
 protected:
     /// A strip of the reinforced concrete arch: all that it does with an eighth of its elements.
-    static QString arch() { return QString::fromStdString(buildPath("tests/narrow-arch.exo")); }
+    static QString arch() { return QString::fromStdString(buildPath("tests/narrow/rc-arch.exo")); }
     /// All of it, where numbers of it are asked for, or how a large model is handled.
     static QString wholeArch() { return QString::fromStdString(sourcePath("resources/samples/rc-arch.exo")); }
     /// ms. Patience for machines that do much else at the same time; nothing is asserted about how long things take.
@@ -66,8 +66,8 @@ protected:
         renewed.reset();
         session.reset();
     }
-    void openArch() {
-        window->open(arch());
+    void openArch(const QString& path = arch()) {
+        window->open(path);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
     bool prepared() const {

@@ -48,8 +48,8 @@ class CloudWork : public FreshWorkbench {
 protected:
     static inline const Vec3 misplaced{0.12, -0.1, 0.12};
 
-    void scanned() {
-        openArch();
+    void scanned(const QString& path = arch()) {
+        openArch(path);
         makeCheap();
         simulateToEnd();
         ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
@@ -63,9 +63,9 @@ protected:
                 place += misplaced;
             }
         }
-        const std::string path = m_folder / "scan.las";
-        io::writeScan(path, scan, io::SitePlace(computation.inputs().frame, {}));
-        window->rooms().survey->add(QString::fromStdString(path));
+        const std::string file = m_folder / "scan.las";
+        io::writeScan(file, scan, io::SitePlace(computation.inputs().frame, {}));
+        window->rooms().survey->add(QString::fromStdString(file));
     }
     widgets::SurveyBox& box() { return window->rooms().deck->evidence().survey(); }
     CloudPoints& points() { return *window->rooms().cloudPoints; }
@@ -100,7 +100,8 @@ protected:
 };
 
 TEST_F(CloudWork, IsFittedToWhatDidNotMoveInADrawnArea) {
-    scanned();
+    // A strip of the bridge has no walls that hold a cloud across it.
+    scanned(wholeArch());
     bool asked = false;
     whenAsked([&](QDialog& opened) {
         asked = true;

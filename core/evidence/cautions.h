@@ -15,9 +15,9 @@ namespace rubble {
 
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
-    std::string_view
-        key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
-              ///< "no_place", "place_doubt", "single_run", "bodies", "poor_camera", "not_at_rest", "stated_camera", "ensemble"
+    std::string_view key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
+                           ///< "no_place", "place_doubt", "single_run", "bodies", "poor_camera", "not_at_rest", "stated_camera",
+                           ///< "ensemble", "members"
     HealthGrade grade{};
     Message what;
 

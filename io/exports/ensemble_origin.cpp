@@ -6,6 +6,7 @@
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
 #include "core/base/unknown.h"
+#include "core/evidence/ensembles/member_doubts.h"
 #include "core/evidence/ensembles/probability_map.h"
 #include "io/json/ensemble_json.h"
 #include "io/run/run_cautions.h"
@@ -39,6 +40,9 @@ std::string ensembleClass(const EnsembleReport& report) {
 
 std::vector<Caution> ensembleCautions(const EnsembleReport& report, const DebrisMap& map, const EnsembleBasis& basis) {
     std::vector<Caution> cautions = basis.cautions;
+    for (const MemberDoubt& doubt : memberDoubts(report)) {
+        cautions.push_back({"members", HealthGrade::Finding, doubt.what});
+    }
     if (map.has(MapLayer::Probability)) {
         const std::vector<ConvergenceRow> rows = convergenceOf(report);
         cautions.push_back(ensembleCaution(report.done().size(), rows.empty() ? unknown : rows.back().probabilityError,

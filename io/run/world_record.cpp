@@ -13,7 +13,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 constexpr std::string_view magic = "rubble-world";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
+constexpr std::uint32_t withoutMoving = 1;
 constexpr std::size_t digestSize = sizeof(Digest::bytes);
 constexpr std::size_t textMost = 4096;
 /// Bytes of a fragment: present, centre, box, mass, volume.
@@ -154,6 +155,7 @@ std::string worldBytes(const WorldOrigin& origin, const SimulatedWorld& world) {
     }
     writer.number(world.breaches);
     writer.number(world.bodiesPeak);
+    writer.number(world.moving);
     writer.debris(world.atRest);
     writer.debris(world.atFeEnd);
     return std::move(writer).finish();
@@ -172,8 +174,9 @@ std::pair<WorldOrigin, SimulatedWorld> worldFromBytes(std::string_view bytes, co
     }
     RecordReader reader(content, file);
     reader.take(magic.size());
-    if (reader.number<std::uint32_t>() != version) {
-        reader.fail("version 1");
+    const auto made = reader.number<std::uint32_t>();
+    if (made != version && made != withoutMoving) {
+        reader.fail("version 1 or 2");
     }
     WorldOrigin origin;
     origin.key = reader.digest();
@@ -190,6 +193,7 @@ std::pair<WorldOrigin, SimulatedWorld> worldFromBytes(std::string_view bytes, co
     }
     world.breaches = reader.number<std::int64_t>();
     world.bodiesPeak = reader.number<std::int64_t>();
+    world.moving = made == withoutMoving ? -1 : reader.number<std::int64_t>();
     world.atRest = reader.debris();
     world.atFeEnd = reader.debris();
     if (!reader.atEnd()) {

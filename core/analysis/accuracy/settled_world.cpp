@@ -123,6 +123,7 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     world.stepWorstMs = result.stepTimes.worstMs;
     world.breaches = static_cast<std::int64_t>(passedLimits(result.health.breaches).size());
     world.bodiesPeak = result.bodiesPeak;
+    world.moving = result.stillMoving;
     world.atRest = recorder.debris(DebrisInstant::AtRest);
     world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);
     world.checkpoints = result.checkpoints;

@@ -29,6 +29,7 @@ struct SimulatedWorld {
     double othersShare = std::numeric_limits<double>::quiet_NaN();  ///< of the processors' time, taken by other programs
     std::int64_t breaches = 0;                                      ///< of the limits of health
     std::int64_t bodiesPeak = 0;                                    ///< of clusters, at one time
+    std::int64_t moving = -1;                                       ///< of these, at the end; -1: an older build did not keep it
     Debris atRest;
     Debris atFeEnd;
     CheckpointReport checkpoints;  ///< of the process that made it; not kept

@@ -9,6 +9,7 @@
 #include "core/analysis/accuracy/world_pool.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "core/evidence/ensembles/member_doubts.h"
 
 namespace rubble {
 
@@ -233,6 +234,8 @@ private:
         member.endTime = world.endTime;
         member.wallSeconds = world.wallSeconds;
         member.breaches = world.breaches;
+        member.moving = world.moving;
+        member.bodies = world.bodiesPeak;
         if (m_options.look) {
             member.looked = m_options.look(site, own);
         }
@@ -250,12 +253,13 @@ private:
 }  // namespace
 
 const MemberMeasureRow& memberMeasureRow(MemberMeasure measure) {
-    static constexpr std::array<MemberMeasureRow, memberMeasureCount> rows{{{"footprint_m2", "m2", "Covered area", "m2", 1.0},
-                                                                            {"pile_volume_m3", "m3", "Volume of the pile", "m3", 1.0},
-                                                                            {"run_out_m", "m", "Run-out of 95 % of the mass", "m", 1.0},
-                                                                            {"mass_kg", "kg", "Mass that fell", "t", 1e-3},
-                                                                            {"mean_height_m", "m", "Mean height of fragments", "m", 1.0},
-                                                                            {"pile_height_m", "m", "Highest cell", "m", 1.0}}};
+    static constexpr std::array<MemberMeasureRow, memberMeasureCount> rows{
+        {{"footprint_m2", "m2", "Covered area", "m2", 1.0},
+         {"pile_volume_m3", "m3", "Volume of the pile", "m3", 1.0},
+         {"run_out_m", "m", "Run-out of 95 % of the mass", "m", 1.0},
+         {"mass_kg", "kg", "Mass that fell", "t", 1e-3},
+         {"mean_height_m", "m", "Mean height of fragments", "m", 1.0},
+         {"pile_height_m", "m", "Highest cell", "m", 1.0}}};
     return rows[static_cast<std::size_t>(measure)];
 }
 
@@ -327,6 +331,9 @@ EnsembleReport ensembleStudy(std::span<const EnsembleScene> scenes, const Ensemb
         cancelled = true;
     }
     making.report.complete = !cancelled && !making.failed();
+    for (const MemberDoubt& doubt : memberDoubts(making.report)) {
+        making.report.findings.add(doubt.what, doubt.remedy);
+    }
     return std::move(making.report);
 }
 

@@ -63,6 +63,8 @@ struct EnsembleMember {
     double endTime = 0.0;       ///< s
     double wallSeconds = 0.0;   ///< of its simulation
     std::int64_t breaches = 0;  ///< of the limits of health
+    std::int64_t moving = -1;   ///< bodies that still moved at its end; -1: not known
+    std::int64_t bodies = 0;    ///< of so many
     std::array<double, memberMeasureCount> figures{};
     std::shared_ptr<const MemberSurface> surface;
     DebrisArrivals arrivals;

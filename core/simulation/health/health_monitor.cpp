@@ -318,9 +318,9 @@ std::string timesText(std::int64_t count) {
 /// In the order of the checks; {0} is how many.
 constexpr std::array<FindingText, healthCheckCount> findingTexts{
     {{"simulation.energy_gain", "energy rose beyond what gravity, births, pieces and effects put in, {0}"},
-     {"simulation.penetration", "{0} lay inside others for over 0.5 s"},
-     {"simulation.too_fast", "faster than gravity and their birth allow: {0}"},
-     {"simulation.below_ground", "below the ground: {0}"},
+     {"simulation.penetration", "in the course of the run {0} lay inside others for over 0.5 s"},
+     {"simulation.too_fast", "faster than gravity and their birth allow, in the course of the run: {0}"},
+     {"simulation.below_ground", "below the ground, in the course of the run: {0}"},
      {"simulation.outside_site", "{0} went further from the structure than 10 times its height and the drop of the terrain"},
      {"simulation.not_a_number", "{0} became no number and left the simulation"},
      {"simulation.pile_woke", "a pile at rest woke again, {0}"},

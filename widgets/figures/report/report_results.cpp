@@ -115,9 +115,12 @@ void ReportSections::addComponentDebris() {
     }
     ReportTable table;
     table.caption = tr("Fragments by component");
-    table.columns = QStringList{
-        tr("component"),        tr("mass [t]"), tr("first birth [s]"), tr("last birth [s]"), tr("farthest way in plan [m]"),
-        tr("at the hardest hit [m/s]")};
+    table.columns = QStringList{tr("component"),
+                                tr("mass [t]"),
+                                tr("first birth [s]"),
+                                tr("last birth [s]"),
+                                tr("farthest way in plan [m]"),
+                                tr("at the hardest hit [m/s]")};
     table.words = {true, false, false, false, false, false};
     for (std::size_t c = 0; c < components; ++c) {
         if (mass[c] > 0.0) {
@@ -128,8 +131,9 @@ void ReportSections::addComponentDebris() {
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
-    text(tr("At the hardest hit: the speed of a fragment just before the hit that changed the motion of its body most, the fastest "
-            "of each component. A fragment at the end of a body that turns is faster than the body is as a whole."));
+    text(
+        tr("At the hardest hit: the speed of a fragment just before the hit that changed the motion of its body most, the fastest "
+           "of each component. A fragment at the end of a body that turns is faster than the body is as a whole."));
 }
 
 void ReportSections::addCourse() {
@@ -185,6 +189,10 @@ void ReportSections::addConservation() {
     energyRow(tr("work of water, air and ties; below zero they took energy"), energy.effectWork);
     energyRow(tr("work of parting what overlapped at birth"), m_facts.result->births.work);
     energyRow(tr("work of the structure that moved against bodies"), m_facts.result->births.piecePushWork);
+    // What was not lost and is not there has left: the balance is made so.
+    const double left = energy.kineticIn + energy.gravityWork + energy.effectWork + m_facts.result->births.work +
+                        m_facts.result->births.piecePushWork - energy.dissipated - energy.kineticNow;
+    energyRow(tr("kinetic energy that left with bodies: of loose structure that gave fragments, and of bodies removed"), left);
     energyRow(tr("lost in contacts"), energy.dissipated);
     energyRow(tr("kinetic energy left at the end"), energy.kineticNow);
     row(tr("gain beyond all sources, share of the work of gravity"), energy.drift, {});

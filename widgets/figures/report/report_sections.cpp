@@ -338,7 +338,7 @@ void ReportSections::addHealth() {
     ReportTable table;
     table.caption = tr("Limits of health that were passed");
     table.columns =
-        QStringList{tr("when [s]"), tr("grade"), tr("what, and why this grade"), tr("worst"), tr("limit"), tr("bodies")};
+        QStringList{tr("when [s]"), tr("grade"), tr("what, and why this grade"), tr("worst"), tr("limit"), tr("bodies at worst")};
     table.words = {true, true, true, false, false, false};
     table.shares = {0.17, 0.1, 0.41, 0.12, 0.1, 0.1};
     for (const PassedLimit& limit : passedLimits(health.breaches)) {

@@ -61,6 +61,7 @@ void writePage(const std::string& path, const std::shared_ptr<const io::RunReade
     }
     extras.terrain = scene.terrain;
     extras.around = io::shownFiles(around.shown);
+    extras.siteFindings = around.shown.findings;
     extras.surroundings = scene.surroundings;
     extras.orthophoto = scene.orthophoto;
     extras.validation = io::keptValidations();

@@ -104,10 +104,12 @@ private:
         const io::RunOrigin origin = io::originInCase(*run, m_request.casePath, m_case, m_session.execution());
         Findings site, terrain;
         const Inputs inputs = io::openRunInputs(origin, site, terrain, m_session.execution());
-        const RunSurroundings around = surroundingsOfRun(m_case, m_request.casePath, run->origin(), inputs, m_session);
+        RunSurroundings around = surroundingsOfRun(m_case, m_request.casePath, run->origin(), inputs, m_session);
         if (kind == PartKind::Page) {
             printNotes(m_session, site);
             printNotes(m_session, terrain);
+            around.shown.findings.append(site);
+            around.shown.findings.append(terrain);
             writePage(out, run, inputs, around, m_session);
             return;
         }

@@ -24,9 +24,9 @@ void PictureExport::sharePageAt(const QString& path, const render::SceneData& da
     if (record == nullptr || record->reader == nullptr || record->running) {
         return;
     }
-    const auto order = std::make_shared<const PageOrder>(PageOrder{path.toStdString(), record->reader, m_computation.inputs(),
-                                                                   m_document.theCase(), m_document.path().toStdString(),
-                                                                   m_document.base().toStdString(), data, madeNow(data).around});
+    const auto order = std::make_shared<const PageOrder>(
+        PageOrder{path.toStdString(), record->reader, m_computation.inputs(), m_document.theCase(), m_document.path().toStdString(),
+                  m_document.base().toStdString(), data, madeNow(data).around, io::openingFindings(m_computation.content())});
     m_computation.write([order](const Execution& execution) { order->write(execution); },
                         [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }

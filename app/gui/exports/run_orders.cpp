@@ -34,6 +34,7 @@ void PageOrder::write(const Execution& execution) const {
     extras.casePath = casePath;
     extras.terrain = scene.terrain;
     extras.around = around;
+    extras.siteFindings = site;
     extras.validation = io::keptValidations();
     extras.map = std::make_shared<const DebrisMap>(mapOfRun(mapped, std::nullopt, {}, true, execution).map);
     extras.chinese = figures::chineseWords(true);

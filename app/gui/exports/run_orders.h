@@ -25,6 +25,7 @@ struct PageOrder {
     std::string basePath;  ///< that the inputs of the case are relative to
     render::SceneData scene;
     std::vector<io::ShownFile> around;
+    Findings site{};  ///< of terrain and what stands around
 
     /// Writes it, on the worker. Throws what io::exportPage() throws, and what drawing throws.
     void write(const Execution& execution) const;

@@ -71,8 +71,8 @@ std::vector<io::SealedExtra> SealMaking::make(const std::vector<std::string>& ru
             const io::SealedExtra& extra = extras.emplace_back(io::placeOfMade(part.kind, runs[i], i + 1, folder));
             const std::vector<io::ShownFile> around = io::shownFiles(made->around);
             if (part.kind == io::OfferedPart::Kind::Page) {
-                PageOrder{extra.path, made->run, made->inputs, theCase, casePath, casePath, std::move(scene), around}.write(
-                    execution);
+                PageOrder{extra.path, made->run, made->inputs, theCase, casePath, casePath, std::move(scene), around, made->site}
+                    .write(execution);
             } else {
                 ReportOrder order = report;
                 order.request.run = made->run;

@@ -31,6 +31,7 @@ struct PageExtras {
     std::shared_ptr<const std::vector<SiteMesh>> surroundings{};  ///< of these files; null: none
     std::shared_ptr<const Orthophoto> orthophoto{};               ///< where the picture of the ground lies; null: nowhere
     std::vector<ValidationRecord> validation{};                   ///< that the build of now was held against
+    Findings siteFindings{};                                      ///< openingFindings() of terrain and what stands around
     std::function<std::string(const Message&)> chinese;           ///< in Chinese, settings by names; unset: English
 };
 

@@ -278,8 +278,9 @@ json groundFacts(const RunReader& run, const PageExtras& extras) {
     return facts;
 }
 
-json findingFacts(const RunReader& run, const FeResult& fe, const PageTexts& text) {
+json findingFacts(const RunReader& run, const FeResult& fe, const Findings& site, const PageTexts& text) {
     Findings findings = fe.contents().findings;
+    findings.append(site);
     findings.append(run.findings());
     json facts = json::array();
     for (const Finding& finding : findings.list()) {
@@ -361,7 +362,7 @@ json pageFacts(const RunReader& run, const FeResult& fe, const PageExtras& extra
     facts["health"] = healthFacts(run, text);
     facts["cautions"] = cautionFacts(run, text);
     facts["validation"] = validationFacts(run, extras, text);
-    facts["findings"] = findingFacts(run, fe, text);
+    facts["findings"] = findingFacts(run, fe, extras.siteFindings, text);
     facts["chapters"] = chapterFacts(run, fe, extras);
     facts["provenance"] = provenanceFacts(run, extras, text);
     facts["ground"] = groundFacts(run, extras);

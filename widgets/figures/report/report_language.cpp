@@ -17,12 +17,12 @@ const char* const catalogueFile = ":/translations/rubble_zh_CN.qm";
 
 /// Where words of tables have their translations, beside messages. Values of messages are not looked up here: a component may be
 /// called as a material is.
-constexpr std::array tables{"parameters", "choices", "validation", "rubble::figures::ValidationRows", "rubble"};
+constexpr std::array tables{"parameters", "choices", "validation", "rubble::figures::ValidationRows", "rubble", "HealthGrade"};
 
 /// Names of components and files have no translation and stay as they are.
-std::string inChinese(const QTranslator& catalogue, const std::string& english) {
-    const QString said = catalogue.translate("messages", english.c_str());
-    return said.isEmpty() ? english : said.toStdString();
+QString inChinese(const QTranslator& catalogue, const char* context, const QByteArray& english, const char* comment) {
+    const QString said = catalogue.translate(context, english.constData(), comment);
+    return said.isEmpty() ? QString::fromUtf8(english) : said;
 }
 
 std::string patternInChinese(const QTranslator& catalogue, const std::string& english) {
@@ -48,7 +48,10 @@ std::function<std::string(const Message&)> chineseWords(bool settingsNamed) {
     };
     return [catalogue, words, settingsNamed](const Message& message) {
         Message said = message;
-        sayArguments(said, [&](const std::string& text) { return inChinese(*catalogue, text); });
+        const SaidIn say = [&](const char* context, const QByteArray& english, const char* comment) {
+            return inChinese(*catalogue, context, english, comment);
+        };
+        sayArguments(said, [&](const std::string& text) { return spokenTextIn(text, say).toStdString(); });
         said.pattern = patternInChinese(*catalogue, message.pattern);
         if (settingsNamed) {
             said.pattern = withSettingNames(said.pattern, words);

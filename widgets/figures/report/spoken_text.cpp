@@ -15,8 +15,8 @@ namespace rubble::figures {
 
 namespace {
 
-QString spokenMessage(const QByteArray& english) {
-    return QCoreApplication::translate("messages", english.constData());
+QString inSpokenLanguage(const char* context, const QByteArray& english, const char* comment) {
+    return QCoreApplication::translate(context, english.constData(), comment);
 }
 
 /// Places and reasons that core makes into texts before they become part of a message.
@@ -112,18 +112,18 @@ bool namesComponent(std::string_view text) {
 }
 
 /// What a made text says, if it is one: its values go from the English pattern into the one of the window.
-QString filledText(const QString& english) {
+QString filledText(const QString& english, const SaidIn& say) {
     for (const MadeForm& made : madeForms()) {
         const QRegularExpressionMatch match = made.form.match(english);
         if (!match.hasMatch()) {
             continue;
         }
-        QString text = raisedUnits(spokenMessage(made.text));
+        QString text = raisedUnits(say("messages", made.text, nullptr));
         for (int i = 0; i < 5; ++i) {
             const QString value = match.captured(QStringLiteral("v%1").arg(i));
             const bool asItIs =
                 value.isEmpty() || isVerbatim(made.text, static_cast<std::size_t>(i)) || (i == 1 && namesComponent(made.text));
-            text.replace(QStringLiteral("{%1}").arg(i), asItIs ? value : spokenText(value.toStdString()));
+            text.replace(QStringLiteral("{%1}").arg(i), asItIs ? value : spokenTextIn(value.toStdString(), say));
         }
         return text;
     }
@@ -169,18 +169,22 @@ QString spokenValue(const std::string& key, const std::string& value) {
 }
 
 QString spokenText(const std::string& english) {
+    return spokenTextIn(english, inSpokenLanguage);
+}
+
+QString spokenTextIn(const std::string& english, const SaidIn& say) {
     const QString text = QString::fromStdString(english);
-    if (const QString whole = spokenMessage(text.toUtf8()); whole != text || text.isEmpty()) {
+    if (const QString whole = say("messages", text.toUtf8(), nullptr); whole != text || text.isEmpty()) {
         return whole;
     }
-    if (const QString filled = filledText(text); filled != text) {
+    if (const QString filled = filledText(text, say); filled != text) {
         return filled;
     }
     QString line;
     for (const QString& part : text.split(QStringLiteral("; "))) {
-        const QString exact = spokenMessage(part.toUtf8());
-        const QString words = exact != part ? exact : filledText(part);
-        line = line.isNull() ? words : QCoreApplication::translate("rubble", "%1; %2", "two parts of a line").arg(line, words);
+        const QString exact = say("messages", part.toUtf8(), nullptr);
+        const QString words = exact != part ? exact : filledText(part, say);
+        line = line.isNull() ? words : say("rubble", "%1; %2", "two parts of a line").arg(line, words);
     }
     return line;
 }

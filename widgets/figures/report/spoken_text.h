@@ -10,6 +10,10 @@ namespace rubble::figures {
 
 /// A text that core made in English (a place, a reason, a word), in the language that is spoken; what is not known stays as it is.
 QString spokenText(const std::string& english);
+/// Says an English text of a context in another language; as it is where it is not known.
+using SaidIn = std::function<QString(const char* context, const QByteArray& english, const char* comment)>;
+/// The same in the language that a catalogue has.
+QString spokenTextIn(const std::string& english, const SaidIn& say);
 /// Whether an argument of a message is a name or a key: it stands in quotation marks or brackets in the English pattern, and is
 /// said as it is in every language. A component may be called "beam", which is a word of the catalogue as well.
 bool isVerbatim(const std::string& pattern, std::size_t argument);

@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-ReportCauses reportCauses(const CauseComparison& comparison, const TellingEvidence* further) {
+ReportCauses reportCauses(const CauseComparison& comparison, const Findings& findings, const TellingEvidence* further) {
     ReportCauses causes;
     for (const RankedCause& ranked : comparison.ranking.causes) {
         ReportCause& cause = causes.ranked.emplace_back();
@@ -18,6 +18,9 @@ ReportCauses reportCauses(const CauseComparison& comparison, const TellingEviden
     causes.evidence = comparison.evidence;
     causes.toldApart = comparison.ranking.decided();
     causes.unexplained = comparison.unexplained;
+    for (const Finding& finding : findings.list()) {
+        causes.findings.push_back(finding.what);
+    }
     if (further != nullptr) {
         causes.atHand = further->atHand;
         causes.further = further->ranked;

@@ -103,10 +103,12 @@ struct ReportCauses {
     bool unexplained = false;  ///< perhaps none of them is the cause
     BlindShare atHand;         ///< no trial: it was not asked which evidence would tell
     std::vector<FurtherEvidence> further;
+    std::vector<Message> findings;  ///< of causes, members and evidence
 };
 
-/// What a report says of a comparison. @param further  which evidence would tell; null: that was not asked
-ReportCauses reportCauses(const CauseComparison& comparison, const TellingEvidence* further);
+/// What a report says of a comparison. @param findings  all that was found; @param further  which evidence would tell; null: that
+/// was not asked
+ReportCauses reportCauses(const CauseComparison& comparison, const Findings& findings, const TellingEvidence* further);
 
 /// Everything that a report of one run says, as values that trace to the run: text and pictures are made from this.
 struct ReportFacts {

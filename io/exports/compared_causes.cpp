@@ -60,6 +60,12 @@ ReportCauses causesFrom(const json& from) {
             causes.further.push_back(furtherFrom(row));
         }
     }
+    // As they were printed: in words, without a pattern.
+    if (const auto warnings = from.find("warnings"); warnings != from.end()) {
+        for (const json& warning : *warnings) {
+            causes.findings.push_back({warning.at("id").get<std::string>(), "{0}", {warning.at("what").get<std::string>()}});
+        }
+    }
     if (causes.ranked.empty()) {
         throw json::other_error::create(599, "no cause is ranked", nullptr);
     }

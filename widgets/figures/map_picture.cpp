@@ -34,6 +34,7 @@ constexpr double mapTextPoints = 9.0;
 constexpr double smallPoints = 6.0;
 constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
 constexpr double aboveTitle = 4.2;  // lines that north takes above the legend
+constexpr double causeLines = 2.9;  // lines of two causes that are told apart
 
 /// Light is little, dark is much; early is dark as in the views.
 QColor colourAt(MapLayer layer, double place) {
@@ -131,7 +132,10 @@ private:
     }
 
     /// Title and bar, what is marked on the map, the scale.
-    double linesOfLegend() const { return 7.2 + (showsLive() ? entryPitch : 0.0) + entryPitch * lineEntries(); }
+    double linesOfLegend() const {
+        return 7.2 + (showsLive() ? entryPitch : 0.0) + entryPitch * lineEntries() + (namesCauses() ? causeLines : 0.0);
+    }
+    bool namesCauses() const { return m_layer == MapLayer::Separation && m_map.hypotheses.size() == 2; }
 
     /// Takes away the room beside or below a map of another shape than the picture, as far as legend and caption can spare it.
     void fit() {
@@ -365,10 +369,11 @@ private:
     void drawLegend(QPainter& painter) {
         double y = m_legend.top() + (m_low ? 0.0 : aboveTitle * m_line);
         const double room = m_legend.width() - (m_low ? 2.0 * m_line : 0.0);
-        write(painter, QRectF(m_legend.left(), y, room, m_line), legendTitle(), static_cast<int>(Qt::AlignLeft),
-              m_text * std::min(1.0, room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(legendTitle())));
+        const QString title = legendTitle(m_map, m_layer);
+        write(painter, QRectF(m_legend.left(), y, room, m_line), title, static_cast<int>(Qt::AlignLeft),
+              m_text * std::min(1.0, room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(title)));
         y += 1.5 * m_line;
-        if (m_layer == MapLayer::Separation && m_map.hypotheses.size() == 2) {
+        if (namesCauses()) {
             drawEntry(painter, y, colourAt(m_layer, 1.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[0])));
             drawEntry(painter, y, colourAt(m_layer, 0.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[1])));
             y += 0.5 * m_line;
@@ -383,20 +388,6 @@ private:
     }
     /// Fallen live structure is marked in what layers of debris leave free.
     bool showsLive() const { return m_map.live && m_map.ledger.liveElements > 0 && !mapLayerRow(m_layer).live; }
-
-    /// Short, since little room is beside the map; the caption says it in full.
-    QString legendTitle() const {
-        if (m_layer >= MapLayer::AboveFirst && m_layer <= MapLayer::AboveThird) {
-            const auto which = static_cast<std::size_t>(m_layer) - static_cast<std::size_t>(MapLayer::AboveFirst);
-            return tr("P(height > %1 m)").arg(m_map.thresholds[which]);
-        }
-        if (m_layer == MapLayer::Separation) {
-            return tr("log ratio");
-        }
-        const QString unit = unitText(m_layer);
-        const QString name = layerName(m_map, m_layer);
-        return unit.isEmpty() ? name : name + QStringLiteral(" [") + unit + QStringLiteral("]");
-    }
 
     void drawEntry(QPainter& painter, double& y, const QColor& colour, const QString& text) {
         painter.setPen(Qt::NoPen);

@@ -182,7 +182,7 @@ ReportOrder ReportWork::wished() const {
     if (wishes.causes == widgets::ReportedCauses::File) {
         request.causesPath = wishes.causesFile.toStdString();
     } else if (const MadeComparison* made = comparison(); made != nullptr && wishes.causes == widgets::ReportedCauses::Page) {
-        request.causes = reportCauses(*made->comparison, made->further.get());
+        request.causes = reportCauses(*made->comparison, made->findings, made->further.get());
         for (const io::EnsembleInput& input : made->basis.inputs) {
             request.causesFiles.push_back({"cause", input.path, input.sha256});
         }

@@ -91,6 +91,14 @@ void ReportSections::addComparedCauses(const ReportCauses& causes) {
                   "cause.</b>")
                    .arg(escaped(closest.name)));
     }
+    QStringList doubts;
+    for (const Message& finding : causes.findings) {
+        const QString words = said(finding);
+        doubts << words.left(1).toUpper() + words.mid(1) + (words.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral("."));
+    }
+    if (!doubts.isEmpty()) {
+        notice(doubts.join(QStringLiteral("<br/>")));
+    }
     text(alike.isEmpty() ? tr("%1 comes closest, and the evidence tells it from all others.").arg(escaped(closest.name))
                          : tr("%1 comes closest, but the evidence cannot tell it from %2.")
                                .arg(escaped(closest.name), alike.join(QStringLiteral(", "))));

@@ -63,4 +63,17 @@ QString debrisSums(const DebrisMap& map) {
     return text;
 }
 
+QString legendTitle(const DebrisMap& map, MapLayer layer) {
+    if (layer >= MapLayer::AboveFirst && layer <= MapLayer::AboveThird) {
+        const auto which = static_cast<std::size_t>(layer) - static_cast<std::size_t>(MapLayer::AboveFirst);
+        return MapWords::tr("P(height > %1 m)").arg(map.thresholds[which]);
+    }
+    if (layer == MapLayer::Separation) {
+        return MapWords::tr("log ratio");
+    }
+    const QString unit = unitText(layer);
+    const QString name = layerName(map, layer);
+    return unit.isEmpty() ? name : name + QStringLiteral(" [") + unit + QStringLiteral("]");
+}
+
 }  // namespace rubble::figures

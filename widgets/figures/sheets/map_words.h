@@ -9,6 +9,9 @@ namespace rubble::figures {
 /// Name of a layer of a map as people read it.
 QString layerName(const DebrisMap& map, MapLayer layer);
 
+/// What stands above the colours of a layer: short, since little room is beside a map, whose caption says it in full.
+QString legendTitle(const DebrisMap& map, MapLayer layer);
+
 /// What a unit of a layer is divided by where its numbers grow too long to be read.
 double unitScale(MapLayer layer);
 /// That unit; empty for a number of things.

@@ -238,7 +238,7 @@ TEST_F(ReportFields, WhatThePageCausesComparedBecomesATable) {
     for (const std::string& name : made.hypotheses) {
         EXPECT_NE(html.find(">" + name + "</"), std::string::npos) << name;
     }
-    const ReportCauses told = reportCauses(made, study.made()->further.get());
+    const ReportCauses told = reportCauses(made, study.made()->findings, study.made()->further.get());
     ASSERT_EQ(told.ranked.size(), 2u);
     EXPECT_EQ(told.ranked[0].members, 2);
     EXPECT_EQ(told.ranked[1].apart, made.ranking.causes[1].apart);

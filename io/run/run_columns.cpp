@@ -54,6 +54,19 @@ RunColumns::RunColumns(const std::string& path) : m_path(path) {
     openDatasets();
 }
 
+void RunColumns::reopen() {
+    const Hdf5Session session;
+    // A file is closed once nothing of it is open.
+    for (auto* handles : {&m_datasets, &m_types}) {
+        for (Hdf5Handle& handle : *handles) {
+            handle = Hdf5Handle();
+        }
+    }
+    m_file = Hdf5Handle();
+    openFile();
+    openDatasets();
+}
+
 void RunColumns::openFile() {
     std::error_code ignored;
     if (::access(m_path.c_str(), R_OK) != 0 || !std::filesystem::is_regular_file(m_path, ignored)) {

@@ -19,6 +19,8 @@ public:
     const std::string& path() const { return m_path; }
     /// False for what may be missing in files of older versions, and is; such a dataset reads as empty.
     bool has(RunDataset dataset) const { return m_datasets[static_cast<std::size_t>(dataset)].valid(); }
+    /// Closes the file and opens it anew.
+    void reopen();
     /// Looks for rows that were written since, by whatever process.
     void refresh(RunDataset dataset);
     std::uint64_t rows(RunDataset dataset) const;

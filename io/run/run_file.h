@@ -59,6 +59,9 @@ public:
     virtual const RunOrigin& origin() const = 0;
     /// Looks for frames that were committed since.
     virtual void refresh() = 0;
+    /// Lets go of the file and opens it anew. As long as a reader of the same process holds a file, HDF5 does not write what closes
+    /// it: its bytes, and so its digest, change once more when the reader goes. Throws as openRun().
+    virtual void reopen() = 0;
     virtual std::vector<LedgerRow> ledger() const = 0;
     /// A row each time that islands of live structure came, as TrajectorySink::addIslands() had it; none in runs of before them.
     virtual std::vector<LedgerRow> islandLedger() const = 0;

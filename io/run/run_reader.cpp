@@ -34,6 +34,7 @@ public:
     const std::string& path() const override { return m_columns.path(); }
     const RunOrigin& origin() const override { return m_origin; }
     void refresh() override;
+    void reopen() override;
     std::vector<LedgerRow> ledger() const override;
     std::vector<LedgerRow> islandLedger() const override;
     std::vector<IslandLoss> islandLosses() const override;
@@ -104,6 +105,11 @@ void RunFileReader::refresh() {
     }
     m_columns.refresh(RunDataset::Index);
     takeNewFrames();
+}
+
+void RunFileReader::reopen() {
+    const std::scoped_lock lock(m_mutex);
+    m_columns.reopen();
 }
 
 void RunFileReader::takeNewFrames() {

@@ -411,6 +411,8 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
     }
     if (record->reader != nullptr) {
         try {
+            // Its writer has gone: from here on the file keeps its digest.
+            record->reader->reopen();
             record->reader->refresh();
             record->soFar.breaches = record->reader->breaches();
             if (const std::size_t frames = record->reader->frameCount(); frames > 0) {

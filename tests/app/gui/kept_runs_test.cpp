@@ -17,6 +17,7 @@
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/project_display.h"
 #include "app/gui/case/run_history.h"
+#include "io/base/files.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/case/run_verdict.h"
@@ -124,6 +125,8 @@ TEST_F(KeptRun, LiesBesideItsCaseAndIsShownAgainLater) {
     saveCase();
     simulateToEnd();
     const Digest hash = session->computation().currentRun()->outcome->trajectoryHash;
+    const std::string first = session->computation().currentRun()->path.toStdString();
+    const std::string digest = io::sha256OfFile(first);
     cancelRun();
     ASSERT_EQ(runs().size(), 2U);
     EXPECT_FALSE(runs()[1].complete);
@@ -150,6 +153,7 @@ TEST_F(KeptRun, LiesBesideItsCaseAndIsShownAgainLater) {
         EXPECT_GT(session->computation().currentRun()->reader->frameCount(), 5U);
     }
     EXPECT_EQ(session->computation().currentRun()->outcome->trajectoryHash, hash);
+    EXPECT_EQ(io::sha256OfFile(first), digest) << "a report names it by its digest";
 }
 
 TEST_F(KeptRun, OfACaseThatWasNeverSavedComesBackWithItsResult) {

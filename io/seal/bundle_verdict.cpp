@@ -65,7 +65,7 @@ CheckedPart part(Area area, const SealCheck& check) {
             return {{"io.seal.part.journal", "Journal of the case", {}},
                     some(static_cast<std::size_t>(statement.journalEntries)),
                     {"io.seal.part.journal_means",
-                     "{0} entries tell who changed what; the signature holds the last digest",
+                     "entries that tell who changed what: {0}; the signature holds the last digest",
                      {statement.journalEntries}}};
         case Area::Runs:
             return {{"io.seal.part.runs", "Runs as sealed", {}},

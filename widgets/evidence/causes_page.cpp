@@ -52,9 +52,9 @@ void fitHeight(QTableWidget& table) {
 }
 
 QString withSpread(const FigureSpread& spread) {
-    return std::isfinite(spread.deviation) ? QStringLiteral("%1 ± %2").arg(QLocale().toString(spread.mean, 'f', 2),
-                                                                           QLocale().toString(spread.deviation, 'f', 2))
-                                           : shownNumber(spread.mean, 2);
+    return std::isfinite(spread.deviation)
+               ? QStringLiteral("%1 ± %2").arg(shownNumber(spread.mean, 3), shownNumber(spread.deviation, 2))
+               : shownNumber(spread.mean, 3);
 }
 
 QString fileOf(const std::string& evidence) {

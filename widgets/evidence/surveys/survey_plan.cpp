@@ -3,6 +3,7 @@
 #include <QColor>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,17 @@ std::optional<Eigen::Vector2d> SurveyPlan::planAt(const QPointF& pixel) const {
 
 std::optional<Vec3> SurveyPlan::placeAt(const QPointF& pixel) const {
     const std::optional<Eigen::Vector2d> place = planAt(pixel);
-    const double height = place ? m_heights.at(place->x(), place->y()) : unknown;
+    double height = place ? m_heights.at(place->x(), place->y()) : unknown;
+    if (place && !std::isfinite(height)) {
+        // Beside a gap, as on a wall that is one cell wide: that of the cell which is clicked.
+        const auto column = static_cast<std::int64_t>(std::floor(pixel.x()));
+        const auto row = static_cast<std::int64_t>(std::floor(pixel.y()));
+        const auto columns = static_cast<std::int64_t>(m_heights.nx);
+        const auto rows = static_cast<std::int64_t>(m_heights.ny);
+        if (column >= 0 && column < columns && row >= 0 && row < rows) {
+            height = heightAt(static_cast<std::size_t>(column), static_cast<std::size_t>(m_upwards ? rows - 1 - row : row));
+        }
+    }
     return std::isfinite(height) ? std::optional(Vec3(place->x(), place->y(), height)) : std::nullopt;
 }
 

@@ -167,6 +167,19 @@ TEST_F(GlLight, SnowAndWaterDoNotGlare) {
     }
 }
 
+/// Ground steps back so that what lies on it wins: from far above water below it came out on top of all land.
+TEST_F(GlLight, WaterBelowTheGroundIsNotSeenFromFarAbove) {
+    m_view.style = render::Style::Presentation;
+    m_view.theme = render::Theme::Light;
+    m_view.shadows = false;
+    m_view.cameras[0] = render::fitCamera(Aabb(Vec3(-60, -40, 0), Vec3(60, 40, 3)), aspect, render::Preset::Top);
+    const QImage dry = Studio(m_data).picture(m_view, m_window);
+    m_data.waterLevel = -0.1;
+    EXPECT_LE(farthest(Studio(m_data).picture(m_view, m_window), dry), 2);
+    m_data.waterLevel = 0.5;
+    EXPECT_GT(farthest(Studio(m_data).picture(m_view, m_window), dry), 10) << "above it is";
+}
+
 /// In print the analysis style leaves the paper white; the presentation style has ground.
 TEST_F(GlLight, GroundReadsAsGroundInThePresentationStyle) {
     Studio studio(m_data);

@@ -14,6 +14,10 @@ namespace rubble::render {
 /// Corners of every circle that ground, sky and water are made of.
 inline constexpr int sectors = 64;
 
+/// By how much ground and water step back alike, so that what lies on them wins. From far off that is a metre: a surface that steps
+/// back by another measure would come before or behind the others.
+inline constexpr double stepBack = 2.0;
+
 /// Makes a level disc of coloured rings around a centre.
 /// @param unit    m, the radius of ring 1
 /// @param rings   radii in that unit, ascending

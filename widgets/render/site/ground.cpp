@@ -79,7 +79,7 @@ Ground::Ground()
     auto* mapper = m_planeActor->GetMapper();
     // The plane steps back so that the grid and what lies on the ground win.
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 2.0);
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(stepBack, stepBack);
 }
 
 Ground::~Ground() = default;

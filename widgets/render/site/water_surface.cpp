@@ -23,6 +23,8 @@ WaterSurface::WaterSurface() : m_surface(vtkSmartPointer<vtkPolyData>::New()), m
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(m_surface);
     mapper->SetColorModeToDirectScalars();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(stepBack, stepBack);
     m_actor->SetMapper(mapper);
     m_actor->GetProperty()->LightingOff();
     m_actor->PickableOff();

@@ -10107,10 +10107,6 @@
         <translation>至少 {0} 保持静止：结束较晚，堆积体不变</translation>
     </message>
     <message>
-        <source>below the ground: {0}</source>
-        <translation>位于地面以下：{0}</translation>
-    </message>
-    <message>
         <source>beyond {0} debris is thrown farther than it can fall</source>
         <translation>超过 {0} 时堆积物被抛得比能落到的更远</translation>
     </message>
@@ -10137,10 +10133,6 @@
     <message>
         <source>energy rose beyond what gravity, births, pieces and effects put in, {0}</source>
         <translation>能量超出重力、产生、块体和效应带入的量，{0}</translation>
-    </message>
-    <message>
-        <source>faster than gravity and their birth allow: {0}</source>
-        <translation>比重力和产生所允许的更快：{0}</translation>
     </message>
     <message>
         <source>it is single bodies, no deeper than they are thick: the pile keeps its shape</source>
@@ -10217,10 +10209,6 @@
     <message>
         <source>{0} became no number and left the simulation</source>
         <translation>{0} 不再是数值，已移出模拟</translation>
-    </message>
-    <message>
-        <source>{0} lay inside others for over 0.5 s</source>
-        <translation>{0} 嵌入其他刚体超过 0.5 s</translation>
     </message>
     <message>
         <source>{0} passed</source>
@@ -12423,10 +12411,6 @@
         <translation>没有时间戳：封存时间只是签名者自己所述</translation>
     </message>
     <message>
-        <source>{0} entries tell who changed what; the signature holds the last digest</source>
-        <translation>{0} 个条目说明谁改了什么；签名含最后一个摘要</translation>
-    </message>
-    <message>
         <source>{0} files were sealed: none may be altered, left out or put in</source>
         <translation>封存了 {0} 个文件：不得改动、去掉或放入任何一个</translation>
     </message>
@@ -12773,6 +12757,38 @@
     <message>
         <source>{0} is a drawing, no point cloud</source>
         <translation>{0} 是图，不是点云</translation>
+    </message>
+    <message>
+        <source>below the ground, in the course of the run: {0}</source>
+        <translation>整个计算中曾位于地面以下：{0}</translation>
+    </message>
+    <message>
+        <source>entries that tell who changed what: {0}; the signature holds the last digest</source>
+        <translation>记载谁更改了什么的条目：{0}；签名含有最后的摘要</translation>
+    </message>
+    <message>
+        <source>faster than gravity and their birth allow, in the course of the run: {0}</source>
+        <translation>整个计算中曾快于重力和产生时所允许：{0}</translation>
+    </message>
+    <message>
+        <source>in the course of the run {0} lay inside others for over 0.5 s</source>
+        <translation>整个计算中 {0} 曾嵌入其他刚体超过 0.5 s</translation>
+    </message>
+    <message>
+        <source>not all at rest: bodies still moved at the end of {0} of {1} members, up to {2} % of them</source>
+        <translation>并非全部静止：{1} 个成员中有 {0} 个在结束时仍有刚体运动，最多占 {2} %</translation>
+    </message>
+    <message>
+        <source>raise settle_time until all members lie</source>
+        <translation>增大 settle_time，直到所有成员静止</translation>
+    </message>
+    <message>
+        <source>simulate one of them by itself and look at its health</source>
+        <translation>单独模拟其中一个并查看其健康</translation>
+    </message>
+    <message>
+        <source>{0} of {1} members passed limits of health</source>
+        <translation>{1} 个成员中有 {0} 个超过健康限值</translation>
     </message>
 </context>
 <context>
@@ -17982,6 +17998,14 @@
     <message>
         <source>Cases of this kind that were left out, since they take minutes: %1. &lt;code&gt;rubble-cli self-test&lt;/code&gt; runs them.</source>
         <translation>因耗时数分钟而略去的此类算例：%1 个。&lt;code&gt;rubble-cli self-test&lt;/code&gt; 运行它们。</translation>
+    </message>
+    <message>
+        <source>kinetic energy that left with bodies: of loose structure that gave fragments, and of bodies removed</source>
+        <translation>随刚体离开的动能：产生碎块的松脱结构和被移除的刚体</translation>
+    </message>
+    <message>
+        <source>bodies at worst</source>
+        <translation>最严重时的刚体数</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/json/findings_json.h"
 
 namespace rubble::io {
 
@@ -36,7 +37,7 @@ FurtherEvidence furtherFrom(const json& from) {
     return further;
 }
 
-ReportCauses causesFrom(const json& from) {
+ReportCauses causesFrom(const json& from, const std::string& path) {
     ReportCauses causes;
     causes.toldApart = from.at("told_apart").get<bool>();
     causes.unexplained = from.at("unexplained").get<bool>();
@@ -60,10 +61,10 @@ ReportCauses causesFrom(const json& from) {
             causes.further.push_back(furtherFrom(row));
         }
     }
-    // As they were printed: in words, without a pattern.
-    if (const auto warnings = from.find("warnings"); warnings != from.end()) {
-        for (const json& warning : *warnings) {
-            causes.findings.push_back({warning.at("id").get<std::string>(), "{0}", {warning.at("what").get<std::string>()}});
+    // Comparisons of earlier versions have none in a form that is said in other languages.
+    if (const auto findings = from.find("findings"); findings != from.end()) {
+        for (const Finding& finding : findingsFromJson(JsonCursor(*findings, path, "findings")).list()) {
+            causes.findings.push_back(finding.what);
         }
     }
     if (causes.ranked.empty()) {
@@ -80,7 +81,7 @@ ReportCauses readComparedCauses(const std::string& path) {
         failToRead(path);
     }
     try {
-        return causesFrom(json::parse(*content));
+        return causesFrom(json::parse(*content), path);
     } catch (const json::exception& error) {
         throw ParseError(
             {"report.causes", "{0} is not what rubble-cli compare --json prints of causes and evidence: {1}", {path, error.what()}},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/run/run_file.h"
 #include "io/run/run_layout.h"
 #include "tests/io/sample_run.h"
@@ -115,6 +116,28 @@ TEST(DamagedRun, FlippedBytesAreFoundOrLieInUnusedSpace) {
     }
     // Random numbers hardly compress, so that most of the file is content.
     EXPECT_GT(found, 75);
+}
+
+// A report printed the digest of a file that changed once more when its case was left.
+TEST(RunDigest, KeepsItsDigestOnceAReaderHasOpenedItAnewBehindItsWriter) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "shown.run.h5";
+    const SampleRun run = makeSampleRun(3, 300, 40);
+    auto sink = createRun(path, run.origin);
+    auto reader = openRun(path);
+    sink->begin(run.description);
+    sink->addBodies(run.bodies, run.carriers);
+    for (const TrajectoryFrame& frame : run.frames) {
+        sink->commit(frame);
+    }
+    sink->finish(run.result);
+    sink.reset();
+    reader->reopen();
+    reader->refresh();
+    const std::string digest = sha256OfFile(path);
+    EXPECT_EQ(reader->frameCount(), run.frames.size());
+    reader.reset();
+    EXPECT_EQ(sha256OfFile(path), digest);
 }
 
 }  // namespace

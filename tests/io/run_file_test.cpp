@@ -199,28 +199,6 @@ TEST(RunFile, IsReadInTheSameProcessWhileItGrows) {
     checkRunDigest(path, Execution());
 }
 
-// A report printed the digest of a file that changed once more when its case was left.
-TEST(RunFile, KeepsItsDigestOnceAReaderHasOpenedItAnewBehindItsWriter) {
-    const TemporaryFolder folder;
-    const std::string path = folder / "shown.run.h5";
-    const SampleRun run = makeSampleRun(3, 300, 40);
-    auto sink = createRun(path, run.origin);
-    auto reader = openRun(path);
-    sink->begin(run.description);
-    sink->addBodies(run.bodies, run.carriers);
-    for (const TrajectoryFrame& frame : run.frames) {
-        sink->commit(frame);
-    }
-    sink->finish(run.result);
-    sink.reset();
-    reader->reopen();
-    reader->refresh();
-    const std::string digest = sha256OfFile(path);
-    expectSameTrajectory(run, *reader, run.frames.size());
-    reader.reset();
-    EXPECT_EQ(sha256OfFile(path), digest);
-}
-
 TEST(RunFile, IsReadBySeveralThreadsWhileItGrows) {
     const TemporaryFolder folder;
     const std::string path = folder / "threads.run.h5";

@@ -16,6 +16,7 @@
 #include "core/evidence/ensembles/telling_evidence.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
+#include "io/json/findings_json.h"
 #include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/height_source.h"
@@ -462,6 +463,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
         object["causes"] = causes.names;
         object["exports"] = written;
         object["warnings"] = findingsJson(findings);
+        object["findings"] = io::findingsJson(findings);
         printJson(session, object);
     } else {
         if (made) {

@@ -63,7 +63,8 @@ ReportCauses causesFrom(const json& from, const std::string& path) {
     }
     // Comparisons of earlier versions have none in a form that is said in other languages.
     if (const auto findings = from.find("findings"); findings != from.end()) {
-        for (const Finding& finding : findingsFromJson(JsonCursor(*findings, path, "findings")).list()) {
+        const Findings said = findingsFromJson(JsonCursor(*findings, path, "findings"));
+        for (const Finding& finding : said.list()) {
             causes.findings.push_back(finding.what);
         }
     }

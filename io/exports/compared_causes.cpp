@@ -63,7 +63,8 @@ ReportCauses causesFrom(const json& from, const std::string& path) {
     }
     // Comparisons of earlier versions have none in a form that is said in other languages.
     if (const auto findings = from.find("findings"); findings != from.end()) {
-        const Findings said = findingsFromJson(JsonCursor(*findings, path, "findings"));
+        const json text = json::parse(findings->get<std::string>());
+        const Findings said = findingsFromJson(JsonCursor(text, path, "findings"));
         for (const Finding& finding : said.list()) {
             causes.findings.push_back(finding.what);
         }
@@ -88,6 +89,10 @@ ReportCauses readComparedCauses(const std::string& path) {
             {"report.causes", "{0} is not what rubble-cli compare --json prints of causes and evidence: {1}", {path, error.what()}},
             {"report.causes.remedy", "Make it anew: rubble-cli compare --json.", {}});
     }
+}
+
+std::string findingsOfCauses(const Findings& findings) {
+    return findingsJson(findings).dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
 }  // namespace rubble::io

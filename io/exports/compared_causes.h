@@ -10,4 +10,7 @@ namespace rubble::io {
 /// is something else or damaged.
 ReportCauses readComparedCauses(const std::string& path);
 
+/// Findings of a comparison as one text, from which readComparedCauses() gets them back in any language.
+std::string findingsOfCauses(const Findings& findings);
+
 }  // namespace rubble::io

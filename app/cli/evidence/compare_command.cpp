@@ -16,7 +16,7 @@
 #include "core/evidence/ensembles/telling_evidence.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
-#include "io/json/findings_json.h"
+#include "io/exports/compared_causes.h"
 #include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/height_source.h"
@@ -463,7 +463,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
         object["causes"] = causes.names;
         object["exports"] = written;
         object["warnings"] = findingsJson(findings);
-        object["findings"] = io::findingsJson(findings);
+        object["findings"] = io::findingsOfCauses(findings);
         printJson(session, object);
     } else {
         if (made) {

@@ -17996,8 +17996,8 @@
         <translation>最强碰撞时：碎块在使其刚体运动改变最大的碰撞之前的速度，取各构件中最快的。位于转动刚体末端的碎块比刚体整体更快。</translation>
     </message>
     <message>
-        <source>Cases of this kind that were left out, since they take minutes: %1. &lt;code&gt;rubble-cli self-test&lt;/code&gt; runs them.</source>
-        <translation>因耗时数分钟而略去的此类算例：%1 个。&lt;code&gt;rubble-cli self-test&lt;/code&gt; 运行它们。</translation>
+        <source>Cases of this kind that were left out, since they take minutes: %1. The whole self-test runs them.</source>
+        <translation>因耗时数分钟而略去的此类算例：%1 个。完整的自检会运行它们。</translation>
     </message>
     <message>
         <source>kinetic energy that left with bodies: of loose structure that gave fragments, and of bodies removed</source>

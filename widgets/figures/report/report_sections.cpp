@@ -376,7 +376,7 @@ void ReportSections::addSelfTest() {
              .arg(passed)
              .arg(m_facts.selfTest.size()));
     if (m_facts.selfTestLeft > 0) {
-        text(tr("Cases of this kind that were left out, since they take minutes: %1. <code>rubble-cli self-test</code> runs them.")
+        text(tr("Cases of this kind that were left out, since they take minutes: %1. The whole self-test runs them.")
                  .arg(m_facts.selfTestLeft));
     }
     ReportTable table;

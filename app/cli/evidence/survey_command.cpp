@@ -274,8 +274,7 @@ std::string volumeText(double volume, const VolumeError& error) {
 
 std::string volumesText(const SurveyVolumes& volumes) {
     return "fill above it " + volumeText(volumes.fill, volumes.fillError) + ", cut below it " +
-           volumeText(volumes.cut, volumes.cutError) + ", net " +
-           volumeText(volumes.net(), volumes.netError);
+           volumeText(volumes.cut, volumes.cutError) + ", net " + volumeText(volumes.net(), volumes.netError);
 }
 
 /// What the surveyed volumes leave out, and by how much they are too small.

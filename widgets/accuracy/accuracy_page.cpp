@@ -17,6 +17,7 @@
 #include "widgets/accuracy/accuracy_chart.h"
 #include "widgets/accuracy/accuracy_table.h"
 #include "widgets/accuracy/accuracy_words.h"
+#include "widgets/basics/folding_bar.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -73,9 +74,10 @@ AccuracyPage::AccuracyPage(QWidget* parent)
 }
 
 QWidget* AccuracyPage::buildChoices() {
-    auto* choices = new QWidget;
-    auto* row = new QHBoxLayout(choices);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* choices = new FoldingBar;
+    choices->layout()->setContentsMargins(0, 0, 0, 0);
+    choices->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    QHBoxLayout* row = choices->add();
     row->setSpacing(8);
     auto* label = new QLabel(tr("Accuracy"));
     label->setBuddy(m_accuracy);
@@ -84,7 +86,9 @@ QWidget* AccuracyPage::buildChoices() {
     m_accuracy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     row->addWidget(label);
     row->addWidget(m_accuracy);
-    row->addSpacing(12);
+    row->addStretch();
+    row = choices->add();
+    row->setSpacing(8);
     row->addWidget(new QLabel(tr("Cost")));
     const std::array<QString, costKindCount> tips{
         tr("Clusters: each is moved by one rigid body. Known without a measurement of time"),

@@ -34,6 +34,8 @@ constexpr double largestCell = 100.0;                                   // m
 FoldingBar* newRow() {
     auto* row = new FoldingBar;
     row->layout()->setContentsMargins(0, 0, 0, 0);
+    // What is left over belongs to the map.
+    row->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     return row;
 }
 

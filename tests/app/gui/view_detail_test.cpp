@@ -188,12 +188,17 @@ TEST_F(ViewDetail, EachPanelThatComesGoesOrChangesItsSizeFitsTheViewsAtOnce) {
         step();
         QTest::qWait(150);
         expectFitted(views(), what);
-        QImage shown = onScreen(views());
-        QImage drawn = views().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-        ASSERT_EQ(shown.size(), drawn.size()) << what;
-        leaveOut(shown, views(), *map);
-        leaveOut(drawn, views(), *map);
-        EXPECT_LT(meanDifference(shown, drawn), 1.0) << what << ": the screen shows what the cameras see now";
+        // A busy machine draws later: what counts is that nothing more is needed.
+        double apart = 0.0;
+        const auto alike = [&] {
+            QImage shown = onScreen(views());
+            QImage drawn = views().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+            leaveOut(shown, views(), *map);
+            leaveOut(drawn, views(), *map);
+            apart = shown.size() == drawn.size() ? meanDifference(shown, drawn) : 255.0;
+            return apart < 1.0;
+        };
+        EXPECT_TRUE(QTest::qWaitFor(alike, patience)) << what << ": the screen shows what the cameras see now; " << apart;
     }
 }
 

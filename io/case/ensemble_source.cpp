@@ -41,8 +41,7 @@ void addScene(EnsembleSource& source, const OpenedCase& opened, const std::strin
 
 /// Causes that are simulated in different ways differ by more than their cause.
 void tellOtherSettings(EnsembleSource& next, const EnsembleSource& first) {
-    const auto differences =
-        sharedDifferences(differencesBetween(first.scenes.front().scenario, next.scenes.front().scenario));
+    const auto differences = sharedDifferences(differencesBetween(first.scenes.front().scenario, next.scenes.front().scenario));
     constexpr std::size_t most = 6;
     std::string listed;
     for (std::size_t i = 0; i < std::min(differences.size(), most); ++i) {
@@ -53,13 +52,12 @@ void tellOtherSettings(EnsembleSource& next, const EnsembleSource& first) {
         listed += "; …";
     }
     if (!differences.empty()) {
-        next.findings.add({"causes.other_settings",
-                           "\"{0}\" has other settings than \"{1}\": {2}",
-                           {next.name, first.name, listed}},
-                          {"causes.other_settings.remedy",
-                           "set them alike, unless the cause itself asks for the difference: it is measured with the causes",
-                           {}},
-                          {}, static_cast<std::int64_t>(differences.size()));
+        next.findings.add(
+            {"causes.other_settings", "\"{0}\" has other settings than \"{1}\": {2}", {next.name, first.name, listed}},
+            {"causes.other_settings.remedy",
+             "set them alike, unless the cause itself asks for the difference: it is measured with the causes",
+             {}},
+            {}, static_cast<std::int64_t>(differences.size()));
     }
 }
 

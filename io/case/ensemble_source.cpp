@@ -52,12 +52,14 @@ void tellOtherSettings(EnsembleSource& next, const EnsembleSource& first) {
         listed += "; …";
     }
     if (!differences.empty()) {
-        next.findings.add(
-            {"causes.other_settings", "\"{0}\" has other settings than \"{1}\": {2}", {next.name, first.name, listed}},
-            {"causes.other_settings.remedy",
-             "set them alike, unless the cause itself asks for the difference: it is measured with the causes",
-             {}},
-            {}, static_cast<std::int64_t>(differences.size()));
+        Message what{"causes.other_settings", "\"{0}\" has other settings than \"{1}\": {2}", {next.name, first.name, listed}};
+        // Of each cause by itself: findings with one id are counted together, and the first says what.
+        what.id += '.' + next.name;
+        next.findings.add(what,
+                          {"causes.other_settings.remedy",
+                           "set them alike, unless the cause itself asks for the difference: it is measured with the causes",
+                           {}},
+                          {}, static_cast<std::int64_t>(differences.size()));
     }
 }
 

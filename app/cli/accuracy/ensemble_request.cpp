@@ -90,10 +90,11 @@ EnsembleSubject openEnsembleSubject(const std::string& path, const std::optional
     EnsembleSubject subject{io::openEnsemble(opening, settings, session.execution()), settings, opening.path};
     if (alike) {
         subject.name = std::filesystem::path(path).stem().string();
-        subject.findings.add({"causes.like_first",
-                              "{0} is an FE result without a case: settings, frame and site are those of {1}",
-                              {path, like->path}},
-                             {"causes.like_first.remedy", "give a case of it if it is to have others", {}});
+        Message what{"causes.like_first",
+                     "{0} is an FE result without a case: settings, frame and site are those of {1}",
+                     {path, like->path}};
+        what.id += '.' + subject.name;
+        subject.findings.add(what, {"causes.like_first.remedy", "give a case of it if it is to have others", {}});
     }
     if (scenario) {
         // One scenario is asked for: then it is not varied.

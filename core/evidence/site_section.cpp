@@ -1,5 +1,6 @@
 #include "core/evidence/site_section.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,7 @@ namespace rubble {
 namespace {
 
 constexpr double stepsMost = 100'000.0;
+constexpr double spotMost = 1e-3;  // m, places that spread over less are one
 
 struct Met {
     double height = unknown;
@@ -141,6 +143,42 @@ private:
 Eigen::Vector2d SectionLine::onLine(const Eigen::Vector2d& place) const {
     const Eigen::Vector2d way = (to - from) / length();
     return {way.dot(place - from), planeCross(way, place - from)};
+}
+
+SectionLine lineAlong(std::span<const MeasuredSet> measured, SectionLine line) {
+    std::vector<Eigen::Vector2d> places;
+    for (const MeasuredSet& set : measured) {
+        for (const Vec3& place : set.places) {
+            if (place.allFinite()) {
+                places.emplace_back(place.head<2>());
+            }
+        }
+    }
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& place : places) {
+        middle += place / static_cast<double>(places.size());
+    }
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Eigen::Vector2d& place : places) {
+        spread += (place - middle) * (place - middle).transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    if (places.size() < 2 || !(axes.eigenvalues()[1] > spotMost * spotMost)) {
+        throw UsageError({"section.one_spot", "The measured points lie in one spot: no line goes along them", {}},
+                         {"section.one_spot.remedy", "Give both ends of the line.", {}});
+    }
+    Eigen::Vector2d way = axes.eigenvectors().col(1);
+    const bool east = std::abs(way.x()) >= std::abs(way.y());
+    way *= (east ? way.x() : way.y()) < 0.0 ? -1.0 : 1.0;
+    double first = 0.0;
+    double last = 0.0;
+    for (const Eigen::Vector2d& place : places) {
+        first = std::min(first, way.dot(place - middle));
+        last = std::max(last, way.dot(place - middle));
+    }
+    line.from = middle + (first - 0.5 * line.width) * way;
+    line.to = middle + (last + 0.5 * line.width) * way;
+    return line;
 }
 
 SiteSection siteSection(const SiteShape& site, const SurfaceTree& tree, const SiteSurface& ground, const SectionLine& line,

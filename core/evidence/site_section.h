@@ -70,6 +70,7 @@ struct SectionPoint {
 /// A section through the simulated site and what was measured of the real one.
 struct SiteSection {
     SectionLine line;
+    double water = unknown;  ///< m, local height of still water at the site; NaN: there is none
     std::vector<SectionStep> steps;
     std::vector<SectionPoint> points;    ///< along the line
     std::vector<SectionSource> sources;  ///< [set] as given, also those without a point beside the line
@@ -78,6 +79,11 @@ struct SiteSection {
     double measuredArea = 0.0;  ///< m2 between ground and measured heights, where there are any; below the ground it counts against
     double simulatedArea = 0.0;  ///< m2, the same of the simulated surface at the same points
 };
+
+/// The line that measured points follow: the main axis of their places in plan, to half a width beyond the outermost of them. It
+/// goes eastwards, or northwards where it is nearer to that. @param line  whose width and step are kept
+/// Throws UsageError (all places in one spot, or fewer than two).
+SectionLine lineAlong(std::span<const MeasuredSet> measured, SectionLine line);
 
 /// Cuts the site from above: a ray straight down for each step and each point.
 /// @param site      with ground; @param tree  of it

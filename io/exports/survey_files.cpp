@@ -75,9 +75,9 @@ std::string scanProvenance(const RunReader& run, const RunScan& made, const Site
     return jsonText(document);
 }
 
-std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey) {
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, double time) {
     std::vector<Caution> cautions = evidenceCautions(survey.findings);
-    for (Caution& caution : runCautions(standingOf(run))) {
+    for (Caution& caution : runCautions(standingAt(run, time))) {
         cautions.push_back(std::move(caution));
     }
     return cautions;
@@ -85,7 +85,7 @@ std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& sur
 
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath) {
     const RunOrigin& from = run.origin();
-    const std::vector<Caution> known = surveyCautions(run, survey);
+    const std::vector<Caution> known = surveyCautions(run, survey, made.time);
     const std::string name = std::filesystem::path(survey.path).filename().string();
     MapOrigin origin;
     origin.subject = name + " · " + mapSubject(from, casePath);
@@ -171,6 +171,15 @@ void writeSurveyTiff(const std::string& path, const SurveyComparison& made, cons
     }
     memory.save(path);
     writeProvenance(path, withCoordinates(origin.provenance, place.words()));
+}
+
+std::string sectionFoot(const RunReader& run, const RunSection& made) {
+    constexpr std::size_t figures = 16;  // tell one digest from another
+    std::string line = footLine(run.origin());
+    for (const RunSection::File& file : made.files) {
+        line += ", points " + file.sha256.substr(0, figures);
+    }
+    return line;
 }
 
 std::string sectionProvenance(const RunReader& run, const RunSection& made, const SitePlace& place) {

@@ -19,7 +19,7 @@ namespace rubble::io {
 SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, const std::string& terrain = {});
 
 /// What must be known beside a comparison: what speaks against the survey as evidence, then the cautions of the run.
-std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey);
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, double time);
 
 /// What a comparison with a survey was made from, as every file of it says. @param casePath  empty: no case is known
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath);
@@ -31,6 +31,9 @@ std::string scanProvenance(const RunReader& run, const RunScan& made, const Site
 /// value -9999, rows from the north, the coordinate system of the case. Atomic, with NAME.provenance.json.
 /// Throws WorldError, UsageError, Cancelled.
 void writeSurveyTiff(const std::string& path, const SurveyComparison& made, const MapOrigin& origin, const Execution& execution);
+
+/// What stands at the foot of a section: as footLine(), and the first figures of the files of points.
+std::string sectionFoot(const RunReader& run, const RunSection& made);
 
 /// Provenance of the picture of a section: that of its run, with what was cut, where, and the files that were measured, as JSON.
 std::string sectionProvenance(const RunReader& run, const RunSection& made, const SitePlace& place);

@@ -29,7 +29,7 @@ void NumberField::setNumber(std::optional<double> number) {
     m_number = number;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    setText(number ? locale.toString(*number * figures::shownUnit(m_unit).perSi, 'g', 8) : QString());
+    setText(number ? locale.toString(*number * figures::shownUnit(m_unit).perSi, 'g', m_digits) : QString());
     setProperty("wrong", false);
     style()->unpolish(this);
     style()->polish(this);

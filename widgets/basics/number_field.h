@@ -21,6 +21,8 @@ public:
     void setEmptyMeans(const QString& words);
     /// The unit of the number, as figures::shownUnit(): typed and shown in the one that is shown in its place.
     void setUnit(const std::string& unit) { m_unit = unit; }
+    /// Significant digits that are shown: more for what lies far from zero, such as coordinates of a country.
+    void setDigits(int digits) { m_digits = digits; }
     void setNumber(std::optional<double> number);
     std::optional<double> number() const { return m_number; }
 
@@ -37,6 +39,7 @@ private:
     std::string m_unit;
     double m_low = -std::numeric_limits<double>::infinity();
     double m_high = std::numeric_limits<double>::infinity();
+    int m_digits = 8;
     bool m_mayBeEmpty = false;
     std::optional<double> m_number;
 };

@@ -14,6 +14,7 @@
 #include "app/cli/frame/output_file.h"
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/text_output.h"
+#include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 #include "core/evidence/site_section.h"
@@ -34,8 +35,14 @@ namespace rubble::cli {
 namespace {
 
 constexpr std::array<const char*, 5> sectionThings{"nothing", "debris", "fallen_structure", "structure", "ground"};
-/// The line of --line, m, local.
+/// The line of --line, m, local. Without one it is found along the points that are given: only width and step are set.
 SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
+    SectionLine line;
+    line.width = parseLength(arguments, "--width", line.width);
+    line.step = parseLength(arguments, "--step", line.step);
+    if (!arguments.has("--line") && arguments.has("--points")) {
+        return line;
+    }
     const std::string text = arguments.value("--line").value_or("");
     const std::vector<std::string> parts = splitAtCommas(text);
     std::array<double, 4> numbers{};
@@ -46,11 +53,8 @@ SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
     if (!sound) {
         throw wrongValue("--line", text, "easting and northing of both ends in metres, such as 10,-5,10,25");
     }
-    SectionLine line;
     line.from = place.planToLocal({numbers[0], numbers[1]});
     line.to = place.planToLocal({numbers[2], numbers[3]});
-    line.width = parseLength(arguments, "--width", line.width);
-    line.step = parseLength(arguments, "--step", line.step);
     return line;
 }
 
@@ -104,13 +108,17 @@ MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject,
 io::RunSection makeSection(const Arguments& arguments, const MapSubject& subject, const Execution& execution) {
     const Site& at = subject.run->origin().site;
     const io::SitePlace place(subject.inputs.frame, at);
-    const SectionLine line = lineFrom(arguments, place);
+    SectionLine line = lineFrom(arguments, place);
     Findings findings;
     const MeasuredSite measured = measuredFrom(arguments, subject, at, findings, execution);
+    if (!arguments.has("--line")) {
+        line = io::lineAlongPoints(measured.sets, line, findings);
+    }
     ScannedSite site =
         scannedSite(*subject.run, subject.inputs, arguments.has("--time") ? instantFrom(arguments) : measured.instant,
                     parseLength(arguments, "--live-threshold", 1.0, true), execution);
     io::RunSection made = io::cutRun(std::move(site.shape), site.ground, line, measured.sets, execution);
+    made.section.water = subject.run->origin().scenario.effects.waterLevel.value_or(unknown);
     findings.append(made.findings);
     made.findings = std::move(findings);
     made.zero = place.transform().height;
@@ -151,8 +159,9 @@ void drawSection(const std::string& path, const io::RunSection& made, const Argu
                                       place.planToWorld(line.from),
                                       place.planToWorld(line.to),
                                       line.width,
-                                      QString::fromStdString(pictureCautions(runCautions(io::standingOf(run)))),
-                                      io::footLine(run.origin())};
+                                      place.system(),
+                                      QString::fromStdString(pictureCautions(runCautions(io::standingAt(run, made.time)))),
+                                      io::sectionFoot(run, made)};
     const std::string provenance = io::sectionProvenance(run, made, place);
     figures::writePng(path, figures::sectionPicture(made.section, style), provenance);
     io::writeProvenance(path, provenance);
@@ -179,6 +188,7 @@ Json sectionJson(const io::RunSection& made, const io::SitePlace& place) {
             {"length_m", section.line.length()},
             {"width_m", section.line.width},
             {"step_m", section.line.step},
+            {"water_m", sectionNumber(section.water + place.transform().height)},
             {"points", section.agreement.points},
             {"points_compared", section.agreement.compared},
             {"difference_mean_m", sectionNumber(section.agreement.mean)},
@@ -198,12 +208,21 @@ void addAgreement(FactList& facts, const std::string& of, const SectionAgreement
     }
 }
 
-void printSection(std::ostream& out, const io::RunSection& made) {
+/// To the millimetre, as --line takes it.
+std::string placeText(const Eigen::Vector2d& place) {
+    const auto number = [](double value) { return exactNumber(std::round(1000.0 * value) / 1000.0); };
+    return number(place.x()) + "," + number(place.y());
+}
+
+void printSection(std::ostream& out, const io::RunSection& made, const io::SitePlace& place, bool along) {
     const SiteSection& section = made.section;
     FactList facts;
     facts.add("time", englishNumber(made.time) + " s");
     facts.add("section", englishNumber(section.line.length()) + " m long, " + englishNumber(section.line.width) +
                              " m wide, steps of " + englishNumber(section.line.step) + " m");
+    facts.add(along ? "line along the points" : "line", placeText(place.planToWorld(section.line.from)) + " to " +
+                                                            placeText(place.planToWorld(section.line.to)) +
+                                                            " (easting,northing, m)");
     addAgreement(facts, "", section.agreement);
     if (section.agreement.compared > 0) {
         facts.add("area above ground", englishNumber(section.measuredArea) + " measured, " + englishNumber(section.simulatedArea) +
@@ -230,18 +249,25 @@ ExitCode section(const Arguments& arguments, Session& session) {
     checkCsvPath(arguments, inputs);
     lineFrom(arguments, io::SitePlace(Frame(), Site()));
     instantFrom(arguments);
-    const MapSubject subject = openMapSubject(arguments, session);
+    MapSubject subject = openMapSubject(arguments, session);
     const io::RunSection made = makeSection(arguments, subject, session.execution());
+    subject.instant = made.time;
     for (const std::string& path : files) {
         drawSection(path, made, arguments, *subject.run);
     }
     writeCsv(arguments, stepTable(made));
     Findings findings = subject.findings;
     findings.append(made.findings);
+    const io::SitePlace place(subject.inputs.frame, subject.run->origin().site);
+    const bool along = !arguments.has("--line");
     conclude(
         arguments, session, subject, findings,
-        [&] { return sectionJson(made, io::SitePlace(subject.inputs.frame, subject.run->origin().site)); },
-        [&](std::ostream& out) { printSection(out, made); });
+        [&] {
+            Json json = sectionJson(made, place);
+            json["along_points"] = along;
+            return json;
+        },
+        [&](std::ostream& out) { printSection(out, made, place, along); });
     return ExitCode::Ok;
 }
 
@@ -254,7 +280,7 @@ Command sectionCommand() {
         "a section through the simulated site and what was measured of the real one",
         "Cuts what a recorded run, or a case or FE file that is simulated first, leaves on the site along a line, and holds points "
         "of a total station, a drawing or a cloud beside the line against it: heights, differences and areas.",
-        joined({{{"--line", "E,N,E,N", false, "easting and northing of both ends, m"},
+        joined({{{"--line", "E,N,E,N", false, "easting and northing of both ends, m (default: along the points)"},
                  {"--points", "FILE", true, "measured points: table of a total station, DXF or point cloud"},
                  columnsOption(),
                  systemOption(),

@@ -112,7 +112,7 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     connect(&box, &widgets::SurveyBox::scopeDrawRequested, this, [this](ScopePart part) {
         draw(part == ScopePart::Area ? widgets::SurveyView::Draws::Area : widgets::SurveyView::Draws::LeftOut);
     });
-    connect(&box, &widgets::SurveyBox::sectionRequested, this, [this] { draw(widgets::SurveyView::Draws::Section); });
+    connect(&box, &widgets::SurveyBox::sectionRequested, this, &SurveyDisplay::startSection);
     connect(&box, &widgets::SurveyBox::scopeFileRequested, this, &SurveyDisplay::chooseScope);
     connect(&box, &widgets::SurveyBox::scopeRemoved, this, [this](ScopePart part, int polygon) {
         edit(
@@ -373,6 +373,20 @@ void SurveyDisplay::draw(widgets::SurveyView::Draws what) {
     m_page.survey().draw(what);
 }
 
+bool SurveyDisplay::cutsAlong() const {
+    const CaseInput* survey = current();
+    return survey != nullptr && evidenceFormOf(*survey) == EvidenceForm::Measured && survey->held == PointsHeld::Section;
+}
+
+void SurveyDisplay::startSection() {
+    const bool drawn = comparison() != nullptr && current() != nullptr && m_work.answer.answered().survey.id == current()->id;
+    if (cutsAlong() && !drawn) {
+        m_sections->cutAlong(*current());
+    } else {
+        draw(widgets::SurveyView::Draws::Section);
+    }
+}
+
 void SurveyDisplay::chooseScope(ScopePart part) {
     const QString path =
         QFileDialog::getOpenFileName(m_page.window(), part == ScopePart::Area ? tr("Area of interest") : tr("What is left out"),
@@ -433,7 +447,7 @@ QString SurveyDisplay::whyNoComparison() const {
     }
     // A table can be held against the debris as a cloud can; a drawing has lines alone.
     if (survey != nullptr && !hasOverlap(*survey) && io::hasEnding(survey->path, ".dxf")) {
-        return tr("A drawing without areas stands in every section: compare a survey, and draw a section on its map.");
+        return tr("A drawing without areas has no surface to compare. It is held against the run in a section.");
     }
     return EvidenceWork::whyNoDebris(m_computation.currentRun());
 }
@@ -489,7 +503,8 @@ void SurveyDisplay::saveTo(const QString& path) {
             style.system = origin.frame.crs;
             style.subject = origin.subject;
             style.provenance = "survey " + made->input.sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
-            style.cautions = widgets::cautionWords(io::surveyCautions(*record->reader, made->input)).toStdString();
+            style.cautions =
+                widgets::cautionWords(io::surveyCautions(*record->reader, made->input, made->comparison.time)).toStdString();
             figures::writePng(path.toStdString(), figures::surveyPicture(made->comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {
@@ -534,7 +549,9 @@ void SurveyDisplay::refresh() {
         content.findings.append(m_reach.unread(*survey));
     }
     content.noComparison = whyNoComparison();
-    content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
+    content.cutsAlong = cutsAlong() && EvidenceWork::whyNoDebris(m_computation.currentRun()).isEmpty();
+    const bool failed = m_work.answer.failure() && current() != nullptr && m_work.answer.asked().survey.id == current()->id;
+    content.complaint = failed ? m_work.answer.failure()->inOneLine() : QString();
     content.comparing = busy();
     if (current() != nullptr) {
         // A comparison tells what is odd in the points itself.
@@ -549,7 +566,7 @@ void SurveyDisplay::refresh() {
         content.comparison = comparison();
         content.stale = !busy() && stale();
         if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
-            content.cautions = io::surveyCautions(*record->reader, made->input);
+            content.cautions = io::surveyCautions(*record->reader, made->input, made->comparison.time);
         }
         // That it is no evidence stands there already, of the run that is shown now.
         content.findings.append(otherThanNoEvidence(made->input.findings));
@@ -565,7 +582,7 @@ void SurveyDisplay::refresh() {
     m_page.setSurvey(content.comparison);
     m_page.survey().setScope(content.scope);
     m_page.survey().setMarked(removedPlaces(m_document.theCase()), m_sections->line());
-    m_sections->setStale(content.comparison == nullptr || stale());
+    m_sections->refresh(content.comparison == nullptr || stale());
     emit changed();
 }
 

@@ -82,6 +82,9 @@ private:
     void connectRemovals();
     void connectMap();
     void draw(widgets::SurveyView::Draws what);
+    /// The current survey is measured points for sections: these need no map to draw on.
+    bool cutsAlong() const;
+    void startSection();
     void take(widgets::SurveyView::Draws what, const OutlineRing& ring);
     void editRemovals(const std::function<void(std::vector<Removal>&)>& change, const widgets::Wording& what);
     void chooseRemoval(const std::string& since);

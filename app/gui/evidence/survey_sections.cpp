@@ -1,7 +1,9 @@
 #include "app/gui/evidence/survey_sections.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "app/gui/session/save_path.h"
@@ -27,6 +29,14 @@ namespace rubble {
 
 namespace {
 
+/// Where measured heights are brought to, and what of them counts.
+struct MeasuredPlace {
+    Frame frame;
+    Site site;
+    const SiteSurface* ground;
+    SurveyScope scope;
+};
+
 /// Shorter steps than heights lie apart would leave most of them, and of the areas, empty.
 void takeStep(SectionLine& line, const SurveyHeights& heights, Findings& findings) {
     if (line.step < heights.spacing()) {
@@ -34,6 +44,28 @@ void takeStep(SectionLine& line, const SurveyHeights& heights, Findings& finding
         findings.add({"section.step", "steps are as long as the heights of the survey lie apart: {0}", {{line.step, "m"}}},
                      {"section.step.remedy", "none is needed", {}});
     }
+}
+
+/// Heights of the survey itself: its points, or those of its height model beside the line. An outline has none.
+std::vector<MeasuredSet> measuredOf(SurveySections::Order& order, const std::string& path, const MeasuredPlace& at,
+                                    Findings& findings, const Execution& execution) {
+    const CaseInput& survey = order.survey;
+    const bool points = evidenceFormOf(survey) == EvidenceForm::Measured;
+    if (order.made != nullptr && order.made->input.survey.isFootprint) {
+        return {};
+    }
+    std::vector<MeasuredSet> measured{{std::filesystem::path(path).filename().string(), {}}};
+    if (points || io::holdsCloud(path, survey.read)) {
+        measured[0].places =
+            io::readMeasuredPoints({path, survey.read, at.frame, at.site, survey.registration, at.scope}, findings, execution);
+    } else {
+        const SurveyHeights& heights = order.made->input.survey.heights;
+        measured[0].places = heightsBeside(heights, *at.ground, order.line);
+        takeStep(order.line, heights, findings);
+        io::addBeyond(findings, path,
+                      std::erase_if(measured[0].places, [&](const Vec3& place) { return !covers(at.scope, place.head<2>()); }));
+    }
+    return measured;
 }
 
 }  // namespace
@@ -49,14 +81,37 @@ SurveySections::SurveySections(Session& session, widgets::EvidencePage& page, QO
 }
 
 std::optional<SectionLine> SurveySections::line() const {
-    return m_order ? std::optional(m_order->line) : std::nullopt;
+    if (!m_order || (m_order->along && m_section == nullptr)) {
+        return std::nullopt;
+    }
+    return m_order->along ? m_section->section.line : m_order->line;
 }
 
 void SurveySections::cut(const OutlineRing& ends, const CaseInput& survey, std::shared_ptr<const SurveyWork::Made> made) {
-    m_order = Order{{ends.front(), ends.back()}, survey, std::move(made)};
+    begin({{ends.front(), ends.back()}, survey, std::move(made)});
+}
+
+void SurveySections::cutAlong(const CaseInput& points) {
+    begin({{}, points, nullptr, true});
+}
+
+void SurveySections::begin(Order order) {
+    m_order = std::move(order);
     cutAgain();
-    m_dialog->show();
-    m_dialog->raise();
+    if (m_dialog != nullptr) {
+        m_dialog->show();
+        m_dialog->raise();
+    }
+}
+
+void SurveySections::moveEnds(const std::array<Eigen::Vector2d, 2>& ends) {
+    if (m_order) {
+        const io::SitePlace place(m_computation.inputs().frame, m_document.theCase().site);
+        m_order->line.from = place.planToLocal(ends[0]);
+        m_order->line.to = place.planToLocal(ends[1]);
+        m_order->along = false;
+        cutAgain();
+    }
 }
 
 std::vector<CaseInput> SurveySections::measuredPoints(Findings& said) const {
@@ -84,6 +139,7 @@ void SurveySections::cutAgain() {
         m_dialog = new widgets::SectionDialog(m_page.window());
         m_dialog->resize(900, 560);
         connect(m_dialog, &widgets::SectionDialog::changed, this, &SurveySections::cutAgain);
+        connect(m_dialog, &widgets::SectionDialog::endsChanged, this, &SurveySections::moveEnds);
         connect(m_dialog, &widgets::SectionDialog::saveRequested, this, &SurveySections::save);
         connect(m_dialog, &QDialog::finished, this, [this] {
             m_order.reset();
@@ -94,6 +150,7 @@ void SurveySections::cutAgain() {
     m_order->line.width = m_dialog->width();
     m_order->line.step = m_dialog->step();
     m_section = nullptr;
+    m_cutOf = record;
     m_stale = false;
     auto outcome = std::make_shared<io::RunSection>();
     Findings said;
@@ -110,27 +167,18 @@ void SurveySections::cutAgain() {
              // The ground is added where the line goes, with all of its nodes.
              mapped.terrain = nullptr;
              SiteShape shape = siteOfRun(mapped, order.survey.instant, fallenFrom, Vec3::Zero(), execution);
-             const Survey& survey = order.made->input.survey;
              Findings findings = said;
-             std::vector<MeasuredSet> measured;
-             if (!survey.isFootprint) {
-                 measured.push_back({std::filesystem::path(path).filename().string(), {}});
-             }
-             if (!survey.isFootprint && io::holdsCloud(path, order.survey.read)) {
-                 measured[0].places = io::readMeasuredPoints(
-                     {path, order.survey.read, frame, site, order.survey.registration, scope}, findings, execution);
-             } else if (!survey.isFootprint) {
-                 measured[0].places = heightsBeside(survey.heights, ground, order.line);
-                 takeStep(order.line, survey.heights, findings);
-                 io::addBeyond(findings, path,
-                               std::erase_if(measured[0].places, [&](const Vec3& at) { return !covers(scope, at.head<2>()); }));
-             }
+             std::vector<MeasuredSet> measured = measuredOf(order, path, {frame, site, &ground, scope}, findings, execution);
              for (const CaseInput& input : points) {
                  measured.push_back({std::filesystem::path(input.path).filename().string(),
                                      io::readMeasuredPoints({input.path, input.read, frame, site, input.registration, input.scope},
                                                             findings, execution)});
              }
+             if (order.along) {
+                 order.line = io::lineAlongPoints(std::span(measured).first(1), order.line, findings);
+             }
              *outcome = io::cutRun(std::move(shape), ground, order.line, measured, execution);
+             outcome->section.water = mapped.scenario.effects.waterLevel.value_or(unknown);
              findings.append(outcome->findings);
              outcome->findings = std::move(findings);
              outcome->zero = io::SitePlace(frame, site).transform().height;
@@ -149,7 +197,13 @@ void SurveySections::cutAgain() {
     show();
 }
 
-void SurveySections::setStale(bool stale) {
+void SurveySections::refresh(bool mapStale) {
+    bool stale = mapStale;
+    if (m_order && m_order->made == nullptr) {
+        const std::vector<CaseInput>& inputs = m_document.theCase().inputs;
+        stale = m_computation.currentRun() != m_cutOf || m_computation.runStale(m_document.scenario()) ||
+                std::find(inputs.begin(), inputs.end(), m_order->survey) == inputs.end();
+    }
     if (stale != m_stale) {
         m_stale = stale;
         show();
@@ -163,6 +217,10 @@ void SurveySections::show(const QString& complaint) {
             content.section = std::shared_ptr<const SiteSection>(m_section, &m_section->section);
             content.time = m_section->time;
             content.zero = m_section->zero;
+            const io::SitePlace place(m_computation.inputs().frame, m_document.theCase().site);
+            const SectionLine& line = m_section->section.line;
+            content.ends = {place.planToWorld(line.from), place.planToWorld(line.to)};
+            content.along = m_order && m_order->along;
             content.findings = m_section->findings;
         }
         content.complaint = complaint;
@@ -196,8 +254,9 @@ void SurveySections::saveTo(const QString& path) {
                                           place.planToWorld(line.from),
                                           place.planToWorld(line.to),
                                           line.width,
-                                          widgets::cautionWords(runCautions(io::standingOf(run))),
-                                          io::footLine(run.origin())};
+                                          place.system(),
+                                          widgets::cautionWords(runCautions(io::standingAt(run, m_section->time))),
+                                          io::sectionFoot(run, *m_section)};
         const std::string provenance = io::sectionProvenance(run, *m_section, place);
         figures::writePng(path.toStdString(), figures::sectionPicture(m_section->section, style), provenance);
         io::writeProvenance(path.toStdString(), provenance);

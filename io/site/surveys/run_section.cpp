@@ -1,8 +1,27 @@
 #include "io/site/surveys/run_section.h"
 
+#include <cmath>
+
 #include "io/site/clouds/run_distance.h"
 
 namespace rubble::io {
+
+SectionLine lineAlongPoints(std::span<const MeasuredSet> measured, const SectionLine& line, Findings& findings) {
+    const SectionLine found = lineAlong(measured, line);
+    for (const MeasuredSet& set : measured) {
+        std::int64_t beside = 0;
+        for (const Vec3& place : set.places) {
+            beside += std::abs(found.onLine(place.head<2>()).y()) > 0.5 * found.width ? 1 : 0;
+        }
+        if (beside > 0) {
+            findings.add({"section.beside",
+                          "of {0} points some lie farther from the line along them than half its width; they were left out",
+                          {set.places.size()}},
+                         {"section.beside.remedy", "give a greater width, or the ends of another line", {}}, set.name, beside);
+        }
+    }
+    return found;
+}
 
 RunSection cutRun(SiteShape site, const SiteSurface& ground, const SectionLine& line, std::span<const MeasuredSet> measured,
                   const Execution& execution) {

@@ -23,6 +23,9 @@ struct RunSection {
     Findings findings;  ///< terrain taken coarser, points without a surface or beside the line
 };
 
+/// The line along measured points, as rubble::lineAlong() finds it. Points farther from it than half its width are counted.
+SectionLine lineAlongPoints(std::span<const MeasuredSet> measured, const SectionLine& line, Findings& findings);
+
 /// Adds the ground about a line to a site and cuts both. @param site  without ground
 /// Throws as siteSection().
 RunSection cutRun(SiteShape site, const SiteSurface& ground, const SectionLine& line, std::span<const MeasuredSet> measured,

@@ -110,6 +110,29 @@ TEST(SiteSection, EachSetAgreesByItself) {
     EXPECT_EQ(station, 2);
 }
 
+TEST(SiteSection, ALineGoesAlongWhatWasMeasured) {
+    SectionLine usual;
+    usual.width = 2.0;
+    usual.step = 0.5;
+    // From north-east to south-west, with one place beside: the line begins in the west.
+    const std::vector<MeasuredSet> sets{{"station", {Vec3(9, 12, 1), Vec3(6, 8, 2), Vec3(3, 4, 1)}},
+                                        {"more", {Vec3(0, 0, 3), Vec3(-3, -4, 1)}}};
+    const SectionLine line = lineAlong(sets, usual);
+    EXPECT_LT((line.from - Eigen::Vector2d(-3.6, -4.8)).norm(), 1e-9) << "half a width beyond the outermost";
+    EXPECT_LT((line.to - Eigen::Vector2d(9.6, 12.8)).norm(), 1e-9);
+    EXPECT_EQ(line.width, 2.0);
+    EXPECT_EQ(line.step, 0.5);
+    // Far from the origin it is as exact as coordinates are.
+    const Vec3 far(4.5e6, 5.1e6, 0.0);
+    const std::vector<MeasuredSet> there{{"station", {far + Vec3(0, 30, 0), far, far + Vec3(0, 10, 0)}}};
+    const SectionLine north = lineAlong(there, usual);
+    EXPECT_NEAR(north.from.y(), 5.1e6 - 1.0, 1e-6);
+    EXPECT_NEAR(north.to.y(), 5.1e6 + 31.0, 1e-6);
+    EXPECT_NEAR(north.to.x(), 4.5e6, 1e-6);
+    EXPECT_THROW(lineAlong(std::vector<MeasuredSet>{{"one", {Vec3(1, 2, 3), Vec3(1, 2, 9)}}}, usual), UsageError);
+    EXPECT_THROW(lineAlong({}, usual), UsageError);
+}
+
 TEST(SiteSection, ALineOfNoLengthIsRefused) {
     SectionLine none = sectionAlongX;
     none.to = none.from;

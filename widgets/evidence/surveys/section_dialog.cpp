@@ -72,6 +72,7 @@ SectionDialog::SectionDialog(QWidget* parent)
     m_width->setToolTip(tr("Surveyed points within half of it to either side of the line count, m"));
     m_step->setToolTip(tr("Along the line: what is drawn, and what areas are summed over, m"));
     row->addStretch();
+    column->addWidget(endsRow());
     column->addLayout(row);
     column->addWidget(m_view, 1);
     m_measures->setWordWrap(true);
@@ -88,6 +89,46 @@ SectionDialog::SectionDialog(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     column->addWidget(buttons);
     setContent({});
+}
+
+/// A line that was found or clicked has no more digits than that.
+double toMillimetres(double coordinate) {
+    return std::round(1000.0 * coordinate) / 1000.0 + 0.0;
+}
+
+/// Both ends as numbers: a line can be given exactly, and by keyboard alone.
+QWidget* SectionDialog::endsRow() {
+    constexpr int coordinateDigits = 11;  // centimetres of a northing of ten million metres
+    constexpr int fieldWidth = 110;
+    auto* all = new QWidget;
+    auto* row = new QHBoxLayout(all);
+    row->setContentsMargins(0, 0, 0, 0);
+    const std::array<QString, 4> labels{tr("From easting, m"), tr("northing, m"), tr("to easting, m"), tr("northing, m")};
+    const std::array<QString, 4> names{tr("Easting of the first end"), tr("Northing of the first end"),
+                                       tr("Easting of the second end"), tr("Northing of the second end")};
+    for (std::size_t k = 0; k < m_ends.size(); ++k) {
+        auto* label = new QLabel(labels[k]);
+        m_ends[k] = new NumberField(names[k]);
+        m_ends[k]->setDigits(coordinateDigits);
+        m_ends[k]->setMaximumWidth(fieldWidth);
+        label->setBuddy(m_ends[k]);
+        row->addWidget(label);
+        row->addWidget(m_ends[k]);
+        connect(m_ends[k], &NumberField::edited, this, &SectionDialog::takeEnds);
+    }
+    row->addStretch();
+    return all;
+}
+
+void SectionDialog::takeEnds() {
+    std::array<double, 4> numbers{};
+    for (std::size_t k = 0; k < m_ends.size(); ++k) {
+        if (!m_ends[k]->number()) {
+            return;
+        }
+        numbers[k] = *m_ends[k]->number();
+    }
+    emit endsChanged({Eigen::Vector2d(numbers[0], numbers[1]), Eigen::Vector2d(numbers[2], numbers[3])});
 }
 
 double SectionDialog::width() const {
@@ -108,6 +149,11 @@ void SectionDialog::setContent(const Content& content) {
     m_content = content;
     m_view->setSection(content.section, content.zero);
     m_measures->setText(measures());
+    for (std::size_t k = 0; k < m_ends.size(); ++k) {
+        const auto end = static_cast<Eigen::Index>(k % 2);
+        m_ends[k]->setNumber(content.ends ? std::optional(toMillimetres((*content.ends)[k / 2][end])) : std::nullopt);
+        m_ends[k]->setEnabled(content.ends.has_value());
+    }
     m_findings->set(content.findings);
     if (!content.complaint.isEmpty()) {
         m_notice->set(Notice::Kind::Error, content.complaint);
@@ -138,6 +184,9 @@ QString SectionDialog::measures() const {
     QStringList words{
         tr("At %1 s; %2 m long, %3 m wide.")
             .arg(shownNumber(m_content.time, 4), shownNumber(section.line.length()), shownNumber(section.line.width))};
+    if (m_content.along) {
+        words << tr("The line goes along the measured points, to half a width beyond them.");
+    }
     if (section.sources.empty()) {
         words << tr("An outline has no heights: only what was simulated is cut.");
     }

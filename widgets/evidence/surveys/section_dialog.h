@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -25,10 +26,15 @@ class SectionDialog : public QDialog {
 public:
     explicit SectionDialog(QWidget* parent = nullptr);
 
+    /// Easting and northing of both ends of a line, m, in the system of the case.
+    using Ends = std::array<Eigen::Vector2d, 2>;
+
     struct Content {
         std::shared_ptr<const SiteSection> section;  ///< null: none yet
         double time = 0.0;                           ///< s
         double zero = 0.0;                           ///< m, height of the local zero
+        std::optional<Ends> ends;                    ///< of the line; unset: it is not known yet
+        bool along = false;                          ///< the line was found along measured points
         Findings findings;
         QString complaint;  ///< what went wrong with the last one
         bool cutting = false;
@@ -44,17 +50,22 @@ public:
 signals:
     /// Another width or step is wanted.
     void changed();
+    /// The line is wanted elsewhere.
+    void endsChanged(const Ends& ends);
     void saveRequested();
 
 private:
     /// How one set of heights agrees, in words.
     static QString ofSource(const QString& name, const SectionAgreement& agreement);
     QString measures() const;
+    QWidget* endsRow();
+    void takeEnds();
 
     Content m_content;
     SectionView* m_view;
     NumberField* m_width;
     NumberField* m_step;
+    std::array<NumberField*, 4> m_ends{};
     QLabel* m_measures;
     Notice* m_notice;
     FindingList* m_findings;

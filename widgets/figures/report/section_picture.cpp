@@ -107,9 +107,10 @@ QString placeText(double metres) {
 
 /// Writes the note from the foot upwards. @returns pixels, how high it is
 double paintNote(QPainter& painter, const SectionNote& note, const QSize& pixels, double text, const QColor& colour) {
-    QStringList lines{tr("%1, from %2, %3 to %4, %5 m (easting, northing), %6 wide")
+    const QString system = note.system.empty() ? tr("local coordinates") : QString::fromStdString(note.system);
+    QStringList lines{tr("%1, from %2, %3 to %4, %5 m (easting, northing; %6), %7 wide")
                           .arg(timeText(note.time), placeText(note.from.x()), placeText(note.from.y()), placeText(note.to.x()),
-                               placeText(note.to.y()), lengthText(note.width))};
+                               placeText(note.to.y()), system, lengthText(note.width))};
     if (!note.cautions.isEmpty()) {
         lines << note.cautions;
     }
@@ -142,7 +143,8 @@ QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& sty
     chart.yTitle = tr("height [m]");
     chart.fromZero = false;
     // What was measured lies below the lines, which it would hide.
-    std::vector<KeyEntry> key{{tr("simulated"), colours.fragment, {}}, {tr("ground (dashed)"), colours.text, {}}};
+    std::vector<KeyEntry> key{{tr("simulated: debris, structure or ground"), colours.fragment, {}},
+                              {tr("ground (dashed)"), colours.text, {}}};
     for (std::size_t source = 0; source < section.sources.size(); ++source) {
         ChartSeries measured;
         std::tie(measured.mark, measured.colour) = markOf(source, colours);
@@ -160,6 +162,14 @@ QImage sectionPicture(const SiteSection& section, const SectionPictureStyle& sty
         if (!measured.points.empty()) {
             chart.series.push_back(std::move(measured));
         }
+    }
+    if (std::isfinite(section.water)) {
+        ChartSeries water;
+        water.colour = colours.water;
+        const double height = section.water + style.zero;
+        water.points = {{0.0, height, {}}, {section.line.length(), height, {}}};
+        chart.series.push_back(std::move(water));
+        key.push_back({tr("water (still surface)"), colours.water, {}});
     }
     addProfile(chart.series, colours.text, true, section, style.zero, &SectionStep::ground);
     addProfile(chart.series, colours.fragment, false, section, style.zero, &SectionStep::simulated);

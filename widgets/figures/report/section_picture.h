@@ -19,6 +19,7 @@ struct SectionNote {
     Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< m: easting and northing of its begin
     Eigen::Vector2d to = Eigen::Vector2d::Zero();
     double width = 0.0;        ///< m
+    std::string system = {};   ///< that these count in; empty: the model's own coordinates
     QString cautions = {};     ///< what must be known beside it; empty: nothing
     std::string provenance{};  ///< one line
 };

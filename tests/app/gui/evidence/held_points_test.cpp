@@ -1,5 +1,7 @@
 #include <QComboBox>
 #include <QFileInfo>
+#include <QPushButton>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -15,6 +17,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
+#include "widgets/basics/number_field.h"
 #include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/evidence_table.h"
@@ -126,6 +129,55 @@ TEST_F(HeldPoints, StandInSectionsOnlyWhileTheyAreHeldForThem) {
     surveys().choose(session->document().theCase().inputs[session->document().theCase().inputs.size() - 2].id);
     surveys().edit([](CaseInput& input) { input.held = PointsHeld::Outline; }, [] { return QStringLiteral("held"); });
     EXPECT_EQ(named(), QStringList(QStringLiteral("after.asc")));
+}
+
+/// A case that has nothing but a measured line: no map can be drawn on, and none is needed.
+TEST_F(HeldPoints, AreCutAlongThemselvesWithoutAMap) {
+    added();
+    std::ofstream(m_folder / "line.csv")
+        << "name,easting,northing,height\nA,-9,0.5,0.4\nB,0,0.5,0.4\nC,9,0.5,0.6\nD,0,0.9,0.4\nE,2,1.4,1\n";
+    surveys().add(QString::fromStdString(m_folder / "line.csv"));
+    window->rooms().deck->choose(PanelDeck::Evidence);
+    auto& box = window->rooms().deck->evidence().survey();
+    // Compared as a surface they are refused in words that say what to do.
+    surveys().compare();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !surveys().busy(); }, patience));
+    EXPECT_EQ(surveys().comparison(), nullptr);
+    EXPECT_TRUE(box.content().complaint.contains(QStringLiteral("along a line"))) << qPrintable(box.content().complaint);
+    QPushButton* cut = nullptr;
+    for (auto* button : box.findChildren<QPushButton*>()) {
+        cut = button->text() == QStringLiteral("Section…") ? button : cut;
+    }
+    ASSERT_NE(cut, nullptr);
+    ASSERT_FALSE(cut->isHidden());
+    QTest::mouseClick(cut, Qt::LeftButton);
+    SurveySections& sections = surveys().sections();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !sections.busy() && sections.section() != nullptr; }, patience));
+    const auto section = sections.section();
+    EXPECT_EQ(section->section.points.size(), 4u);
+    EXPECT_EQ(section->findings.count("section.beside"), 1);
+    ASSERT_TRUE(sections.line());
+    // Another end, typed: the line is the user's from then on.
+    auto* dialog = sections.dialog();
+    const auto fields = dialog->findChildren<widgets::NumberField*>();
+    const auto east = std::find_if(fields.begin(), fields.end(), [](const auto* field) {
+        return field->accessibleName() == QStringLiteral("Easting of the second end");
+    });
+    ASSERT_NE(east, fields.end());
+    EXPECT_NEAR((*east)->number().value_or(0.0), 9.5, 0.3);
+    (*east)->selectAll();
+    QTest::keyClicks(*east, QStringLiteral("30"));
+    QTest::keyClick(*east, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !sections.busy() && sections.section() != nullptr && sections.section() != section; },
+                                patience));
+    EXPECT_NEAR(sections.line()->to.x(), 30.0, 1e-6);
+    EXPECT_EQ(sections.section()->findings.count("section.beside"), 0) << "the line is not sought any more";
+    sections.saveTo(QString::fromStdString(m_folder / "section.png"));
+    EXPECT_TRUE(std::filesystem::exists(m_folder / "section.png"));
+    // Held to say something else they are no section, and what was cut is stale.
+    surveys().edit([](CaseInput& input) { input.held = PointsHeld::Outline; }, [] { return QStringLiteral("held"); });
+    EXPECT_TRUE(dialog->content().stale);
+    EXPECT_TRUE(cut->isHidden());
 }
 
 TEST_F(HeldPoints, OfAnOldCaseAreCalledByTheirNameUntilSomebodyLooks) {

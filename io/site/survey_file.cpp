@@ -52,7 +52,7 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
         const auto all = static_cast<double>(taken.heights.size());
         input.findings.add({"survey.gaps",
                             "{0} of {1} heights of the survey have no value ({2} %): nothing was surveyed there",
-                            {gaps, taken.heights.size(), std::round(1000.0 * static_cast<double>(gaps) / all) / 10.0}},
+                            {gaps, taken.heights.size(), 100.0 * static_cast<double>(gaps) / all}},
                            {"survey.gaps.remedy", "none is needed; the comparison leaves these places out", {}}, input.path, gaps);
     }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
@@ -17,6 +18,7 @@ namespace rubble {
 namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Ways = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t fittedMost = 200'000;
@@ -185,11 +187,69 @@ private:
             right += row * each.off;
         }
         const Eigen::SelfAdjointEigenSolver<Mat6> axes(normal);
-        if (axes.info() != Eigen::Success || !(axes.eigenvalues()[0] > openShare * axes.eigenvalues()[5])) {
-            throw UsageError(
-                {"fit.open", "What did not move leaves a direction or a turn open: its surfaces look too much alike", {}},
-                {"fit.open.remedy", "Take in surfaces that look other ways, such as walls, kerbs and slopes.", {}});
+        const bool sound = axes.info() == Eigen::Success && axes.eigenvalues().allFinite();
+        const auto held = (axes.eigenvalues().array() > openShare * axes.eigenvalues()[5]);
+        const Eigen::Index open = sound ? 6 - held.count() : 6;
+        if (open == 1) {
+            refuseOpen(axes.eigenvectors().col(0));
         }
+        if (open > 1) {
+            refuseMoreOpen(sound ? Ways(axes.eigenvectors().leftCols(open)) : Ways(Mat6::Identity()));
+        }
+    }
+
+    /// @param ways  shifts and turns that the surfaces tell nothing of, an orthonormal base of them
+    [[noreturn]] static void refuseMoreOpen(const Ways& ways) {
+        constexpr double mostly = 0.9;
+        const auto isOpen = [&](Eigen::Index way) { return ways.row(way).norm() > mostly; };
+        const Message more{"fit.open_more.remedy", "Take in surfaces that look other ways, such as walls, kerbs and slopes.", {}};
+        if (ways.cols() == 3 && isOpen(2) && isOpen(3) && isOpen(4)) {
+            throw UsageError(
+                {"fit.open_level",
+                 "What did not move is level: it holds the height of the cloud, not its place in plan or its turn about an "
+                 "upright axis",
+                 {}},
+                more);
+        }
+        throw UsageError({"fit.open_more",
+                          "What did not move leaves {0} of the six ways to shift and turn open: its surfaces look too much alike",
+                          {static_cast<std::int64_t>(ways.cols())}},
+                         more);
+    }
+
+    /// @param way  the shift and turn that the surfaces tell least of
+    [[noreturn]] static void refuseOpen(const Vec6& way) {
+        const Vec3 shift = way.tail<3>();
+        const Vec3 turn = way.head<3>();
+        const bool shifts = shift.norm() >= turn.norm();
+        const Vec3 axis = (shifts ? shift : turn).normalized();
+        const bool upright = std::abs(axis.z()) > std::numbers::sqrt2 / 2.0;
+        // A line has two ends: the one from north to south, by east.
+        const double east = std::atan2(axis.x(), axis.y()) * 180.0 / std::numbers::pi;
+        const double bearing = std::round(east < 0.0 ? east + 180.0 : east);
+        const Message more{"fit.open.remedy",
+                           shifts ? "Take in surfaces that look that way: walls or kerbs across it, or ground for up and down."
+                                  : "Take in surfaces far from that axis that look another way, such as walls, kerbs and slopes.",
+                           {}};
+        if (shifts && upright) {
+            throw UsageError(
+                {"fit.open_up", "What did not move leaves it open how high the cloud lies: its surfaces are upright", {}}, more);
+        }
+        if (shifts) {
+            throw UsageError(
+                {"fit.open_shift",
+                 "What did not move leaves a shift along the bearing of {0}° (from north, by east) open: no surface looks "
+                 "that way",
+                 {bearing}},
+                more);
+        }
+        if (upright) {
+            throw UsageError({"fit.open_turn_up", "What did not move leaves a turn about an upright axis open", {}}, more);
+        }
+        throw UsageError({"fit.open_turn",
+                          "What did not move leaves a turn about a level axis along the bearing of {0}° (from north, by east) open",
+                          {bearing}},
+                         more);
     }
 
     void step() {

@@ -1,5 +1,6 @@
 #include "io/site/clouds/cloud_grid.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +32,34 @@ bool CloudGrid::add(const Vec3& place) {
 std::size_t CloudGrid::covered() const {
     return static_cast<std::size_t>(
         std::count_if(m_cells.begin(), m_cells.end(), [](const Cell& cell) { return cell.points > 0; }));
+}
+
+bool CloudGrid::inLine() const {
+    constexpr double leastSpread = 0.45;  // of the side of a cell, standard deviation across the line; of two rows it is a half
+    if (m_columns < 2 || m_rows < 2) {
+        return true;
+    }
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    double count = 0.0;
+    for (std::size_t k = 0; k < m_cells.size(); ++k) {
+        const Cell& cell = m_cells[k];
+        if (cell.points > 0) {
+            const Eigen::Vector2d off = Eigen::Vector2d(cell.x, cell.y) / static_cast<double>(cell.points);
+            const Eigen::Vector2d place =
+                off + Eigen::Vector2d(static_cast<double>(k % m_columns), static_cast<double>(k / m_columns));
+            sum += place;
+            squares += place * place.transpose();
+            count += 1.0;
+        }
+    }
+    if (count < 1.0) {
+        return false;
+    }
+    const Eigen::Vector2d mean = sum / count;
+    const Eigen::Matrix2d spread = squares / count - mean * mean.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    return axes.eigenvalues()[0] < leastSpread * leastSpread;
 }
 
 std::uint32_t CloudGrid::pointsInMedian() const {

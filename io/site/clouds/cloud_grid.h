@@ -22,6 +22,8 @@ public:
     const Eigen::Vector2d& step() const { return m_step; }
     /// Cells with points.
     std::size_t covered() const;
+    /// Cells with points lie along a line or in one spot: they spread across it by less than two cells side by side would.
+    bool inLine() const;
     /// Points of a cell, in the median of those that have any.
     std::uint32_t pointsInMedian() const;
     /// [rows * columns] from the lowest y; not a number where no point lies.

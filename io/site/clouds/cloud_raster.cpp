@@ -103,6 +103,10 @@ public:
             find({"cloud.beside", "points farther from the structure than there is room for were left out", {}},
                  "none is needed unless debris runs there", beside);
         }
+        if (grid.inLine()) {
+            refuseContent({"cloud.in_line", "The points of {0} lie along a line or in one spot: they make no surface", {m_path}},
+                          "Hold measured points in a section or as an edge; else give points that cover an area.");
+        }
         tellGrid(grid);
         write(grid);
         return std::move(m_made);
@@ -297,7 +301,7 @@ private:
 
     void tellGrid(const CloudGrid& grid) {
         const auto cells = static_cast<double>(grid.columns() * grid.rows());
-        const double share = std::round(1000.0 * (1.0 - static_cast<double>(grid.covered()) / cells)) / 10.0;
+        const double share = 100.0 * (1.0 - static_cast<double>(grid.covered()) / cells);
         find(
             {"cloud.gridded",
              "{0} points were laid on cells of {1}, {2} to a cell in the median; {3} % of the cells have none",

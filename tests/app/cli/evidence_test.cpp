@@ -160,7 +160,7 @@ TEST_F(EvidenceOfCase, PairsThenAFitToWhatDidNotMove) {
     // Level ground alone leaves the place open.
     const Outcome open = cli({"evidence", m_case, "--survey", m_cloud, "--fit", "all", "--radius", "0.5"});
     EXPECT_EQ(open.exitCode, 2);
-    EXPECT_THAT(open.err, HasSubstr("leaves a direction or a turn open"));
+    EXPECT_THAT(open.err, HasSubstr("What did not move is level"));
     evidence({"--survey", m_cloud, "--registration-error", "0.04"});
     EXPECT_NEAR(compared({"--case", m_case})["registration_error"], 0.04, 1e-12);
 }
@@ -244,6 +244,19 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     EXPECT_EQ(both["points"].get<int>(), 3 + made["points"].get<int>());
     EXPECT_TRUE(cut({})["difference_mean_m"].is_null());
     EXPECT_TRUE(cut({})["measured_area_m2"].is_null()) << "no point tells of it";
+    // Without a line it goes along the points; what lies beside it is counted.
+    std::ofstream(m_folder / "along.csv")
+        << "Point,Easting,Northing,Elevation\n1,-5,0.5,0.1\n2,0,0.5,0.1\n3,3,0.5,0.1\n4,8,0.5,0.1\n";
+    const Outcome along = cli({"section", m_out, "--points", m_folder / "along.csv", "--json"});
+    ASSERT_EQ(along.exitCode, 0) << along.err;
+    EXPECT_EQ(along.json()["along_points"], true);
+    EXPECT_EQ(along.json()["points"], 4);
+    EXPECT_NEAR(along.json()["line_m"][0], -5.5, 1e-9);
+    EXPECT_NEAR(along.json()["line_m"][2], 8.5, 1e-9);
+    EXPECT_FALSE(warns(along.json(), "section.beside"));
+    EXPECT_TRUE(warns(cli({"section", m_out, "--points", station, "--json"}).json(), "section.beside"));
+    EXPECT_EQ(cut({})["along_points"], false);
+    EXPECT_EQ(cli({"section", m_out}).exitCode, 2) << "neither a line nor points";
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,3"}).exitCode, 2);
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,1,2"}).exitCode, 2);
 }

@@ -165,7 +165,7 @@ TEST_F(ScanOfRun, MovedByTwentyCentimetresItIsNot) {
     fitting.insert(fitting.end(), scales.begin(), scales.end());
     const Outcome open = cli(fitting);
     EXPECT_EQ(open.exitCode, 2);
-    EXPECT_THAT(open.err, HasSubstr("leaves a direction or a turn open"));
+    EXPECT_THAT(open.err, HasSubstr("What did not move is level"));
 }
 
 TEST_F(ScanOfRun, WhatIsHiddenIsNotSeenAndNotMissing) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/sequence.h"
@@ -134,6 +135,44 @@ TEST(CloudFit, SaysWhatIsOpen) {
     const PointIndex first(level, 0.5);
     EXPECT_THROW(fitCloud(first, level, {0.5}, Execution()), UsageError) << "a plane slides along itself";
     EXPECT_THROW(fitCloud(first, {Vec3(0, 0, 50)}, {0.5}, Execution()), UsageError);
+}
+
+/// Why a fit of a site to itself is refused. @param floor  it has a level ground; @param bearings  of what its walls look to,
+/// degrees
+Message whyOpen(bool floor, const std::vector<double>& bearings, double height) {
+    Sequence numbers(4);
+    const auto noise = [&] { return 0.001 * numbers.between(-1, 1); };
+    std::vector<Vec3> places;
+    for (int k = 0; k < 12'000 && floor; ++k) {
+        places.emplace_back(numbers.between(-10, 10), numbers.between(-10, 10), noise());
+    }
+    for (const double bearing : bearings) {
+        const double angle = bearing * std::numbers::pi / 180.0;
+        const Vec3 out(std::sin(angle), std::cos(angle), 0.0);
+        const Vec3 along(out.y(), -out.x(), 0.0);
+        for (int k = 0; k < 4'000; ++k) {
+            places.push_back((12.0 + noise()) * out + numbers.between(-6, 6) * along + Vec3(0, 0, numbers.between(0.5, height)));
+        }
+    }
+    try {
+        fitCloud(PointIndex(places, 0.5), places, {0.5}, Execution());
+    } catch (const UsageError& error) {
+        return error.message();
+    }
+    return {};
+}
+
+TEST(CloudFit, NamesTheWayThatIsOpen) {
+    // Two abutments that face each other stand on a street: along them nothing holds the cloud.
+    const Message along = whyOpen(true, {30.0, 210.0}, 4.0);
+    EXPECT_EQ(along.id, "fit.open_shift");
+    EXPECT_EQ(englishText(along),
+              "What did not move leaves a shift along the bearing of 120° (from north, by east) open: no surface looks that way");
+    EXPECT_EQ(whyOpen(true, {}, 4.0).id, "fit.open_level");
+    EXPECT_EQ(whyOpen(false, {30.0, 210.0}, 4.0).id, "fit.open_more") << "two walls that face each other hold three ways of six";
+    // Walls alone say nothing of their height.
+    EXPECT_EQ(whyOpen(false, {0.0, 90.0, 180.0, 270.0}, 4.0).id, "fit.open_up");
+    EXPECT_EQ(whyOpen(true, {0.0, 90.0}, 4.0).id, "") << "a corner on a street is held everywhere";
 }
 
 /// Rolling ground of 300 m by 250 m, in strips from west to east.

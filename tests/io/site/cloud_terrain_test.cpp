@@ -162,7 +162,19 @@ TEST_F(CloudTerrain, WhatNoTerrainCanBeMadeOfIsSaid) {
         "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
         "UNIT[\"degree\",0.0174532925199433],AUTHORITY[\"EPSG\",\"4326\"]]";
     EXPECT_EQ(refusal(lay(scattered(1'000, 20.0, slope), degrees, Vec3(9.0, 48.0, 0.0), 1e-7)), "terrain.degrees");
-    EXPECT_EQ(refusal(lay(place(Vec3(5, 0, 0)))), "terrain.too_few") << "three points in one place";
+    EXPECT_EQ(refusal(lay(place(Vec3(5, 0, 0)))), "cloud.in_line") << "three points in one place";
+    // Points of a line make no surface, whichever way it goes, and also where they lie a little beside it.
+    const auto line = [](double east, double north) {
+        std::vector<MadePoint> points;
+        for (int k = 0; k < 200; ++k) {
+            const double beside = k % 2 == 0 ? 100.0 : -100.0;
+            points.push_back({{static_cast<std::int32_t>(std::lround(100.0 * k * east + beside * north)),
+                               static_cast<std::int32_t>(std::lround(100.0 * k * north - beside * east)), 100 * (k % 7)}});
+        }
+        return points;
+    };
+    EXPECT_EQ(refusal(lay(line(1.0, 0.0))), "cloud.in_line");
+    EXPECT_EQ(refusal(lay(line(0.6, 0.8))), "cloud.in_line");
     EXPECT_EQ(refusal(lay({})), "cloud.no_points");
     std::vector<MadePoint> echoless = scattered(20'000, 20.0, slope);
     echoless.resize(echoless.size() + 100'000);

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <numbers>
 #include <utility>
 
 #include "widgets/basics/number_field.h"
@@ -23,8 +22,7 @@ constexpr double usualRadius = 1.0;  // m
 
 QString foundText(const FitDialog::Found& found) {
     const CloudFit& fit = found.fit;
-    QStringList words{FitDialog::tr("Moved by %1 m, turned by %2°.")
-                          .arg(shownNumber(fit.distance()), shownNumber(fit.angle() * 180.0 / std::numbers::pi))};
+    QStringList words{FitDialog::tr("Moved by %1 m, turned by %2°.").arg(shownNumber(fit.distance()), shownDegrees(fit.angle()))};
     words << FitDialog::tr("RMS of %1 points to their surfaces: %2 m before, %3 m after.")
                  .arg(shownCount(fit.pairs), shownNumber(fit.before), shownNumber(fit.after));
     words << FitDialog::tr("One point to each cube of %1 m was fitted.").arg(shownNumber(fit.cube));
@@ -60,11 +58,12 @@ FitDialog::FitDialog(SurveyHeights heights, const QString& name, const QString& 
         u' ' + against);
     hint->setWordWrap(true);
     column->addWidget(hint);
+    // Above what gives way to sentences: a row that moves is missed by the mouse.
+    buildFields();
     m_view->setAccessibleName(tr("Cloud from above"));
     m_view->setMinimumSize(320, 200);
     m_view->setTool(PhotoView::Tool::Mask, MaskClass::NotDebris);
     column->addWidget(m_view, 1);
-    buildFields();
     m_said->setWordWrap(true);
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(m_said);

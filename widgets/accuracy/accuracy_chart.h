@@ -17,6 +17,7 @@ public:
     QPointF placeOf(std::size_t point) const override;
 
     QSize sizeHint() const override { return {560, 400}; }
+    QString fileTitle() const override;
 
 signals:
     /// The setting of this row is to be used: number of a setting, or referenceRow.
@@ -31,7 +32,6 @@ protected:
     void choose(std::size_t point) override;
     void paintEvent(QPaintEvent* event) override;
     void paintFile(QPainter& painter, const QRectF& area, const QFont& font) const override;
-    QString fileTitle() const override;
 
 private:
     AccuracyPlot plot() const;

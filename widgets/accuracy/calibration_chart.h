@@ -17,6 +17,7 @@ public:
     QPointF placeOf(std::size_t point) const override;
 
     QSize sizeHint() const override { return {640, 420}; }
+    QString fileTitle() const override;
 
 protected:
     std::size_t pointCount() const override { return m_content.points.size(); }
@@ -25,7 +26,6 @@ protected:
     QString summary() const override;
     void paintEvent(QPaintEvent* event) override;
     void paintFile(QPainter& painter, const QRectF& area, const QFont& font) const override;
-    QString fileTitle() const override;
 
 private:
     CalibrationPlot plot() const;

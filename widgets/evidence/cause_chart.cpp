@@ -51,7 +51,7 @@ public:
         m_field = QRectF(area.left() + m_names + 1.2 * line, area.top() + 0.5 * line, 0.0, area.height() - 4.0 * line);
         m_field.setRight(area.right() - line);
         const auto rows = static_cast<double>(std::max<std::size_t>(1, made.ranking.causes.size()));
-        m_row = std::min(m_field.height() / rows, 5.0 * line);
+        m_row = std::min(m_field.height() / rows, 8.0 * line);
         m_field.setHeight(rows * m_row);
     }
 

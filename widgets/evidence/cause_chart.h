@@ -21,12 +21,12 @@ public:
     QSize sizeHint() const override { return {420, 240}; }
     /// As high as its rows need.
     QSize minimumSizeHint() const override;
+    QString fileTitle() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintFile(QPainter& painter, const QRectF& area, const QFont& font) const override;
-    QString fileTitle() const override;
 
 private:
     void describe();

@@ -37,6 +37,7 @@ public:
     QString words() const;
     QSize sizeHint() const override { return {420, 320}; }
     QSize minimumSizeHint() const override { return {260, 200}; }
+    QString fileTitle() const override;
 
 signals:
     /// s
@@ -48,7 +49,6 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     bool event(QEvent* event) override;
     void paintFile(QPainter& painter, const QRectF& area, const QFont& font) const override;
-    QString fileTitle() const override;
 
 private:
     std::vector<ChartField> fieldsIn(const QRectF& area, const QFont& font) const;

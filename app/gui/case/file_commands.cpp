@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -25,7 +26,6 @@
 #include "io/exports/provenance.h"
 #include "io/run/acknowledgements.h"
 #include "io/site/place_check.h"
-#include "widgets/basics/file_chart.h"
 #include "widgets/case/site_dialog.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
@@ -33,8 +33,6 @@
 namespace rubble {
 
 namespace {
-
-constexpr QSize chartSize(960, 640);
 
 /// A table of these fragments alone.
 auto tableOf(const std::vector<FragmentId>& fragments) {
@@ -211,6 +209,14 @@ void FileCommands::editSite() {
 // Kept runs stay; one for which there was no room or no right to keep it is asked about.
 bool FileCommands::mayLeaveRun() {
     const RunRecord* record = m_computation.currentRun();
+    if (record != nullptr && record->running && record->kept) {
+        QMessageBox question(QMessageBox::Question, tr("Stop the simulation?"),
+                             tr("A simulation is running. Leaving ends it here; what it has so far stays in the list of runs."),
+                             QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+        question.button(QMessageBox::Discard)->setText(tr("Stop and leave"));
+        question.setDefaultButton(QMessageBox::Cancel);
+        return question.exec() == QMessageBox::Discard;
+    }
     if (record == nullptr || record->kept || record->reader == nullptr || record->reader->frameCount() == 0) {
         return true;
     }
@@ -434,13 +440,6 @@ void FileCommands::writeTable(const QString& path, const std::function<void(std:
     m_session.writeNow(path, [&] { io::writeAtomically(path.toStdString(), table); });
 }
 
-void FileCommands::saveChart(const widgets::FileChart& chart, const QString& suffix) {
-    const QString path = askForOutput(tr("Chart"), suffix, tr("Drawings (*.svg);;Images (*.png)"));
-    if (!path.isEmpty()) {
-        saveChartTo(path, chart);
-    }
-}
-
 void FileCommands::saveHistory(const widgets::HistoryChart::Content& history) {
     const QString path = askForOutput(tr("History curves"), QStringLiteral("-history.csv"), tr("Tables (*.csv)"));
     if (!path.isEmpty()) {
@@ -463,19 +462,6 @@ void FileCommands::saveHistoryTo(const QString& path, const widgets::HistoryChar
         io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeHistoryCsv(history.points, out); });
         io::writeProvenance(path.toStdString(), io::exportProvenance(exported, record->reader->origin(), record->reader.get()));
     });
-}
-
-void writeChart(const QString& path, const widgets::FileChart& chart) {
-    if (QFileInfo(path).suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
-        const QByteArray drawing = chart.svg(chartSize);
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { out.write(drawing.data(), drawing.size()); });
-    } else {
-        figures::writePng(path.toStdString(), chart.image(2 * chartSize));
-    }
-}
-
-void FileCommands::saveChartTo(const QString& path, const widgets::FileChart& chart) {
-    m_session.writeNow(path, [&] { writeChart(path, chart); });
 }
 
 }  // namespace rubble

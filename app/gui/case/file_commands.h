@@ -26,12 +26,6 @@ class Session;
 namespace io {
 class RunReader;
 }
-namespace widgets {
-class FileChart;
-}
-
-/// Writes a chart as SVG where the path ends so, as PNG otherwise. Throws WorldError.
-void writeChart(const QString& path, const widgets::FileChart& chart);
 
 /// Saving and exporting: asks for paths, writes on the worker, says what came of it.
 class FileCommands : public QObject {
@@ -72,14 +66,11 @@ public:
     void exportGltf();
     void saveSweep(const std::shared_ptr<const AccuracyReport>& report);
     void saveCalibration(const std::shared_ptr<const Calibration>& calibration);
-    /// @param suffix  that the proposed name ends with: "-accuracy.svg"
-    void saveChart(const widgets::FileChart& chart, const QString& suffix);
     void saveHistory(const widgets::HistoryChart::Content& history);
     /// Writes the settings compared as CSV, with the columns of rubble-cli accuracy --csv.
     void saveSweepTo(const QString& path, const AccuracyReport& report);
     /// Writes the points of a calibration as CSV, with the columns of rubble-cli calibrate --csv.
     void saveCalibrationTo(const QString& path, const Calibration& calibration);
-    void saveChartTo(const QString& path, const widgets::FileChart& chart);
     void saveHistoryTo(const QString& path, const widgets::HistoryChart::Content& history);
 
 private:

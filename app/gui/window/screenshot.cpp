@@ -136,7 +136,10 @@ void Screenshot::take() {
     m_timer.stop();
     try {
         if (!m_options.chart.isEmpty()) {
-            writeChart(m_options.chart, m_window.findChild<widgets::AccuracyPage*>()->chart());
+            if (const auto report = m_window.rooms().accuracy->work().report()) {
+                ChartExport::write(m_options.chart, m_window.findChild<widgets::AccuracyPage*>()->chart(),
+                                   m_window.rooms().charts->sweep(*report, m_window.rooms().accuracy->work().machine()));
+            }
         }
         if (m_options.screenshot.isEmpty()) {
             QCoreApplication::exit(0);

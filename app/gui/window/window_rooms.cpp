@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/gui/case/kept_runs_display.h"
+#include "app/gui/evidence/causes_display.h"
 #include "app/gui/evidence/ensemble_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/actions.h"
@@ -93,6 +94,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
       errors(std::make_unique<ErrorDisplay>(session, parts.area)),
       islands(std::make_unique<IslandDisplay>(session)),
       pictures(std::make_unique<PictureExport>(session, parts.window)),
+      charts(std::make_unique<ChartExport>(session, parts.window)),
       sealing(std::make_unique<CaseSealing>(session, *files, parts.actions, parts.window)),
       bundles(std::make_unique<BundleOpening>(session, parts.actions, parts.window)),
       report(std::make_unique<ReportWork>(session, *deck, *scene, parts.actions, parts.window)),
@@ -204,20 +206,29 @@ void WindowRooms::connectFiles(const WindowParts& parts) {
     widgets::AccuracyPage* page = &parts.accuracyPage;
     QObject::connect(page, &widgets::AccuracyPage::saveTableRequested, files.get(),
                      [this] { files->saveSweep(accuracy->work().report()); });
-    QObject::connect(page, &widgets::AccuracyPage::saveChartRequested, files.get(),
-                     [this, page] { files->saveChart(page->chart(), QStringLiteral("-accuracy.svg")); });
+    QObject::connect(page, &widgets::AccuracyPage::saveChartRequested, files.get(), [this, page] {
+        if (const auto swept = accuracy->work().report()) {
+            charts->save(page->chart(), QStringLiteral("-accuracy.svg"), charts->sweep(*swept, accuracy->work().machine()));
+        }
+    });
     widgets::CalibrationView* curves = &calibration->view();
     QObject::connect(curves, &widgets::CalibrationView::saveTableRequested, files.get(),
                      [this] { files->saveCalibration(calibration->work().calibration()); });
-    QObject::connect(curves, &widgets::CalibrationView::saveChartRequested, files.get(),
-                     [this, curves] { files->saveChart(curves->chart(), QStringLiteral("-calibration.svg")); });
+    QObject::connect(curves, &widgets::CalibrationView::saveChartRequested, files.get(), [this, curves] {
+        if (const auto made = calibration->work().calibration()) {
+            charts->save(curves->chart(), QStringLiteral("-calibration.svg"), ChartExport::calibration(*made));
+        }
+    });
     widgets::HistoryPanel* history = &inspection->history().panel();
     QObject::connect(history, &widgets::HistoryPanel::saveTableRequested, files.get(),
                      [this, history] { files->saveHistory(history->chart().content()); });
     QObject::connect(history, &widgets::HistoryPanel::saveChartRequested, files.get(),
-                     [this, history] { files->saveChart(history->chart(), QStringLiteral("-history.svg")); });
-    QObject::connect(studies.get(), &EvidenceStudies::saveChartRequested, files.get(),
-                     [this] { files->saveChart(studies->causesPage().chart(), QStringLiteral("-causes.svg")); });
+                     [this, history] { charts->save(history->chart(), QStringLiteral("-history.svg"), charts->history()); });
+    QObject::connect(studies.get(), &EvidenceStudies::saveChartRequested, files.get(), [this] {
+        if (const auto made = studies->causes().made()) {
+            charts->save(studies->causesPage().chart(), QStringLiteral("-causes.svg"), ChartExport::causes(*made));
+        }
+    });
 }
 
 void WindowRooms::connectGrid(const WindowParts& parts) {

@@ -19,6 +19,7 @@
 #include "app/gui/evidence/validation_display.h"
 #include "app/gui/exports/bundle_opening.h"
 #include "app/gui/exports/case_sealing.h"
+#include "app/gui/exports/chart_export.h"
 #include "app/gui/exports/picture_export.h"
 #include "app/gui/exports/report_work.h"
 #include "app/gui/run/health_display.h"
@@ -86,6 +87,7 @@ struct WindowRooms {
     std::unique_ptr<ErrorDisplay> errors;
     std::unique_ptr<IslandDisplay> islands;
     std::unique_ptr<PictureExport> pictures;
+    std::unique_ptr<ChartExport> charts;
     std::unique_ptr<CaseSealing> sealing;
     std::unique_ptr<BundleOpening> bundles;
     std::unique_ptr<ReportWork> report;

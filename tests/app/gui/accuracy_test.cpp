@@ -147,13 +147,22 @@ TEST_F(AccuracyWorkbench, FilesHoldTableAndChart) {
     writeSweepCsv(report(), expected);
     EXPECT_EQ(textOf(at("a.csv")), expected.str());
     EXPECT_TRUE(textOf(at("a.csv")).starts_with("setting,multiple_x,multiple_y,multiple_z,grid_l_m"));
-    window->rooms().files->saveChartTo(at("a.svg"), page().chart());
+    const ChartSource source = window->rooms().charts->sweep(report(), "a machine");
+    window->rooms().charts->saveTo(at("a.svg"), page().chart(), source);
     EXPECT_NE(textOf(at("a.svg")).find("<svg"), std::string::npos);
-    window->rooms().files->saveChartTo(at("a.png"), page().chart());
+    window->rooms().charts->saveTo(at("a.png"), page().chart(), source);
     EXPECT_EQ(QImage(at("a.png")).size(), QSize(1920, 1280));
+    // It says of what it is, what must be known, and on what machine; the file beside it says the rest.
+    EXPECT_FALSE(source.note.subject.isEmpty());
+    EXPECT_TRUE(source.note.foot.contains(QStringLiteral("a machine")));
+    const auto told = io::readProvenance(at("a.svg").toStdString());
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->kind, "chart");
+    EXPECT_NE(told->text.find("\"settings\""), std::string::npos);
+    EXPECT_NE(told->text.find(report().points[1].setting), std::string::npos);
     QString complaint;
     QObject::connect(session.get(), &Session::failed, window, [&complaint](const Failure& failure) { complaint = failure.what(); });
-    window->rooms().files->saveChartTo(at("nowhere/a.svg"), page().chart());
+    window->rooms().charts->saveTo(at("nowhere/a.svg"), page().chart(), source);
     EXPECT_TRUE(complaint.contains(QStringLiteral("nowhere")));
 }
 

@@ -149,9 +149,10 @@ TEST_F(CostsWorkbench, CalibratesAndSavesTheCurve) {
     writeCalibrationCsv(*calibration.work().calibration(), expected);
     EXPECT_EQ(textOf(at("c.csv")), expected.str());
     EXPECT_TRUE(expected.str().starts_with("pile,bodies,physics_fps,drawing_fps,live_fps\ntypical,"));
-    window->rooms().files->saveChartTo(at("c.svg"), calibration.view().chart());
+    const ChartSource source = ChartExport::calibration(*calibration.work().calibration());
+    window->rooms().charts->saveTo(at("c.svg"), calibration.view().chart(), source);
     EXPECT_NE(textOf(at("c.svg")).find("<svg"), std::string::npos);
-    window->rooms().files->saveChartTo(at("c.png"), calibration.view().chart());
+    window->rooms().charts->saveTo(at("c.png"), calibration.view().chart(), source);
     EXPECT_FALSE(QImage(at("c.png")).isNull());
 }
 

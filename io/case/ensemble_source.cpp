@@ -69,6 +69,20 @@ std::string titleOf(const EnsembleSource& source, const std::string& path) {
 
 }  // namespace
 
+void EnsembleBasis::join(const EnsembleBasis& other) {
+    inputs.insert(inputs.end(), other.inputs.begin(), other.inputs.end());
+    scenes.insert(scenes.end(), other.scenes.begin(), other.scenes.end());
+    addCautions(cautions, other.cautions);
+}
+
+EnsembleBasis EnsembleSource::basis() const {
+    EnsembleBasis made{inputs, frame, theCase.site, cautions};
+    for (const EnsembleScene& scene : scenes) {
+        made.scenes.push_back({scene.name.empty() || scene.name == name ? name : name + " · " + scene.name, scene.scenario});
+    }
+    return made;
+}
+
 std::vector<std::string> variedScenarios(const EnsembleSettings& settings) {
     for (const VariedSetting& varied : settings.varied) {
         if (varied.key == scenarioKey) {

@@ -20,10 +20,19 @@ struct EnsembleInput {
 
 /// What an ensemble, or a comparison of several, was made from.
 struct EnsembleBasis {
+    /// What members were simulated by, but for what was varied.
+    struct Scene {
+        std::string name;  ///< of the case and of its scenario
+        Scenario scenario;
+    };
     std::vector<EnsembleInput> inputs;
     Frame frame;
     Site site;
     std::vector<Caution> cautions;  ///< inputCautions() of all of its inputs
+    std::vector<Scene> scenes{};
+
+    /// Takes in what one more cause stands on; it lies in the frame of the first.
+    void join(const EnsembleBasis& other);
 };
 
 /// A case with all that the members of its ensemble stand on.
@@ -39,7 +48,7 @@ struct EnsembleSource {
     Findings findings;              ///< of what was read
     std::vector<Caution> cautions;  ///< of the same
 
-    EnsembleBasis basis() const { return {inputs, frame, theCase.site, cautions}; }
+    EnsembleBasis basis() const;
 };
 
 /// Ids or names of the scenarios that members are drawn from, each once; empty: the scenario is not varied.

@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/panel.h"
@@ -156,7 +155,7 @@ void CausesPage::setContent(const Content& content) {
     figures::MapPictureStyle style = content.place;
     if (mapped && content.comparison->place) {
         const TellingPlace& place = *content.comparison->place;
-        style.ring = figures::MapRing{place.middle, std::sqrt(place.area / std::numbers::pi)};
+        style.ring = figures::MapRing{place.middle, place.radius()};
     }
     m_map->setMap(mapped ? content.separation : nullptr, MapLayer::Separation, style);
     showVerdict();

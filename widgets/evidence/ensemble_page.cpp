@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/evidence/ensembles/member_doubts.h"
 #include "widgets/basics/language.h"
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/panel.h"
@@ -176,7 +177,10 @@ void EnsemblePage::setContent(const Content& content) {
         const bool rest = content.report->instant == DebrisInstant::AtRest;
         m_sentence->setText(
             tr("%1 of %2 members done, debris %3, %4, cells of %5.")
-                .arg(shownCount(done), shownCount(all), rest ? tr("at rest") : tr("at the end of the FE result"),
+                .arg(shownCount(done), shownCount(all),
+                     !rest                        ? tr("at the end of the FE result")
+                     : allAtRest(*content.report) ? tr("at rest")
+                                                  : tr("where each member ended, not all at rest"),
                      content.report->surface.withFallen ? tr("fallen structure with it") : tr("fallen structure apart"),
                      QStringLiteral("%1 %2").arg(
                          QLocale().toString(content.report->surface.cell * figures::shownUnit("m").perSi, 'g', 3),

@@ -13,10 +13,12 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "core/evidence/ensembles/cause_comparison.h"
+#include "core/evidence/ensembles/member_doubts.h"
 #include "core/evidence/ensembles/telling_evidence.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
 #include "io/exports/compared_causes.h"
+#include "io/exports/ensemble_origin.h"
 #include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/height_source.h"
@@ -154,9 +156,9 @@ std::vector<Hypothesis> simulate(Causes& causes, const EnsembleRequest& request,
             std::make_shared<EnsembleReport>(ensembleStudy(subject.scenes, subject.settings, options, session.execution()));
         session.execution().check();
         report->findings.append(subject.findings);
-        findings.append(report->findings);
         hypotheses.push_back({causes.names[h], std::move(report)});
     }
+    findings.append(findingsOfMembers(hypotheses));
     return hypotheses;
 }
 
@@ -444,14 +446,12 @@ ExitCode compare(const Arguments& arguments, Session& session) {
     const std::optional<TellingEvidence> telling = furtherEvidence(hypotheses, made, evidence, causes, arguments, session);
     std::vector<std::string> written;
     if (made && made->separation) {
-        EnsembleSubject all = causes.subjects.front();
+        io::EnsembleBasis all = causes.subjects.front().basis();
         for (std::size_t h = 1; h < causes.subjects.size(); ++h) {
-            const EnsembleSubject& other = causes.subjects[h];
-            all.inputs.insert(all.inputs.end(), other.inputs.begin(), other.inputs.end());
-            addCautions(all.cautions, other.cautions);
+            all.join(causes.subjects[h].basis());
         }
-        written = maps.write(*made->separation, "separation", *hypotheses[made->ranking.causes.front().hypothesis].ensemble, all,
-                             session);
+        written = maps.write(*made->separation, "separation", io::separationOrigin(hypotheses, *made->separation, all),
+                             io::separationCautions(hypotheses, all), made->place, session);
     }
     if (arguments.json()) {
         Json object = made ? comparisonJson(*made) : Json::object();

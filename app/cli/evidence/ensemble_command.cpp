@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
+#include "io/exports/ensemble_origin.h"
 #include "io/run/settled_files.h"
 
 namespace rubble::cli {
@@ -81,7 +82,8 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
     Session writing(session.out(), session.err(), Execution(), silent);
     if (!report.done().empty()) {
         map = probabilityMap(report, heights);
-        written = maps.write(*map, "probability", report, subject, writing);
+        written = maps.write(*map, "probability", io::ensembleOrigin(report, *map, subject.basis()),
+                             io::ensembleCautions(report, *map, subject.basis()), std::nullopt, writing);
         writeTables(maps, report, written);
     }
     writeCsv(arguments, memberTable(report));

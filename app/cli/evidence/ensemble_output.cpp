@@ -10,6 +10,7 @@
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "core/evidence/ensembles/member_doubts.h"
 #include "io/base/files.h"
 #include "io/run/run_cautions.h"
 #include "io/site/site_place.h"
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 
 bool isFolder(const std::string& path) {
     std::error_code ignored;
-    return path.ends_with('/') || fs::is_directory(path, ignored);
+    // A name without an ending is none of a map: the folder is made.
+    return path.ends_with('/') || !fs::path(path).has_extension() || fs::is_directory(path, ignored);
 }
 
 std::string drawnText(const DrawnValues& drawn) {
@@ -171,7 +173,9 @@ void printEnsemble(std::ostream& out, const EnsembleReport& report) {
     for (const VariedSetting& varied : report.settings.varied) {
         facts.add(varied.key, variationText(varied));
     }
-    facts.add("debris", std::string(report.instant == DebrisInstant::AtRest ? "at rest" : "at the last FE state") +
+    facts.add("debris", std::string(report.instant != DebrisInstant::AtRest ? "at the last FE state"
+                                    : allAtRest(report)                     ? "at rest"
+                                                                            : "where each member ended, not all at rest") +
                             (report.surface.withFallen ? ", fallen live structure with it" : ", fallen live structure apart") +
                             ", cells of " + englishNumber(report.surface.cell) + " m");
     facts.print(out);
@@ -182,9 +186,10 @@ void printEnsemble(std::ostream& out, const EnsembleReport& report) {
 }
 
 std::vector<Option> EnsembleMaps::options() {
-    return {{"--out", "FILE|FOLDER", true, "a map to write: .tif, .csv or .png; into a folder all of them"},
-            {"--layers", "A,B", false, "layers of the map, by the names in the manual (default: all); a picture shows the first"},
-            {"--size", "WxH", false, "pixels of a picture (default: 1600x1000, less where the map is of another shape)"}};
+    return {
+        {"--out", "FILE|FOLDER", true, "a map to write: .tif, .csv or .png; into a folder, whose name has no ending, all of them"},
+        {"--layers", "A,B", false, "layers of the map, by the names in the manual (default: all); a picture shows the first"},
+        {"--size", "WxH", false, "pixels of a picture (default: 1600x1000, less where the map is of another shape)"}};
 }
 
 EnsembleMaps::EnsembleMaps(const Arguments& arguments, std::vector<MapLayer> pictured)
@@ -193,9 +198,12 @@ EnsembleMaps::EnsembleMaps(const Arguments& arguments, std::vector<MapLayer> pic
         if (isFolder(path)) {
             continue;
         }
-        MapRequest::checkFormat("--out", path);
-        if (io::hasEnding(path, ".gpkg")) {
-            throw wrongValue("--out", path, "a path that ends in .tif, .csv or .png: a map of an ensemble has no fragments");
+        const bool known = io::hasEnding(path, ".tif") || io::hasEnding(path, ".csv") || io::hasEnding(path, ".png");
+        if (!known) {
+            throw wrongValue(
+                "--out", path,
+                "a path that ends in .tif, .csv or .png (a map of an ensemble has no fragments), or a folder, whose name "
+                "has no ending");
         }
         checkOutputPath(path, operandsOf(arguments));
     }
@@ -214,7 +222,8 @@ std::vector<std::string> EnsembleMaps::folders() const {
 }
 
 void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers,
-                            const io::MapOrigin& origin, const std::vector<Caution>& cautions, Session& session) const {
+                            const io::MapOrigin& origin, const std::vector<Caution>& cautions,
+                            const std::optional<TellingPlace>& place, Session& session) const {
     if (io::hasEnding(path, ".csv")) {
         io::writeMapCsv(path, map, layers, origin, session.execution());
     } else if (io::hasEnding(path, ".png")) {
@@ -229,6 +238,9 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         style.shown = origin.facts.front().second;
         style.provenance = io::inputsLine(origin);
         style.cautions = pictureCautions(cautions);
+        if (place) {
+            style.ring = figures::MapRing{place->middle, place->radius()};
+        }
         figures::writePng(path, figures::mapPicture(map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {
@@ -236,10 +248,9 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
     }
 }
 
-std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::string& name, const EnsembleReport& report,
-                                             const EnsembleSubject& subject, Session& session) const {
-    const io::MapOrigin origin = io::ensembleOrigin(report, map, subject.basis());
-    const std::vector<Caution> cautions = io::ensembleCautions(report, map, subject.basis());
+std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::string& name, const io::MapOrigin& origin,
+                                             const std::vector<Caution>& cautions, const std::optional<TellingPlace>& place,
+                                             Session& session) const {
     std::vector<MapLayer> layers = m_layers.empty() ? map.present() : m_layers;
     for (const MapLayer layer : layers) {
         if (!map.has(layer)) {
@@ -248,7 +259,7 @@ std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::st
     }
     std::vector<std::string> written;
     const auto one = [&](const std::string& path, const std::vector<MapLayer>& of) {
-        writeOne(path, map, of, origin, cautions, session);
+        writeOne(path, map, of, origin, cautions, place, session);
         written.push_back(path);
     };
     for (const std::string& path : m_paths) {

@@ -34,14 +34,16 @@ public:
 
     /// Writes every file asked for, and into a folder: NAME.tif, NAME.csv and a picture of each of the layers that matter most.
     /// @return  the files. Throws what the writers throw
-    std::vector<std::string> write(const DebrisMap& map, const std::string& name, const EnsembleReport& report,
-                                   const EnsembleSubject& subject, Session& session) const;
+    /// @param place  ringed on pictures; unset: none
+    std::vector<std::string> write(const DebrisMap& map, const std::string& name, const io::MapOrigin& origin,
+                                   const std::vector<Caution>& cautions, const std::optional<TellingPlace>& place,
+                                   Session& session) const;
     /// Folders among what --out names.
     std::vector<std::string> folders() const;
 
 private:
     void writeOne(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const io::MapOrigin& origin,
-                  const std::vector<Caution>& cautions, Session& session) const;
+                  const std::vector<Caution>& cautions, const std::optional<TellingPlace>& place, Session& session) const;
 
     std::vector<std::string> m_paths;
     std::vector<MapLayer> m_layers;    ///< asked for; empty: all

@@ -314,9 +314,8 @@ void CausesDisplay::showPage() {
         content.causes = made()->causes;
         if (made()->comparison != nullptr && made()->comparison->separation) {
             content.separation = std::shared_ptr<const DebrisMap>(made()->comparison, &*made()->comparison->separation);
-            const Hypothesis& closest = made()->hypotheses[made()->comparison->ranking.causes.front().hypothesis];
-            content.place = pictureStyle(io::ensembleOrigin(*closest.ensemble, *content.separation, made()->basis),
-                                         io::ensembleCautions(*closest.ensemble, *content.separation, made()->basis));
+            content.place = pictureStyle(io::separationOrigin(made()->hypotheses, *content.separation, made()->basis),
+                                         io::separationCautions(made()->hypotheses, made()->basis));
         }
         content.stale = stale();
     }
@@ -356,10 +355,13 @@ void CausesDisplay::saveMapTo(const QString& path) {
     }
     m_computation.write(
         [path, made = made()](const Execution& execution) {
-            const Hypothesis& closest = made->hypotheses[made->comparison->ranking.causes.front().hypothesis];
             const DebrisMap& map = *made->comparison->separation;
-            writeMapFile(path, map, MapLayer::Separation, io::ensembleOrigin(*closest.ensemble, map, made->basis),
-                         io::ensembleCautions(*closest.ensemble, map, made->basis), execution);
+            std::optional<figures::MapRing> ring;
+            if (const auto& place = made->comparison->place) {
+                ring = figures::MapRing{place->middle, place->radius()};
+            }
+            writeMapFile(path, map, MapLayer::Separation, io::separationOrigin(made->hypotheses, map, made->basis),
+                         io::separationCautions(made->hypotheses, made->basis), execution, ring);
         },
         [session = &m_session, path](const std::exception_ptr& thrown) { session->tellWritten(path, thrown); });
 }

@@ -297,6 +297,10 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
     if (m_kept.map == nullptr) {
         return;
     }
+    if (stale()) {
+        m_session.tell(tr("The members are of another case or other settings.") + u' ' + tr("Simulate them again, then save."));
+        return;
+    }
     const io::MapOrigin origin = io::ensembleOrigin(*made().report, *m_kept.map, made().basis);
     const std::vector<Caution> cautions = io::ensembleCautions(*made().report, *m_kept.map, made().basis);
     m_computation.write([path, origin, cautions, map = m_kept.map, layer = m_page.layer()](

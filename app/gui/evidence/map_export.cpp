@@ -20,7 +20,7 @@ figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin, const std::ve
 }
 
 void writeMapFile(const QString& path, const DebrisMap& map, MapLayer layer, const io::MapOrigin& origin,
-                  const std::vector<Caution>& cautions, const Execution& execution) {
+                  const std::vector<Caution>& cautions, const Execution& execution, const std::optional<figures::MapRing>& ring) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     const std::string file = path.toStdString();
     if (suffix == QLatin1String("csv")) {
@@ -29,6 +29,7 @@ void writeMapFile(const QString& path, const DebrisMap& map, MapLayer layer, con
         figures::MapPictureStyle style = pictureStyle(origin, cautions);
         style.subject = origin.subject;
         style.fitted = true;
+        style.ring = ring;
         figures::writePng(file, figures::mapPicture(map, layer, style));
         io::writeMapProvenance(file, origin);
     } else {

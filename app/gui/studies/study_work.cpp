@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/evidence/ensembles/member_doubts.h"
 #include "io/base/machine.h"
 #include "io/run/settled_files.h"
 #include "io/site/input_files.h"
@@ -94,12 +95,11 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
         auto report = std::make_shared<EnsembleReport>(ensembleStudy(source.scenes, settings, options, execution));
         execution.check();
         made.findings.append(source.findings);
-        made.findings.append(report->findings);
-        made.basis.inputs.insert(made.basis.inputs.end(), source.inputs.begin(), source.inputs.end());
-        addCautions(made.basis.cautions, source.cautions);
+        made.basis.join(source.basis());
         made.causes.push_back(source.name);
         made.hypotheses.push_back({source.name, std::move(report)});
     }
+    made.findings.append(findingsOfMembers(made.hypotheses));
     if (evidence.count() > 0) {
         auto comparison = std::make_shared<const CauseComparison>(compareCauses(made.hypotheses, evidence));
         made.findings.append(comparison->findings);

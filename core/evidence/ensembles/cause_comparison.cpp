@@ -249,6 +249,11 @@ Message verdictOf(const CauseComparison& made) {
             {name, listOf(made.alike)}};
 }
 
+/// Members that are enough for whatever is told of causes: to name one, in a blind test too, and to say that none fits.
+std::size_t membersEnough(std::size_t hypotheses) {
+    return std::max(membersToJudge, hypotheses > 1 ? membersToTell(hypotheses, 1) : 0);
+}
+
 /// What the program says against resting a conclusion on a photograph counts here too.
 /// @param leftOut  members that are held against the others
 void findTooFew(Findings& findings, std::span<const Hypothesis> hypotheses, std::size_t leftOut) {
@@ -258,10 +263,11 @@ void findTooFew(Findings& findings, std::span<const Hypothesis> hypotheses, std:
     }
     const std::size_t needed = membersToTell(hypotheses.size(), leftOut);
     if (hypotheses.size() > 1 && least < needed) {
-        findings.add({"causes.too_few_to_tell",
-                      "With {0} members of a cause none of {1} causes can be named, however clear the evidence is",
-                      {least, hypotheses.size()}},
-                     {"causes.too_few_to_tell.remedy", "Simulate at least {0} members of each cause.", {needed}});
+        findings.add(
+            {"causes.too_few_to_tell",
+             "With {0} members of a cause none of {1} causes can be named, however clear the evidence is",
+             {least, hypotheses.size()}},
+            {"causes.too_few_to_tell.remedy", "Simulate at least {0} members of each cause.", {membersEnough(hypotheses.size())}});
     }
 }
 
@@ -301,13 +307,12 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
     }
     // Photographs are not judged by.
     if (pieces > 0.0 && best.score.count < membersToJudge) {
-        made.findings.add({"causes.few_members",
-                           "With {0} members it cannot be told whether the evidence lies outside of what a cause does",
-                           {static_cast<std::int64_t>(best.score.count)}},
-                          {"causes.few_members.remedy",
-                           "Simulate at least {0} members of each cause.",
-                           {static_cast<std::int64_t>(membersToJudge)}},
-                          '"' + made.hypotheses[best.hypothesis] + '"');
+        made.findings.add(
+            {"causes.few_members",
+             "With {0} members it cannot be told whether the evidence lies outside of what a cause does",
+             {static_cast<std::int64_t>(best.score.count)}},
+            {"causes.few_members.remedy", "Simulate at least {0} members of each cause.", {membersEnough(hypotheses.size())}},
+            '"' + made.hypotheses[best.hypothesis] + '"');
     }
     findTooFew(made.findings, hypotheses, 0);
     for (const SurfaceEvidence& surface : evidence.surfaces) {

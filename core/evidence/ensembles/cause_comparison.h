@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,6 +106,9 @@ struct TellingPlace {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< m
     double area = 0.0;                                 ///< m2
     double share = 0.0;                                ///< of all that speaks for it on the map
+
+    /// m, of a circle of that area.
+    double radius() const { return std::sqrt(area / std::numbers::pi); }
 };
 
 /// Hypotheses of one collapse, held against the same evidence.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/evidence/ensembles/member_doubts.h"
 #include "core/fe/north.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/report/report_photograph.h"
@@ -81,7 +82,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
         pictures.surveys.push_back(survey.comparison ? surveyPicture(*survey.comparison, drawn) : QImage());
     }
     if (facts.probability != nullptr) {
-        map.shown = "simulated, at rest";
+        map.shown = facts.ensemble ? ensembleClass(*facts.ensemble) : map.shown;
         map.pixels.setHeight(mapHeight(*facts.probability));
         pictures.probability = mapPicture(*facts.probability, MapLayer::Probability, map);
     }

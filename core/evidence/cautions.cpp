@@ -65,7 +65,8 @@ Caution ensembleCaution(std::size_t members, double mean, double worst) {
 }
 
 std::vector<Message> placeDoubts(const Findings& findings) {
-    constexpr std::array<std::string_view, 3> others{"cloud.height_unit_assumed", "terrain.height_unit_unknown", "terrain.short"};
+    constexpr std::array<std::string_view, 5> others{"cloud.height_unit_assumed", "terrain.height_unit_unknown", "terrain.short",
+                                                     "simulation.terrain_ended", "simulation.terrain_unread"};
     constexpr double filledMuch = 0.1;
     std::vector<Message> doubts;
     for (const Finding& finding : findings.list()) {
@@ -120,6 +121,7 @@ RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bo
     standing.moving = result.stillMoving;
     standing.breaches = result.health.breaches;
     standing.acknowledged = acknowledged;
+    standing.placeDoubts = placeDoubts(result.findings);
     return standing;
 }
 
@@ -140,11 +142,13 @@ std::vector<Caution> runCautions(const RunStanding& run) {
                          {{run.reached, "s"}}}});
     }
     if (run.moving > 0) {
-        list.push_back({"still_moving",
-                        HealthGrade::Finding,
-                        {"caution.still_moving",
-                         "not all at rest: at {0}, the last instant, {1} of {2} bodies still moved",
-                         {{run.reached, "s"}, run.moving, run.bodies}}});
+        list.push_back({"still_moving", HealthGrade::Finding,
+                        run.earlier ? Message{"caution.moving_then",
+                                              "not all at rest: at {0}, the instant that is shown, {1} of {2} bodies moved",
+                                              {{*run.earlier, "s"}, run.moving, run.bodies}}
+                                    : Message{"caution.still_moving",
+                                              "not all at rest: at {0}, the last instant, {1} of {2} bodies still moved",
+                                              {{run.reached, "s"}, run.moving, run.bodies}}});
     }
     if (!run.unplaced.empty()) {
         list.push_back(noPlaceCaution(run.unplaced));

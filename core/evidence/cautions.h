@@ -21,8 +21,8 @@ struct Caution {
     HealthGrade grade{};
     Message what;
 
-    /// Pictures show what is graver than a notice, and that they are of a single run.
-    bool inPictures() const { return grade != HealthGrade::Notice || key == "single_run"; }
+    /// Pictures show what is graver than a notice, that limits were passed at all, and that they are of a single run.
+    bool inPictures() const { return grade != HealthGrade::Notice || key == "single_run" || key == "limits_passed"; }
 };
 
 /// Beside whatever is written of a model that has no place in the coordinate system that its case names: its axes are its own.
@@ -50,10 +50,11 @@ struct RunStanding {
     std::string unsaidUnits{};           ///< systems of units that the FE result would fit as well; empty: its units are known
     std::vector<Message> placeDoubts{};  ///< what makes places and heights uncertain
     bool outgrown = false;               ///< the case that it is shown in has other settings by now
+    std::optional<double> earlier{};     ///< s, instant that `bodies` and `moving` are of; unset: the last one
 };
 
 /// What of the findings of opened inputs makes every place or height of a run uncertain: the way between coordinate systems,
-/// control points, the unit of heights, a terrain that was filled by more than a tenth or ends short of the structure.
+/// control points, the unit of heights, a terrain that was filled by more than a tenth, ends short of the structure or of debris.
 std::vector<Message> placeDoubts(const Findings& findings);
 
 /// Beside whatever was made from these inputs.

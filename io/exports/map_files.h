@@ -13,6 +13,8 @@
 
 namespace rubble::io {
 
+struct ShownFile;
+
 /// What a map was made from, as every file of it says.
 struct MapOrigin {
     Frame frame;
@@ -31,6 +33,8 @@ std::string mapSubject(const RunOrigin& origin, const std::string& casePath);
 
 /// @param shown  what the frame at the time of the map was: simulated, or interpolated between two
 MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown);
+/// The same of a picture. @param drawn  files whose outlines it shows
+MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown, const std::vector<ShownFile>& drawn);
 
 /// Where the fragments of a map lie, for files that list them.
 struct MapFragments {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "core/base/build.h"
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
@@ -35,12 +36,21 @@ nlohmann::json ledgerJson(const DebrisMap& map) {
 }  // namespace
 
 MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown) {
+    return mapOrigin(run, map, shown, {});
+}
+
+MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown, const std::vector<ShownFile>& drawn) {
     const RunOrigin& from = run.origin();
     MapOrigin origin;
     origin.frame = from.frame;
     origin.site = from.site;
     const std::string crs = MapPlace(from.frame, from.site).name();
     nlohmann::json document = nlohmann::json::parse(provenanceText(run));
+    const std::vector<Caution> known = runCautions(standingAt(run, map.time));
+    document["cautions"] = cautionsJson(known);
+    for (const ShownFile& file : drawn) {
+        document["map_outlines"].push_back({{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}});
+    }
     document["map"] = {{"time_s", map.time},
                        {"class", shownClass(shown)},
                        {"cell_m", map.cell},
@@ -56,7 +66,7 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     }
     origin.provenance = jsonText(document);
     origin.subject = mapSubject(from, {});
-    const std::string cautions = pictureCautions(runCautions(standingOf(run)));
+    const std::string cautions = pictureCautions(known);
     origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},
@@ -86,6 +96,11 @@ std::string inputsLine(const MapOrigin& origin) {
     for (const auto& [key, value] : origin.facts) {
         if (key.starts_with("RUBBLE_INPUT")) {
             line += (line.empty() ? "inputs " : ", ") + value.substr(0, 16);
+        }
+    }
+    for (const auto& [key, value] : origin.facts) {
+        if (key == "RUBBLE_BUILD") {
+            line += (line.empty() ? "" : ", ") + std::string(shortBuild(value));
         }
     }
     return line;

@@ -14,6 +14,21 @@ std::string unplacedSystem(const Frame& frame, const Site& site) {
     }
 }
 
+namespace {
+
+void countBodies(RunStanding& standing, const RunReader& run, const TrajectoryFrame& frame) {
+    standing.bodies = 0;
+    standing.moving = 0;
+    for (const BodyRecord& body : run.bodies()) {
+        if (const std::size_t i = at(body.body); !body.isIsland() && i < frame.states.size()) {
+            standing.bodies += frame.states[i] != BodyState::Removed ? 1 : 0;
+            standing.moving += frame.states[i] == BodyState::Awake ? 1 : 0;
+        }
+    }
+}
+
+}  // namespace
+
 RunStanding standingOf(const RunReader& run) {
     const auto fragments = run.fragments();
     const std::size_t count = fragments ? fragments->size() : 0;
@@ -23,7 +38,8 @@ RunStanding standingOf(const RunReader& run) {
     }
     standing.unplaced = unplacedSystem(run.origin().frame, run.origin().site);
     standing.unsaidUnits = run.origin().unsaidUnits;
-    standing.placeDoubts = run.origin().placeDoubts;
+    const std::vector<Message>& opened = run.origin().placeDoubts;
+    standing.placeDoubts.insert(standing.placeDoubts.begin(), opened.begin(), opened.end());
     standing.outgrown = run.outgrown();
     if (run.result()) {
         return standing;
@@ -36,12 +52,17 @@ RunStanding standingOf(const RunReader& run) {
     }
     const auto last = run.frame(run.frameCount() - 1);
     standing.reached = last->time;
-    for (const BodyRecord& body : run.bodies()) {
-        if (const std::size_t i = at(body.body); !body.isIsland() && i < last->states.size()) {
-            standing.bodies += last->states[i] != BodyState::Removed ? 1 : 0;
-            standing.moving += last->states[i] == BodyState::Awake ? 1 : 0;
-        }
+    countBodies(standing, run, *last);
+    return standing;
+}
+
+RunStanding standingAt(const RunReader& run, double time) {
+    RunStanding standing = standingOf(run);
+    if (run.frameCount() == 0 || time >= run.frame(run.frameCount() - 1)->time) {
+        return standing;
     }
+    standing.earlier = time;
+    countBodies(standing, run, frameAtTime(run, time));
     return standing;
 }
 

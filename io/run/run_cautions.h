@@ -10,5 +10,8 @@ std::string unplacedSystem(const Frame& frame, const Site& site);
 
 /// How far a recorded run has come and what it is worth. Throws what reading its last frame throws.
 RunStanding standingOf(const RunReader& run);
+/// The same beside what shows one instant: of an earlier one than the last it says what moved then.
+/// @param time  s. Throws what reading its frame throws.
+RunStanding standingAt(const RunReader& run, double time);
 
 }  // namespace rubble::io

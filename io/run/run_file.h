@@ -84,10 +84,14 @@ public:
 
     /// Whether the case that it is shown in has other settings by now: its exports say so. Set and read from any thread.
     void setOutgrown(bool outgrown) { m_outgrown = outgrown; }
+    /// Whether its file stays: of one that goes with the program no export names the path. Set before it is used.
+    void setKept(bool kept) { m_kept = kept; }
+    bool kept() const { return m_kept; }
     bool outgrown() const { return m_outgrown; }
 
 private:
     std::atomic<bool> m_outgrown = false;
+    bool m_kept = true;
 };
 
 /// @param cacheBytes  frames kept in memory at most

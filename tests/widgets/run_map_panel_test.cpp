@@ -12,6 +12,9 @@
 
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/theme.h"
+#include "widgets/figures/map_picture.h"
+#include "widgets/figures/sheets/map_words.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::widgets {
 
@@ -157,6 +160,35 @@ TEST_F(RunMapPanelTest, CautionsStandOnAmberBelowTheMap) {
     cautioned.place.cautions = "12 of 40 bodies still move";
     panel.setContent(cautioned);
     EXPECT_NE(drawn(panel), without);
+}
+
+TEST_F(RunMapPanelTest, APictureCountsInMetresInAllOfItWhateverIsShown) {
+    figures::MapPictureStyle style = content().place;
+    style.subject = "bridge";
+    const std::shared_ptr<const RunMap> made = heap();
+    const QImage inSi = figures::mapPicture(made->map, MapLayer::Height, style);
+    figures::chooseUnits(figures::UnitSet::UsCustomary);
+    const QImage inFeet = figures::mapPicture(made->map, MapLayer::Height, style);
+    figures::chooseUnits(figures::UnitSet::Si);
+    EXPECT_EQ(inSi, inFeet) << "axes in metres beside cells in feet are two maps";
+}
+
+TEST_F(RunMapPanelTest, LinesOfARunAndOfAnAreaAreToldFromWhatWasFound) {
+    const auto made = heap();
+    figures::MapPictureStyle style = content().place;
+    const QImage found = figures::mapPicture(made->map, MapLayer::Height, style);
+    style.outlines[1].of = figures::MapOutline::Of::Simulated;
+    const QImage simulated = figures::mapPicture(made->map, MapLayer::Height, style);
+    EXPECT_NE(found, simulated);
+    style.outlines[1].of = figures::MapOutline::Of::Area;
+    EXPECT_NE(simulated, figures::mapPicture(made->map, MapLayer::Height, style));
+    EXPECT_NE(figures::outlineWords(figures::MapOutline::Of::Simulated), figures::outlineWords(figures::MapOutline::Of::Evidence));
+    // Fallen live structure is debris too to whoever stands before it.
+    DebrisMap map = made->map;
+    EXPECT_FALSE(figures::debrisSums(map).contains(QStringLiteral("fallen live structure")));
+    map.ledger.liveMass = 1.547e6;
+    map.ledger.liveFootprintArea = 120.0;
+    EXPECT_TRUE(figures::debrisSums(map).contains(QStringLiteral("fallen live structure beside them: 1")));
 }
 
 TEST_F(RunMapPanelTest, WithoutAMapItSaysWhyAndOffersNothing) {

@@ -114,7 +114,7 @@ void NewCaseDeaths::setContent(const std::shared_ptr<const Content>& content) {
             audit.deadTotal == 0
                 ? tr("No element dies: all %1 are active at the last state. Is the active flag the right one?").arg(shownCount(all))
                 : tr("%1 of %2 elements are dead at the last state: %3 of %4.")
-                      .arg(shownCount(audit.deadTotal), shownCount(all), shownMass(audit.deadMass), shownMass(audit.mass)));
+                      .arg(shownCount(audit.deadTotal), shownCount(all), shownMass(audit.deadMass, 4), shownMass(audit.mass, 4)));
     }
     showTable();
     showAnomalies();

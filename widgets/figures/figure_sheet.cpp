@@ -93,7 +93,8 @@ void besideEachOther(std::vector<SheetPanel>& panels) {
     panels = std::move(rows);
 }
 
-/// Text in the middle of a box, whole: over two lines and in smaller letters rather than cut.
+}  // namespace
+
 void paintWhole(QPainter& painter, const QRectF& box, const QString& text, double largest, double smallest, bool italic) {
     constexpr int centred = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
     for (double size = largest; size > smallest; size *= 0.92) {
@@ -106,8 +107,6 @@ void paintWhole(QPainter& painter, const QRectF& box, const QString& text, doubl
     }
     painter.drawText(box, centred, text);
 }
-
-}  // namespace
 
 void dress(render::View& view, render::Style style) {
     view.style = style;

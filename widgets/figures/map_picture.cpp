@@ -25,6 +25,7 @@
 #include "widgets/figures/sheets/map_window.h"
 #include "widgets/figures/sheets/map_words.h"
 #include "widgets/figures/sheets/sheet_text.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/render/basics/colour_choice.h"
 
 namespace rubble::figures {
@@ -214,6 +215,7 @@ private:
             const MapCell& cell = m_map.cells[c];
             if (!m_window.holds(cell)) {
                 ++m_outside;
+                m_farthest = std::max(m_farthest, m_window.beyond(cell));
                 continue;
             }
             cells.setPixelColor(cell.i - m_window.low.i, m_window.high.j - cell.j, cellColour(c));
@@ -245,10 +247,7 @@ private:
         return m_style.contours > 0.0 && m_map.has(MapLayer::Height) && !m_map.layer(MapLayer::Height).empty();
     }
     QPen contourPen() const { return {QColor(0x20, 0x22, 0x26, 170), std::max(0.7, 0.06 * m_text)}; }
-    QPen outlinePen(MapOutline::Of of) const {
-        const double width = std::max(1.5, 0.15 * m_text);
-        return of == MapOutline::Of::Structure ? QPen(m_palette.accent, width, Qt::DashLine) : QPen(m_palette.error, width);
-    }
+    QPen outlinePen(MapOutline::Of of) const { return lineOf(of, m_palette, std::max(1.5, 0.15 * m_text)); }
 
     void drawRings(QPainter& painter, const std::vector<OutlineRing>& rings) {
         for (const OutlineRing& ring : rings) {
@@ -299,17 +298,17 @@ private:
         if (showsContours()) {
             entry(contourPen(), tr("height, every %1").arg(lengthText(m_style.contours)));
         }
-        for (const MapOutline::Of of : {MapOutline::Of::Structure, MapOutline::Of::Evidence}) {
+        for (const MapOutline::Of of : MapOutline::all) {
             if (outlines(of)) {
-                entry(outlinePen(of), of == MapOutline::Of::Structure ? tr("what collapsed") : tr("found on the site"));
+                entry(outlinePen(of), outlineWords(of));
             }
         }
     }
 
     /// Lines below the bar or the categories.
     int lineEntries() const {
-        return (showsContours() ? 1 : 0) + (outlines(MapOutline::Of::Structure) ? 1 : 0) +
-               (outlines(MapOutline::Of::Evidence) ? 1 : 0);
+        return (showsContours() ? 1 : 0) + static_cast<int>(std::count_if(MapOutline::all.begin(), MapOutline::all.end(),
+                                                                          [this](auto of) { return outlines(of); }));
     }
     bool outlines(MapOutline::Of of) const {
         return std::any_of(m_style.outlines.begin(), m_style.outlines.end(),
@@ -382,7 +381,7 @@ private:
             y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
         }
         if (showsLive()) {
-            drawEntry(painter, y, liveColour(), tr("fallen live structure"));
+            drawEntry(painter, y, liveColour(), tr("fallen live structure alone"));
         }
         drawLineEntries(painter, y);
     }
@@ -485,16 +484,14 @@ private:
                               : tr("%1, t = %2, %3, cells of %4")
                                     .arg(layerName(m_map, m_layer), timeText(m_map.time), shown, lengthText(m_map.cell));
         if (m_outside > 0) {
-            caption += tr("; %1 cells with debris lie outside the picture").arg(countText(m_outside));
+            caption += tr("; %1 cells with debris lie outside the picture, up to %2 beyond it")
+                           .arg(countText(m_outside), lengthText(m_map.cell * m_farthest));
         }
         const double bottom = m_style.pixels.height() - belowCaption();
-        // A long caption of a small picture is set smaller, then cut.
         const double room = 0.98 * m_style.pixels.width();
-        const double size =
-            m_text * std::clamp(room / QFontMetricsF(sheetFont(m_text, true)).horizontalAdvance(caption), 0.75, 1.0);
-        write(painter, QRectF(0.0, bottom - 1.8 * m_line, m_style.pixels.width(), 1.5 * m_line),
-              QFontMetricsF(sheetFont(size, true)).elidedText(caption, Qt::ElideRight, room), static_cast<int>(Qt::AlignCenter),
-              size, true);
+        painter.setPen(m_palette.text);
+        paintWhole(painter, QRectF(0.5 * (m_style.pixels.width() - room), bottom - 1.8 * m_line, room, 1.5 * m_line), caption,
+                   m_text, 0.4 * m_text, true);
         if (!m_style.cautions.empty()) {
             paintCautions(painter, QRectF(0.0, bottom, m_style.pixels.width(), cautionHeight(m_text)),
                           QString::fromStdString(m_style.cautions), m_text, m_style.theme);
@@ -532,6 +529,7 @@ private:
     QRectF m_frame;
     double m_cellPixels = 1.0;
     std::size_t m_outside = 0;
+    int m_farthest = 0;  ///< of these, cells beyond the picture
 };
 
 void checkLayer(const DebrisMap& map, MapLayer layer) {
@@ -545,6 +543,8 @@ void checkLayer(const DebrisMap& map, MapLayer layer) {
 }  // namespace
 
 QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style) {
+    // Its axes and bars count in SI, as its files do: so do all of its words.
+    const FileUnits inSi;
     constexpr int smallest = 100;
     constexpr int largest = 16384;
     const auto fits = [](int side) { return side >= smallest && side <= largest; };

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QSize>
+#include <array>
 
 #include <cstdint>
 #include <optional>
@@ -25,7 +26,9 @@ struct MapRing {
 
 /// A line around something on a map: the structure that stood there, or what was found.
 struct MapOutline {
-    enum class Of : std::uint8_t { Structure, Evidence };
+    /// What stood there, what was found, what looks like evidence and was simulated, and the area that is compared.
+    enum class Of : std::uint8_t { Structure, Evidence, Simulated, Area };
+    static constexpr std::array<Of, 4> all{Of::Structure, Of::Evidence, Of::Simulated, Of::Area};
     Of of = Of::Structure;
     std::vector<OutlineRing> rings;  ///< m, local
 };

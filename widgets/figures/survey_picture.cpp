@@ -18,6 +18,7 @@
 #include "widgets/figures/palette.h"
 #include "widgets/figures/sheets/map_edges.h"
 #include "widgets/figures/sheets/sheet_text.h"
+#include "widgets/figures/shown_units.h"
 
 namespace rubble::figures {
 namespace {
@@ -164,7 +165,28 @@ private:
         return (m_style.cautions.empty() ? 0.0 : cautionHeight(m_text)) + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
     }
 
+    /// Lines of the legend above the scale bar at most, and of that.
+    double linesOfLegend() const {
+        constexpr double pitch = 1.25;
+        constexpr double scaleBar = 2.2;
+        const bool scope = m_style.scope && !m_made.settings.scope.whole();
+        const double bar = m_made.isFootprint ? 3.0 * pitch : 1.4 + 5.0 + 0.8;
+        return bar + 0.4 + (4.0 + (scope ? 2.0 : 0.0)) * pitch + scaleBar;
+    }
+
+    /// Where the column of the legend is low, words are smaller: they must not lie over the scale bar.
+    void suitLowPicture() {
+        constexpr double smallest = 0.6;
+        const double room = m_style.pixels.height() - belowCaption() - 5.0 * m_line;
+        const double needed = linesOfLegend() * m_line;
+        if (needed > room) {
+            m_text *= std::clamp(room / needed, smallest, 1.0);
+            m_line = QFontMetricsF(sheetFont(m_text)).height();
+        }
+    }
+
     void layOut() {
+        suitLowPicture();
         const double foot = (m_style.caption ? 2.2 * m_line : 0.4 * m_line) + belowCaption();
         const double width = m_style.pixels.width();
         const double height = m_style.pixels.height();
@@ -347,7 +369,7 @@ private:
     }
 
     double drawBar(QPainter& painter, double y) {
-        const double height = std::min(7.0 * m_line, 0.4 * m_legend.height());
+        const double height = std::min(7.0 * m_line, std::max(5.0 * m_line, 0.4 * m_legend.height()));
         const QRectF bar(m_legend.left(), y, 1.1 * m_line, height);
         QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
         for (int i = 0; i <= 16; ++i) {
@@ -383,8 +405,9 @@ private:
                 tr("Simulated debris at t = %1 against the survey; IoU %2, cells of %3; fallen live structure %4")
                     .arg(timeText(m_made.time), numberText(m_made.iou), lengthText(m_grid.cell),
                          m_made.settings.withFallen ? tr("counted") : tr("left out"));
-            write(painter, QRectF(0.0, m_foot.top() + 0.4 * m_line, m_foot.width(), 1.5 * m_line), caption,
-                  static_cast<int>(Qt::AlignCenter), m_text, true);
+            painter.setPen(m_palette.text);
+            paintWhole(painter, QRectF(0.01 * m_foot.width(), m_foot.top() + 0.4 * m_line, 0.98 * m_foot.width(), 1.5 * m_line),
+                       caption, m_text, 0.4 * m_text, true);
         }
         if (!m_style.cautions.empty()) {
             paintCautions(painter, QRectF(0.0, m_foot.bottom() - belowCaption(), m_foot.width(), cautionHeight(m_text)),
@@ -461,6 +484,8 @@ void drawScope(QPainter& painter, const SurveyField& field, const SurveyScope& s
 }
 
 QImage surveyPicture(const SurveyComparison& made, const SurveyPictureStyle& style) {
+    // As a debris map.
+    const FileUnits inSi;
     constexpr int smallest = 100;
     constexpr int largest = 16384;
     const auto fits = [](int side) { return side >= smallest && side <= largest; };

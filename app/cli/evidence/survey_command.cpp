@@ -362,7 +362,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     style.system = input.frame.crs;
     style.provenance = "survey " + input.sha256.substr(0, 16) + ", " + io::footLine(run.origin());
     style.subject = origin.subject;
-    style.cautions = pictureCautions(io::surveyCautions(run, input));
+    style.cautions = pictureCautions(io::surveyCautions(run, input, made.time));
     figures::writePng(path, figures::surveyPicture(made, style));
     io::writeProvenance(path, origin.provenance);
 }
@@ -379,7 +379,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
         checkOutputPath(path, inputs);
     }
     checkCsvPath(arguments, inputs);
-    const MapSubject subject = openMapSubject(arguments, session);
+    MapSubject subject = openMapSubject(arguments, session);
     Findings findings = subject.findings;
     SurveyFile file = surveyFile(arguments, *subject.run, findings);
     if (!arguments.has("--time")) {
@@ -402,6 +402,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     takeStated(settings, file.theCase, file.stated, findings);
     settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
     const SurveyComparison made = compareRunWithSurvey(mapped, time, input.survey, settings, session.execution());
+    subject.instant = made.time;
     for (const std::string& path : files) {
         if (io::hasEnding(path, ".png")) {
             writePicture(path, made, input, *subject.run, arguments);

@@ -117,8 +117,9 @@ ExitCode map(const Arguments& arguments, Session& session) {
         checkOutputPath(path, std::vector<std::string>{arguments.operand()});
     }
     checkCsvPath(arguments, std::vector<std::string>{arguments.operand()});
-    const MapSubject subject = openMapSubject(arguments, session);
+    MapSubject subject = openMapSubject(arguments, session);
     const RunMap made = request.make(*subject.run, subject.inputs, session.execution());
+    subject.instant = made.map.time;
     const std::vector<MapLayer> layers = request.layersOf(made.map);
     for (const std::string& path : files) {
         request.write(path, made, *subject.run, session);

@@ -122,7 +122,7 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;
     style.provenance = io::footLine(run.origin());
-    style.cautions = pictureCautions(runCautions(io::standingOf(run)));
+    style.cautions = pictureCautions(runCautions(io::standingAt(run, made.map.time)));
     style.contours = m_drawnContours;
     figures::writePng(path, figures::mapPicture(made.map, layers.front(), style));
     io::writeMapProvenance(path, origin);

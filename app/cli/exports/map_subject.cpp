@@ -59,7 +59,7 @@ MapSubject openMapSubject(const Arguments& arguments, Session& session) {
     std::unique_ptr<TrajectorySink> file = io::createRun(path, io::originOf(opened));
     const Results results = runTo(opened, Stage::Simulation, file.get(), session.execution());
     file.reset();
-    subject.run = io::openRun(path);
+    subject.run = subject.temporary->open();
     subject.inputs = opened.inputs;
     subject.findings = io::openingFindings(opened);
     return subject;
@@ -69,11 +69,13 @@ void conclude(const Arguments& arguments, Session& session, const MapSubject& su
               const std::function<Json()>& json, const std::function<void(std::ostream&)>& tables) {
     const std::vector<std::string> files = arguments.values("--out");
     const io::Taint taint = io::taintOf(*subject.run);
+    const std::vector<Caution> known =
+        runCautions(subject.instant ? io::standingAt(*subject.run, *subject.instant) : io::standingOf(*subject.run));
     if (arguments.json()) {
         Json object = json();
         object["exports"] = files;
         object["tainted"] = taint.tainted();
-        object["cautions"] = cautionsOf(*subject.run);
+        object["cautions"] = cautionsJson(known);
         object["warnings"] = findingsJson(findings);
         printJson(session, object);
     } else {
@@ -82,7 +84,7 @@ void conclude(const Arguments& arguments, Session& session, const MapSubject& su
             session.out() << path << '\n';
         }
         printFindings(session.out(), findings);
-        printCautions(session.out(), runCautions(io::standingOf(*subject.run)));
+        printCautions(session.out(), known);
     }
     warnIfTainted(session, subject.path, taint);
 }

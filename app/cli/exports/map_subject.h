@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 
 #include "app/cli/frame/arguments.h"
+#include "app/cli/frame/health_output.h"
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/session.h"
 #include "app/cli/frame/temporary_run.h"
@@ -21,6 +23,7 @@ struct MapSubject {
     std::shared_ptr<io::RunReader> run;
     Inputs inputs;
     Findings findings;
+    std::optional<double> instant{};  ///< s, of what was made; unset: the last one
 };
 
 /// The run of a file; null if the file is none. Throws what reading a run throws.

@@ -17,7 +17,9 @@
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "io/run/run_cautions.h"
+#include "io/site/input_files.h"
 #include "io/site/survey_file.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
 #include "widgets/run/caution_words.h"
@@ -31,30 +33,36 @@ constexpr double packageContours = 0.5;  // m, of a GeoPackage of a map without 
 constexpr double dockShare = 0.45;       // of the centre, when it is first opened
 
 /// What stood there, and what was found.
-std::vector<figures::MapOutline> outlinesOf(const EvidenceRun& run, const std::vector<CaseInput>& surveys, const Case& theCase,
-                                            const Frame& frame, const std::string& base, const Execution& execution) {
-    std::vector<figures::MapOutline> outlines;
+void addOutlines(MapWork::Made& made, const EvidenceRun& run, const std::vector<CaseInput>& surveys, const Case& theCase,
+                 const Frame& frame, const std::string& base, const Execution& execution) {
     const CollapsePlan plan(*run.fragments, run.fe->mesh());
-    outlines.push_back({figures::MapOutline::Of::Structure, {plan.outline()}});
+    made.outlines.push_back({figures::MapOutline::Of::Structure, {plan.outline()}});
     for (const CaseInput& survey : surveys) {
-        figures::MapOutline found{figures::MapOutline::Of::Evidence, {}};
-        const auto take = [&](const Outline& outline) {
+        const std::string path = io::inputPath(base, survey);
+        const bool measured = io::surveyOriginOf(path, survey.read).measured();
+        figures::MapOutline found{measured ? figures::MapOutline::Of::Evidence : figures::MapOutline::Of::Simulated, {}};
+        figures::MapOutline area{figures::MapOutline::Of::Area, {}};
+        const auto take = [](figures::MapOutline& into, const Outline& outline) {
             for (const OutlinePolygon& polygon : outline.polygons) {
-                found.rings.insert(found.rings.end(), polygon.begin(), polygon.end());
+                into.rings.insert(into.rings.end(), polygon.begin(), polygon.end());
             }
         };
-        take(survey.scope.area);
+        take(area, survey.scope.area);
         try {
             Findings ignored;
-            take(io::readScope(io::inputPath(base, survey), frame, theCase.site, ignored, execution));
+            take(found, io::readScope(path, frame, theCase.site, ignored, execution));
+            if (!found.rings.empty()) {
+                made.drawn.push_back({found.of == figures::MapOutline::Of::Evidence ? "evidence" : "simulated_no_evidence", path,
+                                      io::digestOfInput(path, InputRole::Survey, execution).sha256});
+            }
         } catch (const Cancelled&) {
             throw;
         } catch (const Error&) {
             // A height model has no outline; what is wrong with a file is said where it is compared.
         }
-        outlines.push_back(std::move(found));
+        made.outlines.push_back(std::move(found));
+        made.outlines.push_back(std::move(area));
     }
-    return outlines;
 }
 
 }  // namespace
@@ -85,7 +93,7 @@ void MapWork::start(const Order& order, const EvidenceRun& run, std::shared_ptr<
                         MapSettings settings;
                         settings.cell = order.cell;
                         made->map = mapOfRun(run.mapped(), order.time, settings, order.live, execution);
-                        made->outlines = outlinesOf(run, order.surveys, theCase, frame, base, execution);
+                        addOutlines(*made, run, order.surveys, theCase, frame, base, execution);
                     },
                     [this, made = m_making](const std::exception_ptr& thrown) {
                         if (made != m_making) {
@@ -210,8 +218,8 @@ void MapDisplay::show() {
     content.making = m_work.answer.running();
     if (made != nullptr) {
         content.map = std::shared_ptr<const RunMap>(made, &made->map);
-        content.place =
-            pictureStyle(io::mapOrigin(*made->run, made->map.map, made->map.shown), runCautions(io::standingOf(*made->run)));
+        content.place = pictureStyle(io::mapOrigin(*made->run, made->map.map, made->map.shown),
+                                     runCautions(io::standingAt(*made->run, made->map.map.time)));
         content.place.provenance.clear();
         content.place.outlines = made->outlines;
     } else {
@@ -241,7 +249,7 @@ void MapDisplay::save() {
     if (m_work.answer.result() == nullptr) {
         const bool making = m_work.answer.running();
         m_session.tell(making ? tr("The debris is being mapped: save the map once it stands here.")
-                              : tr("Simulate first: there is no debris yet."));
+                              : tr("Simulate first, or show one of the runs: there is no debris yet."));
         m_waitTold = making;
         return;
     }
@@ -262,7 +270,7 @@ void MapDisplay::saveTo(const QString& path) {
     const widgets::RunMapChoice& choice = m_panel->choice();
     figures::MapPictureStyle style = m_panel->style();
     style.provenance = io::footLine(made->run->origin());
-    style.cautions = widgets::cautionWords(runCautions(io::standingOf(*made->run))).toStdString();
+    style.cautions = widgets::cautionWords(runCautions(io::standingAt(*made->run, made->map.map.time))).toStdString();
     style.subject = io::mapSubject(made->run->origin(), m_document.path().toStdString());
     style.fitted = true;
     const double contours = choice.contours > 0.0 ? choice.contours : packageContours;
@@ -271,7 +279,12 @@ void MapDisplay::saveTo(const QString& path) {
             const std::string file = path.toStdString();
             if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
                 figures::writePng(file, figures::mapPicture(made->map.map, layer, style));
-                io::writeMapProvenance(file, io::mapOrigin(*made->run, made->map.map, made->map.shown));
+                const bool outlined =
+                    std::any_of(style.outlines.begin(), style.outlines.end(), [](const figures::MapOutline& outline) {
+                        return outline.of == figures::MapOutline::Of::Evidence || outline.of == figures::MapOutline::Of::Simulated;
+                    });
+                io::writeMapProvenance(file, io::mapOrigin(*made->run, made->map.map, made->map.shown,
+                                                           outlined ? made->drawn : std::vector<io::ShownFile>()));
             } else {
                 io::writeRunMap(file, made->map, made->map.map.present(), contours, *made->run, execution);
             }

@@ -12,6 +12,7 @@
 #include "core/evidence/maps/run_map.h"
 #include "core/fe/orthophoto.h"
 #include "core/scenario/case.h"
+#include "io/exports/provenance.h"
 #include "io/run/run_file.h"
 #include "widgets/evidence/run_map_panel.h"
 
@@ -46,6 +47,7 @@ public:
         RunMap map;
         std::shared_ptr<const io::RunReader> run;
         std::vector<figures::MapOutline> outlines;
+        std::vector<io::ShownFile> drawn;  ///< of evidence whose outline is among these
     };
 
     explicit MapWork(Session& session);

@@ -114,7 +114,9 @@ RunMap mapOfRun(const MappedRun& run, std::optional<double> time, const MapSetti
     RunMap made;
     made.debris = debrisAt(*run.fragments, components, *run.trajectory, when);
     made.debris.time = when;
-    made.shown = frameAtTime(*run.trajectory, when).kind;
+    // A frame at a state of the FE result holds simulated debris as well.
+    const bool between = frameAtTime(*run.trajectory, when).kind == FrameKind::Interpolated;
+    made.shown = between ? FrameKind::Interpolated : FrameKind::Simulated;
     made.arrivals = arrivalTimes(*run.fragments, *run.trajectory, made.debris, settings.arrivalDistance, execution);
     made.energies = energiesUpTo(run, when, span.last, execution, made.findings);
     if (withLive) {

@@ -52,8 +52,15 @@ TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
               "not complete: the run goes up to 9.5 s, what comes later is not in it");
     EXPECT_EQ(englishText(find(list, "still_moving")->what),
               "not all at rest: at 9.5 s, the last instant, 12 of 40 bodies still moved");
+    // Beside what shows an earlier instant it says what moved then.
+    run.earlier = 3.25;
+    EXPECT_EQ(englishText(find(runCautions(run), "still_moving")->what),
+              "not all at rest: at 3.25 s, the instant that is shown, 12 of 40 bodies moved");
+    run.earlier.reset();
     run.acknowledged = true;
     EXPECT_EQ(find(runCautions(run), "tainted"), nullptr);
+    // What the status bar says stands below pictures too, whatever its grade.
+    EXPECT_TRUE((Caution{"limits_passed", HealthGrade::Notice, {}}).inPictures());
     EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what), "1 limit of health passed, acknowledged");
 }
 

@@ -194,6 +194,12 @@ TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {
     const double between = 0.5 * (0.5 * standardGravity * (0.3 * 0.3 + 0.4 * 0.4));
     EXPECT_NEAR(early.live->pieces[0].centre.z(), 4.5 - between, 1e-9) << "linear between the states";
     EXPECT_EQ(early.shown, FrameKind::Interpolated);
+    // At a state of the FE result the debris is simulated as well: no map of it is one of the FE result.
+    for (const double state : inputs.fe->contents().times) {
+        if (state > trajectory.frame(0)->time) {
+            EXPECT_EQ(mapAt(state).shown, FrameKind::Simulated) << state;
+        }
+    }
 }
 
 TEST_F(MapOfARun, AnIslandIsWhereTheEngineHasItBeforeTheFeResultEnds) {

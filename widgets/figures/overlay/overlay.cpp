@@ -263,6 +263,9 @@ Overlay overlayOf(const render::View& view, const render::Scene& scene, const re
             if (status.released > 0) {
                 overlay.legend.push_back({plain ? QColor() : p.released, tr("loose structure %1").arg(countText(status.released))});
             }
+            if (data.waterLevel) {
+                overlay.legend.push_back({p.water, tr("water, surface at z = %1").arg(lengthText(*data.waterLevel))});
+            }
             if (view.style == render::Style::Presentation) {
                 addMaterials(overlay.legend, data, sceneColours(view.theme));
             }

@@ -15,6 +15,10 @@ struct MapWindow {
 
     int columns() const { return high.i - low.i + 1; }
     int rows() const { return high.j - low.j + 1; }
+    /// How many cells a cell lies beyond the window, 0: it lies within.
+    int beyond(const MapCell& cell) const {
+        return std::max({low.i - cell.i, cell.i - high.i, low.j - cell.j, cell.j - high.j, 0});
+    }
     bool holds(const MapCell& cell) const { return cell.i >= low.i && cell.i <= high.i && cell.j >= low.j && cell.j <= high.j; }
 };
 

@@ -60,7 +60,41 @@ QString debrisSums(const DebrisMap& map) {
     if (highest > 0.0) {
         text += MapWords::tr("; highest cell, in the mean: %1").arg(lengthText(highest));
     }
+    // Debris too, to whoever stands before it: what fell and was not broken up.
+    if (ledger.liveMass > 0.0) {
+        text += MapWords::tr("; fallen live structure beside them: %1 on %2")
+                    .arg(ledger.liveMass >= 1000.0 ? quantity(ledger.liveMass / 1000.0, "t") : quantity(ledger.liveMass, "kg"),
+                         quantity(ledger.liveFootprintArea, "m2"));
+    }
     return text;
+}
+
+QString outlineWords(MapOutline::Of of) {
+    switch (of) {
+        case MapOutline::Of::Structure:
+            return MapWords::tr("what collapsed");
+        case MapOutline::Of::Evidence:
+            return MapWords::tr("found on the site");
+        case MapOutline::Of::Simulated:
+            return MapWords::tr("made from a run: no evidence");
+        case MapOutline::Of::Area:
+            break;
+    }
+    return MapWords::tr("area of interest");
+}
+
+QPen lineOf(MapOutline::Of of, const Palette& palette, double width) {
+    switch (of) {
+        case MapOutline::Of::Structure:
+            return {palette.accent, width, Qt::DashLine};
+        case MapOutline::Of::Evidence:
+            return {palette.error, width};
+        case MapOutline::Of::Simulated:
+            return {palette.error, width, Qt::DotLine};
+        case MapOutline::Of::Area:
+            break;
+    }
+    return {palette.text, width, Qt::DashDotLine};
 }
 
 QString legendTitle(const DebrisMap& map, MapLayer layer) {

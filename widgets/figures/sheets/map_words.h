@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QPen>
 #include <QString>
 
 #include "core/evidence/maps/debris_map.h"
+#include "widgets/figures/map_picture.h"
+#include "widgets/figures/palette.h"
 
 namespace rubble::figures {
 
@@ -22,5 +25,8 @@ QString legendNumber(double value);
 
 /// How much debris lies on a map of one run: fragments, mass, footprint by its cells, mean height of the highest of them.
 QString debrisSums(const DebrisMap& map);
+/// What a line on a map is, for its legend, and how it is drawn.
+QString outlineWords(MapOutline::Of of);
+QPen lineOf(MapOutline::Of of, const Palette& palette, double width);
 
 }  // namespace rubble::figures

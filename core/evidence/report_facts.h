@@ -47,7 +47,8 @@ struct ReportPhoto {
 struct ReportSurvey {
     std::string name;
     std::optional<SurveyComparison> comparison;
-    Message problem;  ///< why there is none; empty if there is
+    std::vector<Caution> cautions;  ///< that it is no evidence
+    Message problem;                ///< why there is no comparison; empty if there is
 };
 
 /// One case of the self-test on this machine.
@@ -123,7 +124,7 @@ struct ReportFacts {
     std::string casePath;  ///< empty: made from the run alone
     std::string scenarioName;
     std::string scenarioNote;
-    std::string runPath;
+    bool runKept = true;  ///< false: it was simulated for the report alone, and goes with it
     std::string fingerprint;
     std::string build;
     std::vector<ReportFile> files;

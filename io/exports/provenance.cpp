@@ -164,7 +164,9 @@ std::string_view shownClass(FrameKind kind) {
 std::string footLine(const RunOrigin& origin, bool simulated) {
     constexpr std::size_t figures = 16;  // tell one digest from another
     const std::string run = simulated ? ", run " + origin.fingerprint.hex().substr(0, figures) : std::string();
-    return "FE " + origin.feSha256.substr(0, figures) + run + ", " + std::string(shortBuild(origin.build));
+    const std::string terrain =
+        origin.terrainSha256.empty() ? std::string() : ", terrain " + origin.terrainSha256.substr(0, figures);
+    return "FE " + origin.feSha256.substr(0, figures) + terrain + run + ", " + std::string(shortBuild(origin.build));
 }
 
 std::vector<ShownFile> shownFiles(const TerrainInput& around) {
@@ -198,7 +200,7 @@ std::string exportProvenance(const ExportRecord& record, const RunOrigin& origin
     json about = json::parse(provenanceText(origin, run));
     about["kind"] = record.kind;
     about["case_path"] = absolutePath(record.casePath);
-    about["run_path"] = run != nullptr ? absolutePath(run->path()) : std::string();
+    about["run_path"] = run != nullptr && run->kept() ? absolutePath(run->path()) : std::string();
     about["simulated"] = run != nullptr;
     about["shown"] = json::array();
     for (const ShownPart& part : record.shown) {

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/evidence/ensembles/probability_map.h"
 #include "core/evidence/evidence_list.h"
+#include "core/evidence/no_evidence.h"
 #include "core/evidence/surveys/stated_survey.h"
 #include "core/fe/components.h"
 #include "core/scenario/case_lookup.h"
@@ -31,6 +32,7 @@
 #include "io/site/photograph_file.h"
 #include "io/site/site_place.h"
 #include "io/site/survey_file.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "io/validation/kept_validation.h"
 
 namespace rubble::io {
@@ -160,7 +162,9 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
             takeStated(settings, *request.theCase, input, facts.findings);
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
             survey.comparison = compareRunWithSurvey(mapped, input.instant, read.survey, settings, execution);
-            facts.findings.append(read.findings);
+            survey.cautions = evidenceCautions(read.findings);
+            // That it is no evidence stands beside it by its name.
+            facts.findings.append(otherThanNoEvidence(read.findings));
             facts.findings.append(survey.comparison->findings);
         });
         facts.surveys.push_back(std::move(survey));
@@ -184,7 +188,9 @@ void addFiles(ReportFacts& facts, const ReportRequest& request, const Execution&
                 {std::string(name), input.path, digestOfInput(input.path, role, execution).against(input.sha256)});
         }
     }
-    facts.files.push_back({"run", request.run->path(), digestOf(request.run->path(), execution)});
+    if (request.run->kept()) {
+        facts.files.push_back({"run", request.run->path(), digestOf(request.run->path(), execution)});
+    }
     if (!request.casePath.empty()) {
         facts.files.push_back({"case", request.casePath, digestOf(request.casePath, execution)});
     }
@@ -265,7 +271,7 @@ ReportFacts identityOf(const ReportRequest& request) {
     facts.when = utcNow();
     facts.machine = machineText();
     facts.casePath = request.casePath;
-    facts.runPath = request.run->path();
+    facts.runKept = request.run->kept();
     facts.fingerprint = origin.fingerprint.hex();
     facts.build = origin.build;
     facts.place = placeOf(origin);
@@ -305,6 +311,9 @@ std::vector<ReportPhoto> photographsOfCase(const MappedRun& run, const Case& the
             photo.comparison = compareRunWithPhoto(run, *drawn, *photo.match, {}, execution);
         });
         photo.cautions = photographCautions(*drawn, photo.match ? &*photo.match : nullptr, &standing);
+        Findings origin;
+        noteOrigin(origin, photo.name, photographOriginOf(input.path), {});
+        addCautions(photo.cautions, evidenceCautions(origin));
         photographs.push_back(std::move(photo));
     }
     return photographs;

@@ -44,6 +44,22 @@ Message signedBy(const SealCheck& check) {
                : Message{"io.seal.part_certificate", "signed by {0}, key {1}", {signer.subject, signer.fingerprint}};
 }
 
+std::vector<SealFault> knownOfRuns(const SealCheck& check) {
+    std::vector<SealFault> known;
+    const auto add = [&](const std::vector<SealedRun>& runs) {
+        for (const SealedRun& run : runs) {
+            for (const Message& caution : run.cautions) {
+                known.push_back({run.place, caution});
+            }
+        }
+    };
+    add(check.statement.runs);
+    for (const CheckedRecord& record : check.records) {
+        add(record.record.addendum.runs);
+    }
+    return known;
+}
+
 CheckedPart part(Area area, const SealCheck& check) {
     const SealStatement& statement = check.statement;
     const auto some = [](std::size_t count) { return count == 0 ? Proof::Absent : Proof::Holds; };
@@ -133,6 +149,9 @@ std::vector<CheckedPart> checkedParts(const SealCheck& check) {
                     each.faults += proof == Proof::Fails ? 1 : 0;
                 }
             }
+        }
+        if (area == Area::Runs) {
+            each.known = knownOfRuns(check);
         }
         parts.push_back(std::move(each));
     }

@@ -33,8 +33,9 @@ struct CheckedPart {
     Message name;
     Proof proof = Proof::Holds;
     Message meaning;
-    std::vector<SealFault> said = {};  ///< faults first, then doubts
-    std::size_t faults = 0;            ///< how many of them are faults
+    std::vector<SealFault> said = {};   ///< faults first, then doubts
+    std::size_t faults = 0;             ///< how many of them are faults
+    std::vector<SealFault> known = {};  ///< what must be known all the same, of the runs
 };
 
 /// Everything that checkBundle() looked at, in the order in which a reader asks: container, files, statement and signature, time,

@@ -14,6 +14,7 @@
 #include "io/case/journal_check.h"
 #include "io/exports/report_notes.h"
 #include "io/run/acknowledgements.h"
+#include "io/run/run_cautions.h"
 #include "io/run/run_file.h"
 #include "io/site/input_files.h"
 
@@ -175,13 +176,20 @@ SealedRun describeRun(const std::string& path, const Case& theCase, const std::f
                              Message{"io.seal.run_of_another.remedy", "Seal it with the case that it was made from.", {}});
         }
     }
+    std::vector<Message> cautions;
+    for (const Caution& caution : runCautions(standingOf(*run))) {
+        if (caution.inPictures()) {
+            cautions.push_back(caution.what);
+        }
+    }
     return {{},
             {},
             origin.scenarioName,
             origin.fingerprint.hex(),
             run->result()->trajectoryHash.hex(),
             origin.build,
-            otherSettings(origin, theCase)};
+            otherSettings(origin, theCase),
+            std::move(cautions)};
 }
 
 bool isInputOfCase(const std::string& casePath, const Case& theCase, const std::string& sha256, const Execution& execution) {

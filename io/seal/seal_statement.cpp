@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/json/findings_json.h"
 #include "io/json/json_cursor.h"
 #include "io/json/json_text.h"
 #include "io/seal/seal_json.h"
@@ -57,16 +58,24 @@ json sealedRunJson(const SealedRun& run) {
     for (const OtherSetting& setting : run.otherSettings) {
         row["other_settings"].push_back({{"key", setting.key}, {"run", setting.run}, {"case", setting.ofCase}});
     }
+    for (const Message& caution : run.cautions) {
+        row["cautions"].push_back(messageJson(caution));
+    }
     return row;
 }
 
 SealedRun sealedRunFrom(const JsonCursor& row) {
-    row.allowOnly({"file", "sha256", "scenario", "fingerprint", "trajectory_hash", "build", "other_settings"});
+    row.allowOnly({"file", "sha256", "scenario", "fingerprint", "trajectory_hash", "build", "other_settings", "cautions"});
     SealedRun run{placeIn(row["file"]),      row["sha256"].text(),          row["scenario"].text(),
                   row["fingerprint"].text(), row["trajectory_hash"].text(), row["build"].text()};
     if (row.has("other_settings")) {
         for (const JsonCursor& setting : row["other_settings"].elements()) {
             run.otherSettings.push_back({setting["key"].text(), setting["run"].text(), setting["case"].text()});
+        }
+    }
+    if (row.has("cautions")) {
+        for (const JsonCursor& caution : row["cautions"].elements()) {
+            run.cautions.push_back(messageFromJson(caution));
         }
     }
     return run;

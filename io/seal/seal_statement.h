@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "io/seal/bag.h"
 
 namespace rubble::io {
@@ -34,6 +35,7 @@ struct SealedRun {
     std::string trajectoryHash;
     std::string build;
     std::vector<OtherSetting> otherSettings = {};
+    std::vector<Message> cautions = {};  ///< what must be known beside its figures; bundles of before say nothing of it
 };
 
 /// What a signer states of a bundle: the one text that the signature is of.

@@ -65,8 +65,12 @@ ExitCode exportRun(const Arguments& arguments, Session& session) {
     Inputs of;
     RunSurroundings around;
     if (exports.needsFe(*run)) {
-        of = openInputsOfRun(run->origin(), arguments, session);
+        Findings site;
+        of = openInputsOfRun(arguments.operand(), run->origin(), arguments, session, &site);
+        printNotes(session, site);
         around = surroundingsOfRun(run->origin(), of, arguments, session);
+        // What was found of the place and the terrain stands on a page as well.
+        around.shown.findings.append(site);
     } else {
         printNotes(session, io::checkPlace(run->origin().frame, run->origin().site));
     }

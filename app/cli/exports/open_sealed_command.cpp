@@ -29,6 +29,15 @@ void printFaults(std::ostream& out, const char* heading, const std::vector<io::S
     }
 }
 
+/// What must be known of the runs all the same.
+std::vector<io::SealFault> knownOf(const io::SealCheck& check) {
+    std::vector<io::SealFault> known;
+    for (const io::CheckedPart& part : io::checkedParts(check)) {
+        known.insert(known.end(), part.known.begin(), part.known.end());
+    }
+    return known;
+}
+
 void print(const std::string& path, const io::SealCheck& check, const std::vector<io::RepeatedRun>& repeats,
            const std::string& verdict, std::ostream& out) {
     const io::SealStatement& statement = check.statement;
@@ -57,6 +66,7 @@ void print(const std::string& path, const io::SealCheck& check, const std::vecto
     parts.print(out);
     printFaults(out, "Not as it was sealed", check.faults);
     printFaults(out, "Not proven", check.doubts);
+    printFaults(out, "To be known of its runs", knownOf(check));
     if (!check.records.empty()) {
         printHeading(out, "Since it was sealed");
         printRecords(out, check);
@@ -80,6 +90,7 @@ Json asJson(const std::string& path, const io::SealCheck& check, const std::vect
     object["report_notes"] = check.notes.empty() ? Json() : Json(check.notes);
     object["faults"] = faultsJson(check.faults);
     object["doubts"] = faultsJson(check.doubts);
+    object["to_be_known"] = faultsJson(knownOf(check));
     object["records"] = recordsJson(check);
     object["runs"] = Json::array();
     for (const io::RepeatedRun& each : repeats) {

@@ -75,7 +75,7 @@ ReportSubject openReportSubject(const Arguments& arguments, Session& session) {
         std::unique_ptr<TrajectorySink> file = io::createRun(subject.runPath, io::originOf(opened));
         runTo(opened, Stage::Simulation, file.get(), session.execution());
     }
-    subject.run = io::openRun(subject.runPath);
+    subject.run = subject.temporary != nullptr ? subject.temporary->open() : io::openRun(subject.runPath);
     return subject;
 }
 
@@ -109,7 +109,7 @@ ExitCode tellGaps(const Arguments& arguments, Session& session, io::ReportReques
     const Saying say = making.language == "en" ? Saying(englishText) : Saying(figures::chineseWords());
     if (arguments.json()) {
         Json object;
-        object["run"] = request.run->path();
+        object["run"] = request.run->kept() ? Json(request.run->path()) : Json();
         object["fingerprint"] = facts.fingerprint;
         object["lacks"] = findingsJson(gaps, say);
         object["own_words"] = Json::array();
@@ -157,10 +157,10 @@ ExitCode report(const Arguments& arguments, Session& session) {
         printFindings(session.err(), written.lacks);
     }
     const io::Taint taint = io::taintOf(*subject.run);
-    warnIfTainted(session, subject.runPath, taint);
+    warnIfTainted(session, subject.temporary == nullptr ? subject.runPath : std::string(), taint);
     if (arguments.json()) {
         Json object;
-        object["run"] = subject.runPath;
+        object["run"] = subject.temporary == nullptr ? Json(subject.runPath) : Json();
         object["fingerprint"] = written.facts.fingerprint;
         object["exports"] = written.files;
         object["tainted"] = taint.tainted();

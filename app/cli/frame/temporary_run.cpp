@@ -19,6 +19,12 @@ TemporaryRun::TemporaryRun() {
     }
 }
 
+std::shared_ptr<io::RunReader> TemporaryRun::open() const {
+    std::shared_ptr<io::RunReader> run = io::openRun(path());
+    run->setKept(false);
+    return run;
+}
+
 TemporaryRun::~TemporaryRun() {
     std::error_code ignored;
     fs::remove_all(m_folder, ignored);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <string>
+
+#include "io/run/run_file.h"
 
 namespace rubble::cli {
 
@@ -14,6 +17,8 @@ public:
     TemporaryRun& operator=(const TemporaryRun&) = delete;
 
     std::string path() const { return m_folder + "/temporary.run.h5"; }
+    /// Opens what was written: no export names its path, which goes. Throws what openRun() throws.
+    std::shared_ptr<io::RunReader> open() const;
 
 private:
     std::string m_folder;

@@ -118,7 +118,8 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
         checkpoint->remove();
     }
     if (!exports.empty()) {
-        exports.perform(io::openRun(runPath), subject.inputs, {subject.casePath, subject.terrain}, session);
+        exports.perform(temporary ? temporary->open() : io::openRun(runPath), subject.inputs, {subject.casePath, subject.terrain},
+                        session);
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const std::shared_ptr<io::RunReader> recorded = runPath.empty() ? nullptr : io::openRun(runPath);

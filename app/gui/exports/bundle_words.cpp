@@ -41,6 +41,10 @@ BundleRow rowOf(const io::CheckedPart& part) {
         row.parts.push_back({said.place.empty() ? BundleWords::tr("container") : QString::fromStdString(said.place),
                              standingOf(proof), widgets::worded(io::proofText(proof)), widgets::worded(said.what)});
     }
+    for (const io::SealFault& known : part.known) {
+        row.parts.push_back({QString::fromStdString(known.place), BundleRow::Standing::Nothing, BundleWords::tr("to be known"),
+                             widgets::worded(known.what)});
+    }
     return row;
 }
 

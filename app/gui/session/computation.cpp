@@ -362,6 +362,7 @@ std::shared_ptr<const SimulationResult> Computation::simulateOnWorker(const std:
     WatchedSink::Listener listener;
     listener.begun = [&, keeping = m_keeping](const RunDescription&) {
         const std::shared_ptr<io::RunReader> reader = io::openRun(record->path.toStdString(), keeping.frameBytes());
+        reader->setKept(record->kept);
         QMetaObject::invokeMethod(
             this, [this, record, reader, prepared] { began(record, reader, prepared); }, Qt::QueuedConnection);
     };

@@ -294,6 +294,9 @@ TEST_F(ReportCommand, SimulatesACaseThatHasNoRun) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(html(), HasSubstr("form-"));
     EXPECT_THAT(html(), HasSubstr("No repeats were made"));
+    // The file that it was simulated into is gone: no report names it.
+    EXPECT_THAT(html(), testing::Not(HasSubstr("temporary")));
+    EXPECT_THAT(html(), HasSubstr("was simulated for this report and lies in no file"));
     EXPECT_EQ(report({m_out, "--repeats", "many"}).exitCode, 2);
     EXPECT_EQ(report({m_out, "--self-test", "some"}).exitCode, 2);
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -11,6 +12,7 @@
 
 #include "core/base/build.h"
 #include "core/base/error.h"
+#include "core/evidence/cautions.h"
 #include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
@@ -86,6 +88,11 @@ TEST_F(Seal, HoldsCaseInputsRunsAndStatement) {
     EXPECT_EQ(statement.inputs[1].files, std::vector<std::string>{"data/inputs/north/north.jpg"});
     ASSERT_EQ(statement.runs.size(), 1u);
     EXPECT_EQ(statement.runs[0].sha256, sha256OfFile(m_sealed.runPath()));
+    // What must be known of the run goes with it, and who opens the bundle reads it.
+    const auto known = [](const std::vector<Message>& list) {
+        return std::any_of(list.begin(), list.end(), [](const Message& what) { return what.id == singleRunCaution().what.id; });
+    };
+    EXPECT_TRUE(known(statement.runs[0].cautions));
     EXPECT_EQ(found.sealSha256, m_sealed.report().sealSha256);
     EXPECT_TRUE(found.signature.matches);
     // The case travels byte for byte, so that its journal does.

@@ -74,6 +74,10 @@ void ReportSections::addFiles() {
                               QStringLiteral("<code>%1</code>").arg(QString::fromStdString(file.sha256))});
     }
     m_blocks.push_back(std::move(table));
+    if (!m_facts.runKept) {
+        text(tr("The run was simulated for this report and lies in no file. A repeat is the same run if its fingerprint is %1.")
+                 .arg(QStringLiteral("<code>%1</code>").arg(QString::fromStdString(m_facts.fingerprint))));
+    }
 }
 
 void ReportSections::addPhotographs() {
@@ -112,9 +116,9 @@ void ReportSections::addPhotographs() {
 }
 
 /// What speaks against resting a conclusion on it: beside its figures, and beside the answer that it stands behind.
-void ReportSections::addPhotographCautions(const ReportPhoto& photo) {
-    for (const Caution& caution : photo.cautions) {
-        notice(tr("%1: %2").arg(escaped(photo.name), said(caution.what)));
+void ReportSections::addEvidenceCautions(const std::string& name, const std::vector<Caution>& cautions) {
+    for (const Caution& caution : cautions) {
+        notice(tr("%1: %2").arg(escaped(name), said(caution.what)));
     }
 }
 
@@ -123,7 +127,7 @@ void ReportSections::addPhotograph(const ReportPhoto& photo, const QImage& pictu
     if (!photo.problem.empty()) {
         text(tr("%1: %2").arg(name, said(photo.problem)));
     }
-    addPhotographCautions(photo);
+    addEvidenceCautions(photo.name, photo.cautions);
     if (picture.isNull()) {
         return;
     }
@@ -179,6 +183,14 @@ void ReportSections::addSurveys() {
     }
     for (std::size_t i = 0; i < m_facts.surveys.size(); ++i) {
         const ReportSurvey& survey = m_facts.surveys[i];
+        addEvidenceCautions(survey.name, survey.cautions);
+        if (survey.comparison && !survey.comparison->settings.scope.whole()) {
+            const LeftOutDebris& left = survey.comparison->leftOut;
+            text(tr("%1: compared inside the areas that were drawn alone, %2 m². Beyond them lie %3 m² of surveyed and %4 m² of "
+                    "simulated debris, which do not count.")
+                     .arg(escaped(survey.name), reportNumber(left.comparedArea), reportNumber(left.surveyedArea),
+                          reportNumber(left.simulatedArea)));
+        }
         if (!survey.comparison) {
             text(tr("%1: %2").arg(escaped(survey.name), said(survey.problem)));
         } else if (i < m_pictures.surveys.size() && !m_pictures.surveys[i].isNull()) {

@@ -96,6 +96,11 @@ void ReportSections::addMeasureMethod() {
         tr("with the mass <i>m<sub>c</sub></i> in cell <i>c</i>, the total mass <i>M</i>, the footprints <i>A</i>, and the number "
            "<i>N</i><sup>*</sup> of fragments that lie within a tolerance of their place in the reference, in which every "
            "fragment is its own body."));
+    text(
+        tr("The run-out of the mass is the distance from the outline of what collapsed within which 95 % of the mass of the debris "
+           "lies. "
+           "The run-out of the area is what a survey can tell: the distance from the middle of the structure's plan within which "
+           "95 % of the covered area of one direction lies."));
 }
 
 }  // namespace rubble::figures

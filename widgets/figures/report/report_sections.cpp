@@ -125,8 +125,11 @@ void ReportSections::addSummary() {
                  .arg(surveys));
         for (const ReportPhoto& photo : m_facts.photographs) {
             if (photo.comparison) {
-                addPhotographCautions(photo);
+                addEvidenceCautions(photo.name, photo.cautions);
             }
+        }
+        for (const ReportSurvey& survey : m_facts.surveys) {
+            addEvidenceCautions(survey.name, survey.cautions);
         }
     }
     if (!m_facts.scenarioNote.empty()) {
@@ -287,7 +290,13 @@ void ReportSections::addAssumptions() {
     table.words = {false, true, true};
     table.shares = {0.1, 0.5, 0.4};
     for (const Finding& finding : m_facts.findings.list()) {
-        table.rows.push_back({count(finding.count), said(finding.what), said(finding.remedy)});
+        QString what = said(finding.what);
+        // Of a file its name; other examples are places in it, in the words of the program.
+        const QString file = QString::fromStdString(finding.example).section(u'/', -1);
+        if (file.contains(u'.') && !file.contains(u' ')) {
+            what += u' ' + tr("(first: %1)").arg(file.toHtmlEscaped());
+        }
+        table.rows.push_back({count(finding.count), what, said(finding.remedy)});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
@@ -439,7 +448,7 @@ void ReportSections::addJournal() {
     m_blocks.push_back(ReportHeading{1, tr("Journal of the case"), true});
     if (m_facts.journal.empty()) {
         text(m_facts.casePath.empty() ? tr("The report was made from a run alone, without its case.")
-                                      : tr("The case has no journal: it was saved by a version without one."));
+                                      : tr("The journal of the case is empty: no change of it was saved with its author."));
         return;
     }
     ReportTable table;

@@ -49,7 +49,7 @@ private:
     void addControlPoints();
     void addPhotographs();
     void addPhotograph(const ReportPhoto& photo, const QImage& picture);
-    void addPhotographCautions(const ReportPhoto& photo);
+    void addEvidenceCautions(const std::string& name, const std::vector<Caution>& cautions);
     void addSurveys();
     void addSurveyRows(ReportTable& table, const QString& name, const SurveyComparison& made) const;
     void addFragmentMethod();

@@ -27,6 +27,7 @@
 #include "app/gui/exports/report_work.h"
 #include "app/gui/stage/view_area.h"
 #include "tests/app/gui/complaints.h"
+#include "tests/app/gui/window/box_answer.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/run_tests.h"
 #include "tests/support/small_collapse.h"
@@ -184,7 +185,13 @@ TEST_P(Closing, InTheMiddleOfWorkIsClean) {
     const bool kept = run != nullptr && run->kept;
     const QString scratch = session->computation().currentRun() != nullptr ? session->computation().currentRun()->path : QString();
     session->document().undoStack().setClean();
-    EXPECT_TRUE(window->close());
+    // A simulation that would end is asked about.
+    const bool simulates = session->computation().simulating();
+    {
+        const BoxAnswer leave(QMessageBox::Discard);
+        EXPECT_TRUE(window->close());
+        EXPECT_EQ(leave.asked(), simulates);
+    }
     endProgram();
     QTest::qWait(100);
     EXPECT_TRUE(Complaints::all().isEmpty()) << Complaints::all().join(u'\n').toStdString();
@@ -206,26 +213,6 @@ std::vector<WorkKind> kindsToTest() {
 
 INSTANTIATE_TEST_SUITE_P(Work, Closing, testing::ValuesIn(kindsToTest()),
                          [](const testing::TestParamInfo<WorkKind>& kind) { return std::string(kind.param.name); });
-
-/// Answers the question that comes up by one of its buttons, and tells whether one came.
-class BoxAnswer {
-public:
-    explicit BoxAnswer(QMessageBox::StandardButton button) {
-        m_timer.setInterval(50);
-        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this, button] {
-            if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                m_asked = true;
-                QTest::mouseClick(question->button(button), Qt::LeftButton);
-            }
-        });
-        m_timer.start();
-    }
-    bool asked() const { return m_asked; }
-
-private:
-    QTimer m_timer;
-    bool m_asked = false;
-};
 
 TEST_F(Workbench, ClosingWithUnsavedChangesAsksAndDoesWhatIsAnswered) {
     const QTemporaryDir folder;

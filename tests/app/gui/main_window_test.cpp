@@ -22,6 +22,7 @@
 #include "app/gui/stage/view_area.h"
 #include "app/gui/views/inspection.h"
 #include "io/case/case_file.h"
+#include "tests/app/gui/window/box_answer.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/parameter_editor.h"
@@ -156,6 +157,16 @@ TEST_F(Workbench, ClosingWhileItSimulatesIsClean) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().simulating(); }, patience));
     const QString scratch = session->computation().currentRun()->path;
     EXPECT_TRUE(QFile::exists(scratch));
+    {
+        const BoxAnswer stay(QMessageBox::Cancel);
+        EXPECT_FALSE(window->close());
+        EXPECT_TRUE(stay.asked()) << "a simulation does not end by accident";
+        EXPECT_TRUE(session->computation().simulating());
+        // Nor does it by opening something else.
+        window->open(wholeArch());
+        EXPECT_TRUE(session->computation().simulating());
+    }
+    const BoxAnswer leave(QMessageBox::Discard);
     EXPECT_TRUE(window->close());
     endProgram();
     QTest::qWait(50);

@@ -30,6 +30,7 @@
 #include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "io/run/run_history.h"
+#include "tests/app/gui/window/box_answer.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/notice_bar.h"
@@ -356,6 +357,8 @@ TEST_F(Project, WhatCannotBeReadTakesNothingFromWhatRuns) {
     QObject::connect(&session->computation(), &Computation::runBegun, window, [&begun] { begun = true; });
     window->rooms().runs->simulate(false);
     ASSERT_TRUE(QTest::qWaitFor([&] { return begun; }, patience));
+    // Leaving the simulation is agreed to, and then there is nothing to leave it for.
+    const BoxAnswer leave(QMessageBox::Discard);
     for (const char* name : {"damaged.rubble", "damaged.d3plot", "gone.exo"}) {
         const QString damaged = folder.filePath(QLatin1String(name));
         if (!damaged.endsWith(QStringLiteral("gone.exo"))) {

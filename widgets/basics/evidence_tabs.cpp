@@ -19,7 +19,10 @@ EvidenceTabs::EvidenceTabs(QWidget* parent)
     m_row->setSpacing(0);
     column->addLayout(m_row);
     column->addWidget(m_stack, 1);
-    connect(m_buttons, &QButtonGroup::idClicked, this, &EvidenceTabs::setCurrent);
+    connect(m_buttons, &QButtonGroup::idClicked, this, [this](int page) {
+        setCurrent(page);
+        emit chosen(page);
+    });
 }
 
 void EvidenceTabs::addPage(const QString& name, const QString& tip, QWidget* panel) {

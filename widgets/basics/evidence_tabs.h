@@ -22,6 +22,8 @@ public:
 
 signals:
     void currentChanged(int page);
+    /// A person chose a page, perhaps the one that is shown already.
+    void chosen(int page);
 
 private:
     QButtonGroup* m_buttons;

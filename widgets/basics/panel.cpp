@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStyle>
 #include <QTimer>
@@ -263,6 +264,16 @@ QLabel* PanelGroup::addNote(const QString& text) {
     note->setWordWrap(true);
     addWide(note);
     return note;
+}
+
+void askIn(QWidget& field) {
+    constexpr int around = 60;  // pixels, so that its label is seen as well
+    for (QWidget* above = field.parentWidget(); above != nullptr; above = above->parentWidget()) {
+        if (auto* area = qobject_cast<QScrollArea*>(above)) {
+            area->ensureWidgetVisible(&field, around, around);
+        }
+    }
+    field.setFocus(Qt::OtherFocusReason);
 }
 
 QVBoxLayout* pageColumn(QWidget& page, const QString& title) {

@@ -115,6 +115,8 @@ private:
 
 /// The column of a page, below its title. What a study brings scrolls, so that it never makes the window higher than its screen.
 QVBoxLayout* pageColumn(QWidget& page, const QString& title);
+/// What a remedy asks for: a field comes into sight in what scrolls about it, and gets the keyboard.
+void askIn(QWidget& field);
 
 /// A panel of the rail: a title, one question, groups. Scrolls vertically when the window is low.
 class Panel : public QScrollArea {

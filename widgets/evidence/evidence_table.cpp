@@ -170,6 +170,12 @@ void EvidenceTable::resizeEvent(QResizeEvent* event) {
     }
 }
 
+void EvidenceTable::showEvent(QShowEvent* event) {
+    QTableWidget::showEvent(event);
+    // Rows that changed while nobody saw them were fitted to another width.
+    fitRows();
+}
+
 /// Words that are too long for their column take a second line.
 void EvidenceTable::fitRows() {
     for (int row = 0; row < rowCount(); ++row) {

@@ -53,10 +53,10 @@ QString shown(double value, int decimals) {
 QString noiseWords(const SurveyNoise& noise) {
     switch (noise.source) {
         case SurveyNoise::Source::Stated:
-            return SurveyBox::tr("Level of detection %1 m, by the noise that was stated.").arg(shown(noise.detection(), 2));
+            return SurveyBox::tr("Level of detection %1 m, by the noise that was stated.").arg(shownNumber(noise.detection(), 2));
         case SurveyNoise::Source::Estimated: {
             const QString text = SurveyBox::tr("Level of detection %1 m, estimated from %2 cells far from all debris.")
-                                     .arg(shown(noise.detection(), 2), shown(static_cast<double>(noise.cells), 0));
+                                     .arg(shownNumber(noise.detection(), 2), shown(static_cast<double>(noise.cells), 0));
             return std::isfinite(noise.correlation)
                        ? text + QLatin1Char(' ') +
                              SurveyBox::tr("The noise hangs together over %1 m.").arg(shown(noise.correlation, 1))
@@ -324,10 +324,12 @@ void SurveyBox::buildResults() {
     uses->addWidget(m_section);
     column->addLayout(uses);
     m_save->setToolTip(tr("Save the difference map as GeoTIFF or as a picture"));
-    m_section->setToolTip(tr("Draw a line on the difference map: run and survey are cut along it, drawn and measured together"));
+    m_section->setToolTip(tr(
+        "Draw a line on the difference map: run and survey are cut along it, drawn and measured together. Measured points without "
+        "a map are cut along themselves."));
     connect(m_section, &QPushButton::clicked, this, &SurveyBox::sectionRequested);
     column->addWidget(m_findings);
-    const auto focused = [](QWidget* field) { return [field] { field->setFocus(Qt::OtherFocusReason); }; };
+    const auto focused = [](QWidget* field) { return [field] { askIn(*field); }; };
     m_findings->setDoings({{"survey.offset", tr("Register it to the ground and compare"),
                             [this] {
                                 m_fit->setCurrentIndex(m_fit->findData(static_cast<int>(SurveyFit::Ground)));
@@ -386,9 +388,11 @@ void SurveyBox::setContent(const Content& content) {
 
 void SurveyBox::showResults() {
     const SurveyComparison* made = m_content.comparison.get();
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_figures, m_runOut, m_words, m_save, m_section}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_figures, m_runOut, m_words, m_save}) {
         widget->setVisible(made != nullptr);
     }
+    m_section->setVisible(made != nullptr || m_content.cutsAlong);
+    m_section->setEnabled(made == nullptr || !m_content.stale);
     if (!m_content.complaint.isEmpty()) {
         m_notice->set(Notice::Kind::Error, m_content.complaint);
     } else if (made != nullptr && m_content.stale) {
@@ -401,7 +405,6 @@ void SurveyBox::showResults() {
     if (made == nullptr) {
         return;
     }
-    m_section->setEnabled(!m_content.stale);
     m_figures->setRowCount(0);
     addRow(*m_figures, {tr("area, m²"), shown(made->survey.area, 0), shown(made->simulated.area, 0)});
     if (!made->isFootprint) {

@@ -45,6 +45,7 @@ public:
         QStringList names;       ///< of all surveys
         int chosen = -1;
         bool cloud = false;               ///< the chosen survey is a point cloud
+        bool cutsAlong = false;           ///< a section can go along it without a map: it is measured points, and there is a run
         std::optional<bool> showsFallen;  ///< whether the chosen survey shows live structure that fell; unset: not known
         SurveyScope scope;                ///< what of the chosen survey is compared
         Errors errors;

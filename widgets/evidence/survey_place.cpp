@@ -6,10 +6,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <numbers>
 
 #include "core/evidence/surveys/stated_survey.h"
 #include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
 
@@ -23,7 +23,7 @@ QString placedText(const std::optional<Registration>& registration) {
     }
     QStringList parts;
     parts << SurveyPlace::tr("moved by %1 m, turned by %2°")
-                 .arg(shownNumber(registration->shift.norm()), shownNumber(registration->turn.norm() * 180.0 / std::numbers::pi));
+                 .arg(shownNumber(registration->shift.norm()), shownDegrees(registration->turn.norm()));
     if (registration->pairs > 0) {
         parts << SurveyPlace::tr("pairs: %1, RMS %2 m").arg(shownCount(registration->pairs), shownNumber(registration->pairsLeft));
     }
@@ -135,7 +135,7 @@ std::optional<double> SurveyPlace::control() const {
 }
 
 void SurveyPlace::askTime() {
-    m_taken->setFocus(Qt::OtherFocusReason);
+    askIn(*m_taken);
 }
 
 void SurveyPlace::takeTime() {

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "widgets/basics/panel.h"
+#include "widgets/basics/study_start.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/report/validation_rows.h"
@@ -66,7 +67,7 @@ ValidationView::ValidationView(QWidget* parent)
       m_validate(new QPushButton(tr("Hold against measured falls"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_bar(new QProgressBar),
-      m_progress(new QLabel) {
+      m_progress(new ProgressLabel) {
     setObjectName(QStringLiteral("panelBody"));
     setAttribute(Qt::WA_StyledBackground);
     auto* column = new QVBoxLayout(this);
@@ -150,7 +151,7 @@ void ValidationView::setContent(const Content& content) {
 
 void ValidationView::setProgress(const QString& what, double fraction, double secondsLeft) {
     m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    m_progress->setText(shownProgress(what, secondsLeft));
+    m_progress->setProgress(what, secondsLeft);
 }
 
 void ValidationView::setError(const QString& what, const QString& remedy) {

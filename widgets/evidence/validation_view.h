@@ -15,6 +15,7 @@ namespace rubble::widgets {
 
 class FindingList;
 class Notice;
+class ProgressLabel;
 
 /// How far simulated falls are from measured ones: the known rate of error of this program, in the terms of ASME V&V 20, and the
 /// button that finds it.
@@ -51,7 +52,7 @@ private:
     QPushButton* m_validate;
     QPushButton* m_cancel;
     QProgressBar* m_bar;
-    QLabel* m_progress;
+    ProgressLabel* m_progress;
     bool m_failed = false;
 };
 

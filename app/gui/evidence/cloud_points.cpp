@@ -399,11 +399,11 @@ QString CloudPoints::measuredText() const {
     if (m_work.distances.running()) {
         return tr("Distances are being measured.");
     }
-    if (m_work.distances.failure()) {
-        return m_work.distances.failure()->inOneLine();
-    }
     const std::shared_ptr<const PointsWork::Distances>& made = m_work.distances.result();
     const CaseInput* survey = m_surveys.current();
+    if (m_work.distances.failure() && survey != nullptr && m_work.distances.asked().survey.id == survey->id) {
+        return m_work.distances.failure()->inOneLine();
+    }
     if (made == nullptr || survey == nullptr || m_work.distances.answered().survey.id != survey->id) {
         return {};
     }

@@ -459,8 +459,7 @@ void EvidenceDisplay::compare() {
     const RunRecord* record = m_computation.currentRun();
     const Compared now = comparedNow(*photograph, *record);
     m_kept.answer.ask(now);
-    ComparisonSettings settings;
-    settings.withFallen = now.withFallen;
+    const ComparisonSettings settings{.withFallen = now.withFallen};
     m_work.compare(EvidenceRun(m_computation.inputs(), record), *photograph, *m_kept.match, settings);
     showPanel();
 }
@@ -502,7 +501,8 @@ void EvidenceDisplay::showPanel() {
         content.remedy = m_kept.noMatch ? m_kept.noMatch->remedy() : QString();
         content.cautions = EvidenceWork::cautionsOf(*photograph, m_kept.match, m_computation.currentRun());
         content.comparison = comparison();
-        content.comparisonComplaint = m_kept.answer.failure() ? m_kept.answer.failure()->inOneLine() : QString();
+        const bool failed = m_kept.answer.failure() && m_kept.answer.asked().photograph.input == photograph->input;
+        content.comparisonComplaint = failed ? m_kept.answer.failure()->inOneLine() : QString();
         content.noComparison = whyNoComparison();
         content.comparisonStale = comparisonStale();
         content.comparing = m_work.comparing();

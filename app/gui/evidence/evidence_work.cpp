@@ -50,7 +50,7 @@ EvidenceWork::EvidenceWork(QObject* parent) : QObject(parent) {}
 
 QString EvidenceWork::whyNoDebris(const RunRecord* record) {
     if (record == nullptr || record->reader == nullptr || record->running) {
-        return tr("Simulate first: there is no debris yet.");
+        return tr("Simulate first, or show one of the runs: there is no debris yet.");
     }
     return {};
 }

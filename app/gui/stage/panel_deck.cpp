@@ -85,7 +85,8 @@ PanelDeck::PanelDeck(Session& session, QObject* parent)
         connect(panel, &widgets::Panel::edited, this, &PanelDeck::edit);
         connect(panel, &widgets::Panel::predictionHelpRequested, this, [this] { choose(Accuracy); });
     }
-    connect(m_rail, &widgets::StageRail::chosen, m_stack, &QStackedWidget::setCurrentIndex);
+    connect(m_rail, &widgets::StageRail::chosen, this, [this](int entry) { choose(static_cast<Entry>(entry)); });
+    connect(m_evidenceTabs, &widgets::EvidenceTabs::chosen, this, &PanelDeck::asked);
     connect(m_case, &widgets::CasePanel::regroupRequested, this, &PanelDeck::regroup);
     connect(m_case, &widgets::CasePanel::regroupingCleared, this, &PanelDeck::clearRegrouping);
     connect(m_grid, &widgets::GridPanel::draggingStarted, &m_document, &Document::beginGesture);
@@ -154,6 +155,7 @@ std::int64_t PanelDeck::findings() const {
 void PanelDeck::choose(Entry entry) {
     m_rail->setCurrent(entry);
     m_stack->setCurrentIndex(entry);
+    emit asked();
 }
 
 QWidget* PanelDeck::shownPanel() const {
@@ -165,6 +167,7 @@ QWidget* PanelDeck::shownPanel() const {
 void PanelDeck::chooseEvidence(EvidencePage page) {
     choose(Evidence);
     m_evidenceTabs->setCurrent(page);
+    emit asked();
 }
 
 void PanelDeck::choosePanel(const widgets::Panel& panel) {

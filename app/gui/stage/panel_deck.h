@@ -83,6 +83,8 @@ signals:
     void simulateRequested();
     void liveRequested();
     void cancelRequested();
+    /// An entry or a page of evidence was asked for, also the one that is shown already: the centre goes to it.
+    void asked();
     /// The slider of the Basic Grid came to rest.
     void gridSettled();
 

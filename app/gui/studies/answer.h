@@ -43,6 +43,8 @@ public:
     bool running() const { return m_running; }
     /// What went wrong when it was made last.
     const std::optional<Failure>& failure() const { return m_failure; }
+    /// What it was made of, or is being made of.
+    const Order& asked() const { return m_asked; }
     /// Null: nothing came yet.
     const std::shared_ptr<const Result>& result() const { return m_result; }
     /// What the result was made of.

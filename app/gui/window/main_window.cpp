@@ -203,6 +203,7 @@ void MainWindow::connectActions() {
     connect(&m_rooms->deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showCentre);
     connect(&m_rooms->deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, &MainWindow::showCentre);
     // Points of a cloud stand in the views, also while their panel is open; what else it shows brings its page back.
+    connect(m_rooms->deck.get(), &PanelDeck::asked, this, &MainWindow::showCentre);
     connect(m_rooms->cloudPoints.get(), &CloudPoints::viewsRequested, this, [this] { m_centre->setCurrentWidget(m_area); });
     connect(m_centre, &QStackedWidget::currentChanged, this, [this] {
         const bool inFront = m_centre->currentWidget() == m_area;

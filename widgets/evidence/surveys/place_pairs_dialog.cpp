@@ -8,7 +8,6 @@
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
-#include <numbers>
 #include <utility>
 
 #include "core/base/error.h"
@@ -257,8 +256,7 @@ void PlacePairsDialog::showTable() {
     QStringList sum;
     if (m_fit) {
         const Registration& placed = m_fit->registration;
-        sum << tr("Moved by %1 m, turned by %2°.")
-                   .arg(shownNumber(placed.shift.norm()), shownNumber(placed.turn.norm() * 180.0 / std::numbers::pi));
+        sum << tr("Moved by %1 m, turned by %2°.").arg(shownNumber(placed.shift.norm()), shownDegrees(placed.turn.norm()));
         sum << tr("RMS of the pairs %1 m; places known to %2 m (standard deviation).")
                    .arg(shownNumber(placed.pairsLeft), shownNumber(placed.error.value_or(0.0)));
         if (!placed.control) {

@@ -67,9 +67,8 @@ PointBox::PointBox(QWidget* parent)
     connect(m_photographs, &QPushButton::clicked, this, &PointBox::photographsRequested);
     column->addWidget(m_complaint);
     column->addWidget(m_findings);
-    m_findings->setDoings(
-        {{"distance.from_above", tr("Give the scanners"), [this] { m_scanners->ask(); }},
-         {"distance.registration_unknown", tr("State the error"), [this] { m_registration->setFocus(Qt::OtherFocusReason); }}});
+    m_findings->setDoings({{"distance.from_above", tr("Give the scanners"), [this] { m_scanners->ask(); }},
+                           {"distance.registration_unknown", tr("State the error"), [this] { askIn(*m_registration); }}});
     buildMeasuring();
     connect(m_shown, &QCheckBox::toggled, this, [this](bool shown) {
         if (!m_showing) {

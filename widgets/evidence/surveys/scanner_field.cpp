@@ -88,7 +88,7 @@ std::optional<std::vector<Vec3>> ScannerField::places() const {
 }
 
 void ScannerField::ask() {
-    m_text->setFocus(Qt::OtherFocusReason);
+    askIn(*m_text);
 }
 
 void ScannerField::take() {

@@ -7,6 +7,7 @@
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
 #include <cmath>
@@ -14,6 +15,7 @@
 
 #include "tests/support/places.h"
 #include "widgets/basics/fixed_number.h"
+#include "widgets/basics/study_start.h"
 #include "widgets/figures/report/spoken_text.h"
 
 namespace rubble::widgets {
@@ -107,6 +109,22 @@ TEST(Wording, NoTimeIsLeftWhereLessThanHalfASecondWouldBe) {
     EXPECT_EQ(shownProgress(QStringLiteral("drawing"), 12.0), QStringLiteral("Drawing · about 12 s left"));
     EXPECT_EQ(shownProgress(QStringLiteral("drawing"), 0.2), QStringLiteral("Drawing"));
     EXPECT_EQ(shownProgress(QStringLiteral("drawing"), std::nan("")), QStringLiteral("Drawing"));
+}
+
+// "About 4.9 s left" stood for half a minute.
+TEST(Wording, TimeThatIsLeftGoesOnBetweenReports) {
+    ProgressLabel label;
+    label.setProgress(QStringLiteral("drawing"), 3000.0);
+    label.show();
+    const QString first = label.text();
+    EXPECT_TRUE(first.contains(QStringLiteral("50 min 00 s")) || first.contains(QStringLiteral("49 min 59 s")))
+        << qPrintable(first);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label.text() != first; }, 60'000));
+    EXPECT_TRUE(label.text().contains(QStringLiteral("49 min")));
+    label.setProgress(QStringLiteral("drawing"), -10.0);
+    EXPECT_TRUE(label.text().endsWith(QStringLiteral("takes longer than estimated"))) << "the time is over";
+    label.setProgress(QStringLiteral("drawing"), std::nan(""));
+    EXPECT_EQ(label.text(), QStringLiteral("Drawing"));
 }
 
 TEST(Wording, OptionsOfTheCommandLineAreFieldsInTheWindow) {

@@ -10,6 +10,7 @@
 
 #include "widgets/accuracy/calibration_chart.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/study_start.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 
@@ -27,7 +28,7 @@ CalibrationView::CalibrationView(QWidget* parent)
       m_saveTable(new QPushButton(tr("Save table…"))),
       m_saveChart(new QPushButton(tr("Save chart…"))),
       m_bar(new QProgressBar),
-      m_progress(new QLabel),
+      m_progress(new ProgressLabel),
       m_findings(new FindingList) {
     setObjectName(QStringLiteral("panelBody"));
     setAttribute(Qt::WA_StyledBackground);
@@ -116,7 +117,7 @@ void CalibrationView::setContent(const Content& content) {
     m_bar->setVisible(content.running);
     m_progress->setVisible(content.running || !content.why.isEmpty());
     if (!content.running) {
-        m_progress->setText(content.why);
+        m_progress->setPlain(content.why);
     }
     m_saveTable->setEnabled(calibration != nullptr);
 }
@@ -143,7 +144,7 @@ void CalibrationView::showFacts(const Content& content) {
 
 void CalibrationView::setProgress(double fraction, double secondsLeft) {
     m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    m_progress->setText(shownProgress(tr("Measuring this machine"), secondsLeft));
+    m_progress->setProgress(tr("Measuring this machine"), secondsLeft);
 }
 
 void CalibrationView::setError(const QString& what, const QString& remedy) {

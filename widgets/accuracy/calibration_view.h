@@ -14,6 +14,7 @@ namespace rubble::widgets {
 class CalibrationChart;
 class FindingList;
 class Notice;
+class ProgressLabel;
 
 /// What this machine carries: the curve of live FPS against the number of bodies, and the button that measures it.
 class CalibrationView : public QWidget {
@@ -57,7 +58,7 @@ private:
     QPushButton* m_saveTable;
     QPushButton* m_saveChart;
     QProgressBar* m_bar;
-    QLabel* m_progress;
+    ProgressLabel* m_progress;
     FindingList* m_findings;
     std::int64_t m_offered = 0;
     bool m_failed = false;

@@ -6,13 +6,14 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "widgets/basics/study_start.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
 
 ErrorBar::ErrorBar(QWidget* parent)
     : QFrame(parent),
-      m_words(new QLabel),
+      m_words(new ProgressLabel),
       m_bar(new QProgressBar),
       m_compute(new QPushButton(tr("Compute the reference"))),
       m_cancel(new QPushButton(tr("Cancel"))) {
@@ -61,7 +62,7 @@ void ErrorBar::setState(State state, const QString& words) {
             text = tr("The reference could not be computed.");
             break;
     }
-    m_words->setText(words.isEmpty() ? text : text + QLatin1Char(' ') + words);
+    m_words->setPlain(words.isEmpty() ? text : text + QLatin1Char(' ') + words);
     m_compute->setVisible(state == State::NoReference || state == State::Failed || state == State::Waiting);
     m_compute->setEnabled(state != State::Waiting);
     m_cancel->setVisible(state == State::Computing);
@@ -73,7 +74,7 @@ void ErrorBar::setProgress(double fraction, double secondsLeft) {
         return;
     }
     m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    m_words->setText(shownProgress(tr("Computing the reference"), secondsLeft));
+    m_words->setProgress(tr("Computing the reference"), secondsLeft);
 }
 
 QString ErrorBar::text() const {

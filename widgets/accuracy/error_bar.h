@@ -8,6 +8,8 @@ class QPushButton;
 
 namespace rubble::widgets {
 
+class ProgressLabel;
+
 /// Stands above the views while fragments are coloured by their error: says what they are compared with, or that there is nothing
 /// to compare with and how to get it.
 class ErrorBar : public QFrame {
@@ -37,7 +39,7 @@ signals:
 
 private:
     State m_state = State::NoRun;
-    QLabel* m_words;
+    ProgressLabel* m_words;
     QProgressBar* m_bar;
     QPushButton* m_compute;
     QPushButton* m_cancel;

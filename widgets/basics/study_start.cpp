@@ -11,6 +11,40 @@
 
 namespace rubble::widgets {
 
+ProgressLabel::ProgressLabel(QWidget* parent) : QLabel(parent) {
+    m_second.setInterval(1000);
+    connect(&m_second, &QTimer::timeout, this, &ProgressLabel::tell);
+}
+
+void ProgressLabel::setProgress(const QString& what, double secondsLeft) {
+    m_what = what;
+    m_left = secondsLeft;
+    m_since.start();
+    if (std::isfinite(secondsLeft)) {
+        m_second.start();
+    } else {
+        m_second.stop();
+    }
+    tell();
+}
+
+void ProgressLabel::setPlain(const QString& text) {
+    m_second.stop();
+    setText(text);
+}
+
+void ProgressLabel::hideEvent(QHideEvent* event) {
+    m_second.stop();
+    QLabel::hideEvent(event);
+}
+
+void ProgressLabel::tell() {
+    constexpr double patience = 2.0;  // s over the estimate before that is said
+    const double left = m_left - static_cast<double>(m_since.elapsed()) / 1000.0;
+    const QString text = shownProgress(m_what, left);
+    setText(left < -patience ? text + tr(" · takes longer than estimated") : text);
+}
+
 StudyStart::StudyStart(const Words& words, PlaceChoice* place, QWidget* parent)
     : QWidget(parent),
       m_start(new QPushButton(words.start)),
@@ -18,7 +52,7 @@ StudyStart::StudyStart(const Words& words, PlaceChoice* place, QWidget* parent)
       m_place(place),
       m_why(new QLabel),
       m_bar(new QProgressBar),
-      m_progress(new QLabel) {
+      m_progress(new ProgressLabel) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
@@ -29,7 +63,7 @@ StudyStart::StudyStart(const Words& words, PlaceChoice* place, QWidget* parent)
     m_bar->setTextVisible(false);
     m_bar->setRange(0, 1000);
     m_bar->setAccessibleName(words.bar);
-    for (QLabel* label : {m_why, m_progress}) {
+    for (QLabel* label : {m_why, static_cast<QLabel*>(m_progress)}) {
         label->setObjectName(QStringLiteral("muted"));
         label->setWordWrap(true);
     }
@@ -61,7 +95,7 @@ void StudyStart::setReady(bool ready, bool running, const QString& why) {
 
 void StudyStart::setProgress(const QString& what, double fraction, double secondsLeft) {
     m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    m_progress->setText(shownProgress(what, secondsLeft));
+    m_progress->setProgress(what, secondsLeft);
 }
 
 void StudyStart::start() {

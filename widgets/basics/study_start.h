@@ -1,14 +1,40 @@
 #pragma once
 
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QTimer>
 #include <QWidget>
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace rubble::widgets {
 
 class PlaceChoice;
+
+/// What is being done and how long it still takes. Counts down between reports; where the time is over it says so.
+class ProgressLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit ProgressLabel(QWidget* parent = nullptr);
+
+    /// @param secondsLeft  NaN: not known yet
+    void setProgress(const QString& what, double secondsLeft);
+    /// A text that does not change by itself.
+    void setPlain(const QString& text);
+
+protected:
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void tell();
+
+    QString m_what;
+    double m_left = 0.0;
+    QElapsedTimer m_since;
+    QTimer m_second;
+};
 
 /// What starts and stops a study: its two buttons, of which one is to be seen, where it is simulated, why it cannot be started, and
 /// how far it is.
@@ -42,7 +68,7 @@ private:
     PlaceChoice* m_place;
     QLabel* m_why;
     QProgressBar* m_bar;
-    QLabel* m_progress;
+    ProgressLabel* m_progress;
 };
 
 }  // namespace rubble::widgets

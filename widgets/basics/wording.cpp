@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/scenario/parameters.h"
 #include "core/scenario/setting_names.h"
@@ -158,6 +159,13 @@ QString worded(const Message& message) {
         }
     }
     return text;
+}
+
+QString shownDegrees(double angle) {
+    constexpr double least = 1e-4;
+    const double degrees = angle * 180.0 / std::numbers::pi;
+    const bool tiny = degrees != 0.0 && std::abs(degrees) < least;
+    return tiny ? QStringLiteral("< ") + QLocale().toString(least, 'f', 4) : shownNumber(degrees);
 }
 
 QString shownNumber(double value, int significant) {

@@ -20,6 +20,8 @@ QString worded(const Message& message);
 /// A number rounded to the significant digits it deserves, with the locale's decimal sign and grouping; powers of ten where it is
 /// very small or large; an en dash for NaN and infinity.
 QString shownNumber(double value, int significant = 3);
+/// An angle, rad, in degrees; what is less than any survey can tell is told as less than that, not in powers of ten.
+QString shownDegrees(double angle);
 /// A quantity in the units that are shown, without and with their name: "3.28", "3.28 ft". @param unit as figures::shownUnit()
 QString shownIn(double value, std::string_view unit, int significant = 3);
 QString shownWith(double value, std::string_view unit, int significant = 3);

@@ -34,8 +34,9 @@ TEST(ArchEffects, TheManifestOfTheStoneArch) {
                   "fragment_contact on: bodies can meet: the fall columns of element 60,229 (arch ring 1) and element 29,834 "
                   "(spandrel walls 1) overlap by 33.01 m",
                   "water off: no level of water is given (water_level)",
-                  "air_drag on: weight over drag at the highest possible speed of 29.73 m/s is only 14.05 (the fragment of element "
-                  "19,493 (arch ring 2)), below 17",
+                  "air_drag on: at 29.73 m/s, the highest speed that the fragment of element 19,493 (arch ring 2) can have, its "
+                  "weight is "
+                  "only 14.05 times its drag, below 17",
                   "ties off: no component is marked as reinforced (component[NAME].reinforced)",
                   "break_up off: no cluster of two or more fragments is of stone or masonry without reinforcement"}));
 }
@@ -50,8 +51,9 @@ TEST(ArchEffects, TheManifestOfTheConcreteArch) {
             "fragment_contact on: bodies can meet: the fall columns of element 17,101 (west skewback hinge) and element 10,321 "
             "(spandrel columns 2) overlap by 6.777 m",
             "water off: no level of water is given (water_level)",
-            "air_drag on: weight over drag at the highest possible speed of 21.47 m/s is only 13.81 (the fragment of element "
-            "17,435 (deck slab)), below 17",
+            "air_drag on: at 21.47 m/s, the highest speed that the fragment of element 17,435 (deck slab) can have, its weight is "
+            "only "
+            "13.81 times its drag, below 17",
             "ties off: no component is marked as reinforced (component[NAME].reinforced)",
             "break_up off: no cluster of two or more fragments is of stone or masonry without reinforcement"}));
 }

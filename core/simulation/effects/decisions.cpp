@@ -462,18 +462,19 @@ Verdict Decider::airDrag() const {
     if (least < dragMatters) {
         return {true,
                 {"effect.air_drag.on",
-                 "weight over drag at the highest possible speed of {0} is only {1} (the fragment of {2}), below {3}",
+                 "at {0}, the highest speed that the fragment of {2} can have, its weight is only {1} times its drag, below {3}",
                  {speed, least, place, dragMatters}},
                 least,
                 dragMatters};
     }
-    return {false,
-            {"effect.air_drag.off",
-             "weight over drag at the highest possible speed of {0} is {1} or more (least for the fragment of {2}); below {3} a "
-             "landing would move by 1 %",
-             {speed, least, place, dragMatters}},
-            least,
-            dragMatters};
+    return {
+        false,
+        {"effect.air_drag.off",
+         "no fragment weighs less than {1} times its drag (that of {2}, at {0}, the highest speed that it can have); below {3} a "
+         "landing would move by 1 %",
+         {speed, least, place, dragMatters}},
+        least,
+        dragMatters};
 }
 
 Verdict Decider::ties() const {

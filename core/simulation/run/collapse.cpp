@@ -501,8 +501,8 @@ void Collapse::warn() {
     if (slowed > 0) {
         m_result.findings.add(
             {"simulation.speed_held",
-             "{0} times a body was held back: nothing that it touched could have made it that fast",
-             {slowed}},
+             "{0} times in {1} steps a body was held back: nothing that it touched could have made it that fast",
+             {slowed, m_result.steps}},
             {"simulation.speed_held.remedy", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}},
             "", slowed);
     }

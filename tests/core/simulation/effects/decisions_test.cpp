@@ -76,7 +76,8 @@ TEST(Decisions, AUserSetStateSaysWhatAutoWouldHaveSaid) {
     EXPECT_EQ(englishText(ground.reason).rfind("set off; auto would be on: level ground at 0 m", 0), 0u)
         << englishText(ground.reason);
     EXPECT_TRUE(drag.on);
-    EXPECT_EQ(englishText(drag.reason).rfind("set on; auto would be off: weight over drag", 0), 0u) << englishText(drag.reason);
+    EXPECT_EQ(englishText(drag.reason).rfind("set on; auto would be off: no fragment weighs less than", 0), 0u)
+        << englishText(drag.reason);
     EXPECT_FALSE(water.on) << "there is no water to switch on";
     EXPECT_EQ(englishText(water.reason).rfind("set on, but cannot be: ", 0), 0u) << englishText(water.reason);
     EXPECT_EQ(englishText(scene.of(EffectKind::FragmentContact).reason).rfind("set off, as auto would: ", 0), 0u);

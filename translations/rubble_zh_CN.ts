@@ -51,6 +51,10 @@
         <source>The bundle is %1.</source>
         <translation>封存包：%1。</translation>
     </message>
+    <message>
+        <source>to be known</source>
+        <translation>须知</translation>
+    </message>
 </context>
 <context>
     <name>Cautions</name>
@@ -5323,14 +5327,6 @@
         <translation>以 *DATABASE_EXTENT_BINARY_COMP 写出，略去了部分状态</translation>
     </message>
     <message>
-        <source>weight over drag at the highest possible speed of {0} is only {1} (the fragment of {2}), below {3}</source>
-        <translation>以最大可能速度 {0} 计，重量与阻力之比仅为 {1}（{2} 的碎块），低于 {3}</translation>
-    </message>
-    <message>
-        <source>weight over drag at the highest possible speed of {0} is {1} or more (least for the fragment of {2}); below {3} a landing would move by 1 %</source>
-        <translation>以最大可能速度 {0} 计，重量与阻力之比不小于 {1}（最小者为 {2} 的碎块）；低于 {3} 时落点将移动 1 %</translation>
-    </message>
-    <message>
         <source>when the first of what lies in the cell came there</source>
         <translation>单元格内首个物体到达的时刻</translation>
     </message>
@@ -5749,10 +5745,6 @@
     <message>
         <source>{0} steps were halved after health breaches</source>
         <translation>健康超限后有 {0} 步被减半</translation>
-    </message>
-    <message>
-        <source>{0} times a body was held back: nothing that it touched could have made it that fast</source>
-        <translation>刚体被限速 {0} 次：它接触的物体不可能使其达到如此速度</translation>
     </message>
     <message>
         <source>{0} was written by a newer Rubble: case version {1}, this program reads up to {2}</source>
@@ -9939,10 +9931,6 @@
         <translation>该扫描需要 {0} 条射线；最多发出 {1} 条</translation>
     </message>
     <message>
-        <source>What did not move leaves a direction or a turn open: its surfaces look too much alike</source>
-        <translation>未移动的部分使某个方向或转动悬而未决：其表面朝向过于一致</translation>
-    </message>
-    <message>
         <source>cells are in no volume: a cloud has fewer than {0} points there within the depth</source>
         <translation>方格不计入任何体积：某个点云在那里的深度之内少于 {0} 个点</translation>
     </message>
@@ -12191,10 +12179,6 @@
         <translation>{0} 不是点云或点的表格：它没有列，其坐标系由文件自身写明</translation>
     </message>
     <message>
-        <source>A drawing without areas stands in every section: compare a survey, and draw a section on its map.</source>
-        <translation>没有面域的图出现在每个剖面中：请先比较一个测绘，再在其差异图上绘制剖面。</translation>
-    </message>
-    <message>
         <source>Check their places, or give a greater range.</source>
         <translation>请检查其位置，或给出更大的量程。</translation>
     </message>
@@ -12789,6 +12773,86 @@
     <message>
         <source>{0} of {1} members passed limits of health</source>
         <translation>{1} 个成员中有 {0} 个超过健康限值</translation>
+    </message>
+    <message>
+        <source>A drawing without areas has no surface to compare. It is held against the run in a section.</source>
+        <translation>没有闭合区域的图纸没有可比较的表面。它在剖面中与计算对照。</translation>
+    </message>
+    <message>
+        <source>Give both ends of the line.</source>
+        <translation>给出线的两端。</translation>
+    </message>
+    <message>
+        <source>Hold measured points in a section or as an edge; else give points that cover an area.</source>
+        <translation>把测点用于剖面或作为边界；否则给出覆盖一片区域的点。</translation>
+    </message>
+    <message>
+        <source>Take in surfaces far from that axis that look another way, such as walls, kerbs and slopes.</source>
+        <translation>纳入远离该轴、朝向其他方向的表面，如墙、路缘和坡面。</translation>
+    </message>
+    <message>
+        <source>Take in surfaces that look that way: walls or kerbs across it, or ground for up and down.</source>
+        <translation>纳入朝向该方向的表面：与其垂直的墙或路缘；上下方向则取地面。</translation>
+    </message>
+    <message>
+        <source>The measured points lie in one spot: no line goes along them</source>
+        <translation>测点都在一处：没有线可沿其走</translation>
+    </message>
+    <message>
+        <source>The points of {0} lie along a line or in one spot: they make no surface</source>
+        <translation>{0} 的点沿一条线或都在一处：构不成表面</translation>
+    </message>
+    <message>
+        <source>What did not move is level: it holds the height of the cloud, not its place in plan or its turn about an upright axis</source>
+        <translation>未移动之物是水平的：它能定点云的高度，不能定平面位置和绕竖轴的转角</translation>
+    </message>
+    <message>
+        <source>What did not move leaves a shift along the bearing of {0}° (from north, by east) open: no surface looks that way</source>
+        <translation>未移动之物不能定沿方位角 {0}°（自北向东）的平移：没有表面朝向该方向</translation>
+    </message>
+    <message>
+        <source>What did not move leaves a turn about a level axis along the bearing of {0}° (from north, by east) open</source>
+        <translation>未移动之物不能定绕方位角 {0}°（自北向东）水平轴的转角</translation>
+    </message>
+    <message>
+        <source>What did not move leaves a turn about an upright axis open</source>
+        <translation>未移动之物不能定绕竖轴的转角</translation>
+    </message>
+    <message>
+        <source>What did not move leaves it open how high the cloud lies: its surfaces are upright</source>
+        <translation>未移动之物不能定点云的高度：其表面都是竖直的</translation>
+    </message>
+    <message>
+        <source>What did not move leaves {0} of the six ways to shift and turn open: its surfaces look too much alike</source>
+        <translation>未移动之物不能定六个平移和转动方式中的 {0} 个：其表面朝向过于一致</translation>
+    </message>
+    <message>
+        <source>give a greater width, or the ends of another line</source>
+        <translation>给出更大的宽度，或另一条线的两端</translation>
+    </message>
+    <message>
+        <source>of {0} points some lie farther from the line along them than half its width; they were left out</source>
+        <translation>{0} 个点中有些离沿线超过半个宽度；已略去</translation>
+    </message>
+    <message>
+        <source>at {0}, the highest speed that the fragment of {2} can have, its weight is only {1} times its drag, below {3}</source>
+        <translation>{2} 的碎块最高可能速度为 {0}，此时其重量只有阻力的 {1} 倍，低于 {3}</translation>
+    </message>
+    <message>
+        <source>no fragment weighs less than {1} times its drag (that of {2}, at {0}, the highest speed that it can have); below {3} a landing would move by 1 %</source>
+        <translation>没有碎块的重量低于其阻力的 {1} 倍（最低者为 {2} 的碎块，最高可能速度 {0} 时）；低于 {3} 时落点会移动 1 %</translation>
+    </message>
+    <message>
+        <source>not all at rest: at {0}, the instant that is shown, {1} of {2} bodies moved</source>
+        <translation>并非全部静止：在所示时刻 {0}，{2} 个刚体中有 {1} 个在运动</translation>
+    </message>
+    <message>
+        <source>{0} times in {1} steps a body was held back: nothing that it touched could have made it that fast</source>
+        <translation>{1} 步中刚体被限速 {0} 次：它接触之物不可能使其如此之快</translation>
+    </message>
+    <message>
+        <source>simulated, where each member ended: not all at rest</source>
+        <translation>模拟，各成员结束之处：并非全部静止</translation>
     </message>
 </context>
 <context>
@@ -14137,6 +14201,25 @@
     </message>
 </context>
 <context>
+    <name>rubble::ChartExport</name>
+    <message>
+        <source>Not all settings were compared</source>
+        <translation>并非所有设置都已比较</translation>
+    </message>
+    <message>
+        <source>Members of each cause: %1.</source>
+        <translation>每个成因的成员：%1。</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>图表</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Images (*.png)</source>
+        <translation>矢量图 (*.svg);;图片 (*.png)</translation>
+    </message>
+</context>
+<context>
     <name>rubble::CloudPlacing</name>
     <message>
         <source>A cloud is fitted to the site: open the FE result first.</source>
@@ -14435,6 +14518,14 @@
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
     </message>
+    <message>
+        <source>The members are of another case or other settings.</source>
+        <translation>这些成员属于另一案例或其他设置。</translation>
+    </message>
+    <message>
+        <source>Simulate them again, then save.</source>
+        <translation>重新模拟后再保存。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::ErrorDisplay</name>
@@ -14560,8 +14651,8 @@
 <context>
     <name>rubble::EvidenceWork</name>
     <message>
-        <source>Simulate first: there is no debris yet.</source>
-        <translation>请先模拟：还没有堆积物。</translation>
+        <source>Simulate first, or show one of the runs: there is no debris yet.</source>
+        <translation>先模拟，或显示一个计算：还没有碎堆。</translation>
     </message>
 </context>
 <context>
@@ -14640,14 +14731,6 @@
     <message>
         <source>Calibration</source>
         <translation>标定</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>图表</translation>
-    </message>
-    <message>
-        <source>Drawings (*.svg);;Images (*.png)</source>
-        <translation>矢量图 (*.svg);;图片 (*.png)</translation>
     </message>
     <message>
         <source>Table of selected fragments</source>
@@ -14736,6 +14819,18 @@
     <message>
         <source>This case was never saved: its settings and its evidence would go.</source>
         <translation>此案例从未保存：其设置和证据将会丢失。</translation>
+    </message>
+    <message>
+        <source>Stop the simulation?</source>
+        <translation>停止模拟？</translation>
+    </message>
+    <message>
+        <source>A simulation is running. Leaving ends it here; what it has so far stays in the list of runs.</source>
+        <translation>正在模拟。离开将使其止于此处；已得到的部分留在计算列表中。</translation>
+    </message>
+    <message>
+        <source>Stop and leave</source>
+        <translation>停止并离开</translation>
     </message>
 </context>
 <context>
@@ -15157,16 +15252,16 @@
         <translation>正在绘制堆积物图：显示后再保存。</translation>
     </message>
     <message>
-        <source>Simulate first: there is no debris yet.</source>
-        <translation>请先模拟：还没有堆积物。</translation>
-    </message>
-    <message>
         <source>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;Tables (*.csv);;Images (*.png)</source>
         <translation>GeoTIFF (*.tif);;GeoPackage (*.gpkg);;表格 (*.csv);;图像 (*.png)</translation>
     </message>
     <message>
         <source>The debris map is there: save it now.</source>
         <translation>堆积物图已完成：现在可以保存。</translation>
+    </message>
+    <message>
+        <source>Simulate first, or show one of the runs: there is no debris yet.</source>
+        <translation>先模拟，或显示一个计算：还没有碎堆。</translation>
     </message>
 </context>
 <context>
@@ -15875,12 +15970,12 @@
         <translation>测绘的读取方式</translation>
     </message>
     <message>
-        <source>A drawing without areas stands in every section: compare a survey, and draw a section on its map.</source>
-        <translation>没有面域的图出现在每个剖面中：请先比较一个测绘，再在其差异图上绘制剖面。</translation>
-    </message>
-    <message>
         <source>Points that are held as control show no debris: they name places for pairs of photographs.</source>
         <translation>用作控制的点不表示堆积物：它们为照片的点对给出有名称的位置。</translation>
+    </message>
+    <message>
+        <source>A drawing without areas has no surface to compare. It is held against the run in a section.</source>
+        <translation>没有闭合区域的图纸没有可比较的表面。它在剖面中与计算对照。</translation>
     </message>
 </context>
 <context>
@@ -16387,8 +16482,24 @@
         <translation>给定</translation>
     </message>
     <message>
-        <source>%1, from %2, %3 to %4, %5 m (easting, northing), %6 wide</source>
-        <translation>%1，从 %2, %3 到 %4, %5 m（东坐标、北坐标），宽 %6</translation>
+        <source>water, surface at z = %1</source>
+        <translation>水，水面 z = %1</translation>
+    </message>
+    <message>
+        <source>water (still surface)</source>
+        <translation>水（静水面）</translation>
+    </message>
+    <message>
+        <source>local coordinates</source>
+        <translation>局部坐标</translation>
+    </message>
+    <message>
+        <source>%1, from %2, %3 to %4, %5 m (easting, northing; %6), %7 wide</source>
+        <translation>%1，从 %2, %3 到 %4, %5 m（东、北坐标；%6），宽 %7</translation>
+    </message>
+    <message>
+        <source>simulated: debris, structure or ground</source>
+        <translation>模拟：碎堆、结构或地面</translation>
     </message>
 </context>
 <context>
@@ -17029,10 +17140,6 @@
     <message>
         <source>The report was made from a run alone, without its case.</source>
         <translation>报告仅由计算编制，没有其案例。</translation>
-    </message>
-    <message>
-        <source>The case has no journal: it was saved by a version without one.</source>
-        <translation>案例没有日志：由不带日志的版本保存。</translation>
     </message>
     <message>
         <source>When the case was saved, by whom, and what had changed</source>
@@ -18007,6 +18114,26 @@
         <source>bodies at worst</source>
         <translation>最严重时的刚体数</translation>
     </message>
+    <message>
+        <source>The run was simulated for this report and lies in no file. A repeat is the same run if its fingerprint is %1.</source>
+        <translation>该计算是为本报告模拟的，不在任何文件中。重复计算的指纹若为 %1，即为同一计算。</translation>
+    </message>
+    <message>
+        <source>The journal of the case is empty: no change of it was saved with its author.</source>
+        <translation>案例的日志为空：没有保存过带作者的更改。</translation>
+    </message>
+    <message>
+        <source>%1: compared inside the areas that were drawn alone, %2 m². Beyond them lie %3 m² of surveyed and %4 m² of simulated debris, which do not count.</source>
+        <translation>%1：只在所画区域内比较，%2 m²。区域外有 %3 m² 测得的和 %4 m² 模拟的碎堆，不计入。</translation>
+    </message>
+    <message>
+        <source>The run-out of the mass is the distance from the outline of what collapsed within which 95 % of the mass of the debris lies. The run-out of the area is what a survey can tell: the distance from the middle of the structure&apos;s plan within which 95 % of the covered area of one direction lies.</source>
+        <translation>质量的散落距离是自坍塌部分轮廓起、其内含有 95 % 碎堆质量的距离。面积的散落距离是测绘所能给出的：自结构平面中心起、其内含有某一方向 95 % 覆盖面积的距离。</translation>
+    </message>
+    <message>
+        <source>(first: %1)</source>
+        <translation>（首个：%1）</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -18019,20 +18146,12 @@
         <translation>北</translation>
     </message>
     <message>
-        <source>fallen live structure</source>
-        <translation>坠落的未失效结构</translation>
-    </message>
-    <message>
         <source>%1 more</source>
         <translation>另有 %1 项</translation>
     </message>
     <message>
         <source>%1, t = %2, %3, cells of %4</source>
         <translation>%1，t = %2，%3，单元格 %4</translation>
-    </message>
-    <message>
-        <source>; %1 cells with debris lie outside the picture</source>
-        <translation>；另有 %1 个有堆积物的单元格在图外</translation>
     </message>
     <message>
         <source>local coordinates in metres</source>
@@ -18077,6 +18196,26 @@
     <message>
         <source>; highest cell, in the mean: %1</source>
         <translation>；最高单元格（平均）：%1</translation>
+    </message>
+    <message>
+        <source>; %1 cells with debris lie outside the picture, up to %2 beyond it</source>
+        <translation>；%1 个有碎块的单元在图外，最远超出 %2</translation>
+    </message>
+    <message>
+        <source>; fallen live structure beside them: %1 on %2</source>
+        <translation>；另有坍落的存活结构：%1，占 %2</translation>
+    </message>
+    <message>
+        <source>made from a run: no evidence</source>
+        <translation>由计算生成：不是证据</translation>
+    </message>
+    <message>
+        <source>area of interest</source>
+        <translation>关注区域</translation>
+    </message>
+    <message>
+        <source>fallen live structure alone</source>
+        <translation>仅有坍落的存活结构</translation>
     </message>
 </context>
 <context>
@@ -20797,6 +20936,10 @@ What the file fits: %2.</source>
     <message>
         <source>the same in all members</source>
         <translation>所有成员相同</translation>
+    </message>
+    <message>
+        <source>where each member ended, not all at rest</source>
+        <translation>位于各成员结束之处，并非全部静止</translation>
     </message>
 </context>
 <context>
@@ -24415,6 +24558,13 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::ProgressLabel</name>
+    <message>
+        <source> · takes longer than estimated</source>
+        <translation> · 比估计的更久</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::ReadingBox</name>
     <message>
         <source>Coordinate system of the cloud</source>
@@ -25944,6 +26094,38 @@ Program: %3</source>
         <source>All</source>
         <translation>全部</translation>
     </message>
+    <message>
+        <source>From easting, m</source>
+        <translation>起点东坐标，m</translation>
+    </message>
+    <message>
+        <source>northing, m</source>
+        <translation>北坐标，m</translation>
+    </message>
+    <message>
+        <source>to easting, m</source>
+        <translation>终点东坐标，m</translation>
+    </message>
+    <message>
+        <source>Easting of the first end</source>
+        <translation>起点的东坐标</translation>
+    </message>
+    <message>
+        <source>Northing of the first end</source>
+        <translation>起点的北坐标</translation>
+    </message>
+    <message>
+        <source>Easting of the second end</source>
+        <translation>终点的东坐标</translation>
+    </message>
+    <message>
+        <source>Northing of the second end</source>
+        <translation>终点的北坐标</translation>
+    </message>
+    <message>
+        <source>The line goes along the measured points, to half a width beyond them.</source>
+        <translation>线沿测点走，两头各超出半个宽度。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::SelectForm</name>
@@ -26701,10 +26883,6 @@ Program: %3</source>
         <translation>剖面…</translation>
     </message>
     <message>
-        <source>Draw a line on the difference map: run and survey are cut along it, drawn and measured together</source>
-        <translation>在差异图上画一条线：沿线剖切计算和测绘，一起绘出并量取</translation>
-    </message>
-    <message>
         <source>Neither side has debris: there is no overlap, and heights are not compared.</source>
         <translation>两侧都没有堆积物：没有重合度，也不比较高度。</translation>
     </message>
@@ -26739,6 +26917,10 @@ Program: %3</source>
     <message>
         <source>Surveyed surface against the ground: %1 m³ above it (fill), %2 m³ below it (cut), net %3 m³.</source>
         <translation>测绘表面相对地面：其上 %1 m³（填），其下 %2 m³（挖），净 %3 m³。</translation>
+    </message>
+    <message>
+        <source>Draw a line on the difference map: run and survey are cut along it, drawn and measured together. Measured points without a map are cut along themselves.</source>
+        <translation>在差异图上画一条线：沿它剖切计算和测绘，一起绘出并量取。没有图的测点沿其自身剖切。</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,7 @@ protected:
                 continue;  // what fits into the smallest window fits into larger ones
             }
             window->resize(size);
-            QTest::qWait(300);
+            QTest::qWait(100);
             ASSERT_NE(screen(), nullptr) << name.toStdString();
             const QString where = QStringLiteral("%1-%2-%3").arg(name, language).arg(size.width());
             // What comes at any time (what a cluster answers) gets its room within the events that follow.
@@ -134,7 +134,7 @@ protected:
         QAction& action = window->actions()[id];
         const QString name = action.objectName();
         bool seen = false;
-        QTimer::singleShot(1000, window, [this, name, &seen] {
+        QTimer::singleShot(400, window, [this, name, &seen] {
             QWidget* dialog = nullptr;
             for (QWidget* each : QApplication::topLevelWidgets()) {
                 const bool isDialog = each->isVisible() && each != window && each->windowType() == Qt::Dialog;

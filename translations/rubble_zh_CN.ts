@@ -18206,7 +18206,7 @@
         <translation>；另有坍落的存活结构：%1，占 %2</translation>
     </message>
     <message>
-        <source>made from a run: no evidence</source>
+        <source>of a run: no evidence</source>
         <translation>由计算生成：不是证据</translation>
     </message>
     <message>
@@ -18214,7 +18214,7 @@
         <translation>关注区域</translation>
     </message>
     <message>
-        <source>fallen live structure alone</source>
+        <source>fallen structure alone</source>
         <translation>仅有坍落的存活结构</translation>
     </message>
 </context>

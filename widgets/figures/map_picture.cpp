@@ -381,7 +381,7 @@ private:
             y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
         }
         if (showsLive()) {
-            drawEntry(painter, y, liveColour(), tr("fallen live structure alone"));
+            drawEntry(painter, y, liveColour(), tr("fallen structure alone"));
         }
         drawLineEntries(painter, y);
     }

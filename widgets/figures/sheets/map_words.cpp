@@ -76,7 +76,7 @@ QString outlineWords(MapOutline::Of of) {
         case MapOutline::Of::Evidence:
             return MapWords::tr("found on the site");
         case MapOutline::Of::Simulated:
-            return MapWords::tr("made from a run: no evidence");
+            return MapWords::tr("of a run: no evidence");
         case MapOutline::Of::Area:
             break;
     }

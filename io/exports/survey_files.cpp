@@ -12,6 +12,7 @@
 #include "core/evidence/no_evidence.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
+#include "io/exports/provenance.h"
 #include "io/json/json_cursor.h"
 #include "io/json/scope_json.h"
 #include "io/run/acknowledgements.h"

@@ -46,8 +46,8 @@ bool CloudGrid::inLine() const {
         const Cell& cell = m_cells[k];
         if (cell.points > 0) {
             const Eigen::Vector2d off = Eigen::Vector2d(cell.x, cell.y) / static_cast<double>(cell.points);
-            const Eigen::Vector2d place =
-                off + Eigen::Vector2d(static_cast<double>(k % m_columns), static_cast<double>(k / m_columns));
+            const std::size_t row = k / m_columns;
+            const Eigen::Vector2d place = off + Eigen::Vector2d(static_cast<double>(k - row * m_columns), static_cast<double>(row));
             sum += place;
             squares += place * place.transpose();
             count += 1.0;

@@ -12807,12 +12807,12 @@
         <translation>未移动之物是水平的：它能定点云的高度，不能定平面位置和绕竖轴的转角</translation>
     </message>
     <message>
-        <source>What did not move leaves a shift along the bearing of {0}° (from north, by east) open: no surface looks that way</source>
-        <translation>未移动之物不能定沿方位角 {0}°（自北向东）的平移：没有表面朝向该方向</translation>
+        <source>What did not move leaves a shift along the bearing of {0}° (from the y axis towards x) open: no surface looks that way</source>
+        <translation>未移动之物不能定沿方位角 {0}°（自 y 轴向 x 轴）的平移：没有表面朝向该方向</translation>
     </message>
     <message>
-        <source>What did not move leaves a turn about a level axis along the bearing of {0}° (from north, by east) open</source>
-        <translation>未移动之物不能定绕方位角 {0}°（自北向东）水平轴的转角</translation>
+        <source>What did not move leaves a turn about a level axis along the bearing of {0}° (from the y axis towards x) open</source>
+        <translation>未移动之物不能定绕方位角 {0}°（自 y 轴向 x 轴）水平轴的转角</translation>
     </message>
     <message>
         <source>What did not move leaves a turn about an upright axis open</source>

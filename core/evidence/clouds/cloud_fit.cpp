@@ -224,7 +224,7 @@ private:
         const bool shifts = shift.norm() >= turn.norm();
         const Vec3 axis = (shifts ? shift : turn).normalized();
         const bool upright = std::abs(axis.z()) > std::numbers::sqrt2 / 2.0;
-        // A line has two ends: the one from north to south, by east.
+        // A line has two ends: the one on the side of x.
         const double east = std::atan2(axis.x(), axis.y()) * 180.0 / std::numbers::pi;
         const double bearing = std::round(east < 0.0 ? east + 180.0 : east);
         const Message more{"fit.open.remedy",
@@ -238,7 +238,7 @@ private:
         if (shifts) {
             throw UsageError(
                 {"fit.open_shift",
-                 "What did not move leaves a shift along the bearing of {0}° (from north, by east) open: no surface looks "
+                 "What did not move leaves a shift along the bearing of {0}° (from the y axis towards x) open: no surface looks "
                  "that way",
                  {bearing}},
                 more);
@@ -246,10 +246,11 @@ private:
         if (upright) {
             throw UsageError({"fit.open_turn_up", "What did not move leaves a turn about an upright axis open", {}}, more);
         }
-        throw UsageError({"fit.open_turn",
-                          "What did not move leaves a turn about a level axis along the bearing of {0}° (from north, by east) open",
-                          {bearing}},
-                         more);
+        throw UsageError(
+            {"fit.open_turn",
+             "What did not move leaves a turn about a level axis along the bearing of {0}° (from the y axis towards x) open",
+             {bearing}},
+            more);
     }
 
     void step() {

@@ -166,8 +166,9 @@ TEST(CloudFit, NamesTheWayThatIsOpen) {
     // Two abutments that face each other stand on a street: along them nothing holds the cloud.
     const Message along = whyOpen(true, {30.0, 210.0}, 4.0);
     EXPECT_EQ(along.id, "fit.open_shift");
-    EXPECT_EQ(englishText(along),
-              "What did not move leaves a shift along the bearing of 120° (from north, by east) open: no surface looks that way");
+    EXPECT_EQ(
+        englishText(along),
+        "What did not move leaves a shift along the bearing of 120° (from the y axis towards x) open: no surface looks that way");
     EXPECT_EQ(whyOpen(true, {}, 4.0).id, "fit.open_level");
     EXPECT_EQ(whyOpen(false, {30.0, 210.0}, 4.0).id, "fit.open_more") << "two walls that face each other hold three ways of six";
     // Walls alone say nothing of their height.

@@ -1,5 +1,6 @@
 # cmake -D SOURCE=FOLDER -D OUT=HEADER -P commit.cmake: names the commit of the sources in a header, which is touched only where it changes.
 # What is not committed is said; outside of a checkout the commit is empty.
+cmake_minimum_required(VERSION 3.25)
 set(commit "")
 execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD RESULT_VARIABLE failed OUTPUT_VARIABLE head ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT failed)

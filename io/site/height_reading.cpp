@@ -9,7 +9,6 @@
 #include "io/base/file_words.h"
 #include "io/base/native_lock.h"
 #include "io/base/trial.h"
-#include "io/json/run_behind.h"
 #include "io/site/clouds/height_source.h"
 #include "io/site/raster_axis.h"
 #include "io/site/raster_file.h"
@@ -122,7 +121,6 @@ void Reading::checkOurs() {
     }
     m_file.take(bands);
     m_result.debrisMap = m_aboveGround = true;
-    m_result.run = fingerprintOf(m_file.entry("RUBBLE_RUN"));
 }
 
 void Reading::checkCrs() {

@@ -52,7 +52,6 @@ struct HeightReading {
     /// A debris map of our own, or the median of an ensemble: its heights are above the ground whatever was said of them, and where
     /// it has none lies nothing.
     bool debrisMap = false;
-    std::string run;       ///< fingerprint of the run that such a map is of, hex; empty: it is none, or of several
     double missing = 0.0;  ///< m, by which the file ends short of the outline of the structure
     WiderHeights wider;    ///< with HeightReach::Whole
     Findings findings;

@@ -39,7 +39,6 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
     taken.everywhere = heights.debrisMap;
     input.crs = std::move(heights.crs);
     input.findings = std::move(heights.findings);
-    input.ofRun = std::move(heights.run);
     const std::int64_t gaps = countGaps(taken);
     if (heights.debrisMap) {
         // What has no height there is ground without debris.
@@ -121,10 +120,7 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     InputDigest digest = digestOfInput(path, InputRole::Survey, execution);
     input.sha256 = std::move(digest.sha256);
     input.fileSha256 = std::move(digest.fileSha256);
-    EvidenceOrigin origin = surveyOriginOf(path, request.read);
-    if (origin.run.empty()) {
-        origin.run = input.ofRun;  // of a map of our own
-    }
+    const EvidenceOrigin origin = surveyOriginOf(path, request.read);
     input.ofRun = origin.run;
     if (request.evidence) {
         noteOrigin(input.findings, path, origin, request.run);

@@ -15,7 +15,8 @@ struct EvidenceOrigin {
     bool measured() const { return run.empty() && !ours; }
 };
 
-/// By the provenance beside a survey, else by what a LAS or PLY says of itself. What cannot be read says nothing.
+/// By the provenance beside a survey, else by what a GeoTIFF, GeoPackage, LAS or PLY says of itself. What cannot be read says
+/// nothing.
 EvidenceOrigin surveyOriginOf(const std::string& path, const CloudRequest& read);
 /// By the provenance within or beside a photograph.
 EvidenceOrigin photographOriginOf(const std::string& path);

@@ -19,6 +19,8 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/run/run_cautions.h"
+#include "io/site/survey_file.h"
+#include "io/site/surveys/evidence_origin.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
@@ -133,6 +135,38 @@ TEST_F(MapFiles, ATiffSaysWhatItIs) {
     EXPECT_TRUE(known);
     EXPECT_STREQ(file->GetRasterBand(6)->GetMetadataItem("COMPONENT_0"), "deck, upper");
     EXPECT_EQ(wholeFile(m_tiff + ".provenance.json"), "{\"map\": 1}\n");
+}
+
+TEST_F(MapFiles, AMapOfOursIsKnownByItsContentUnderAnyName) {
+    const std::string run = "00112233445566778899aabbccddeeff";
+    const auto renamed = [&](const std::string& path) {
+        const std::string other = m_folder / ("found" + std::filesystem::path(path).extension().string());
+        std::filesystem::copy_file(path, other, std::filesystem::copy_options::overwrite_existing);
+        return other;
+    };
+    const auto check = [&](const std::string& named, bool ours) {
+        for (const std::string& path : {m_tiff, m_package}) {
+            const EvidenceOrigin origin = surveyOriginOf(renamed(path), {});
+            EXPECT_EQ(origin.run, named) << path;
+            EXPECT_EQ(origin.ours, ours) << path;
+        }
+    };
+    writeTiff();
+    writePackage();
+    check({}, false);
+    // A map of an ensemble is of several runs and names none.
+    m_origin.facts = {{"RUBBLE_CLASS", "probability of debris"}};
+    writeTiff();
+    writePackage();
+    check({}, true);
+    m_origin.facts.emplace_back("RUBBLE_RUN", run);
+    writeTiff();
+    writePackage();
+    check(run, true);
+    // What is read as a survey says so.
+    const SurveyInput read = readSurvey(renamed(m_package), m_origin.frame, Site(), Aabb(), Execution());
+    EXPECT_EQ(read.ofRun, run);
+    EXPECT_EQ(read.findings.count("evidence.of_run"), 1);
 }
 
 /// What the program gdalinfo prints: it is this function of the library.

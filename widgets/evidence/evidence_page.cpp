@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -61,6 +62,7 @@ EvidencePage::EvidencePage(QWidget* parent)
     m_splitter->setStretchFactor(1, 1);
     m_model->setAccessibleName(tr("Model beside the photograph"));
     m_model->hide();
+    m_model->installEventFilter(this);
     column->addWidget(m_splitter, 1);
     column->addWidget(m_survey, 1);
     m_survey->hide();
@@ -178,6 +180,13 @@ void EvidencePage::setBeside(bool beside) {
     }
     m_model->setVisible(beside);
     emit besideChanged(beside);
+}
+
+bool EvidencePage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_model && !event->spontaneous() && (event->type() == QEvent::Show || event->type() == QEvent::Hide)) {
+        emit modelSeen(event->type() == QEvent::Show);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 bool EvidencePage::beside() const {

@@ -56,6 +56,11 @@ signals:
     /// A point of the model was clicked, as a place in the model's widget.
     void modelClicked(const QPointF& place);
     void besideChanged(bool beside);
+    /// The model beside the photograph came into sight, or went.
+    void modelSeen(bool seen);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget* buildTools();

@@ -34,6 +34,12 @@ constexpr std::array onViews{ActionId::Stacked,       ActionId::Beside,
                              ActionId::MapCividis,    ActionId::MapGrey,
                              ActionId::ImportView};
 
+/// Of these, what moves the camera of whatever model is seen.
+constexpr std::array ofTheCamera{ActionId::Fit,        ActionId::LookSide,  ActionId::LookFront, ActionId::LookBack,
+                                 ActionId::LookLeft,   ActionId::LookRight, ActionId::LookTop,   ActionId::LookBottom,
+                                 ActionId::LookCorner, ActionId::Parallel,  ActionId::ZoomIn,    ActionId::ZoomOut,
+                                 ActionId::TurnLeft,   ActionId::TurnRight, ActionId::TurnUp,    ActionId::TurnDown};
+
 }  // namespace
 
 bool actsOnViews(ActionId id) {
@@ -68,7 +74,8 @@ Actions::Actions(QWidget& window) {
 
 void Actions::show(ActionId id) {
     const auto place = static_cast<std::size_t>(id);
-    const bool covered = !m_viewsInFront && actsOnViews(id);
+    const bool camera = std::find(ofTheCamera.begin(), ofTheCamera.end(), id) != ofTheCamera.end();
+    const bool covered = !m_viewsInFront && actsOnViews(id) && !(camera && m_modelInFront);
     const QString& why = m_whys[static_cast<qsizetype>(place)];
     m_actions[place]->setEnabled(m_usable[place] && !covered);
     if (actsOnViews(id) || !why.isEmpty()) {
@@ -100,6 +107,15 @@ QString Actions::refusal(const QAction& action) const {
 
 void Actions::setViewsInFront(bool inFront) {
     m_viewsInFront = inFront;
+    showAll();
+}
+
+void Actions::setModelInFront(bool inFront) {
+    m_modelInFront = inFront;
+    showAll();
+}
+
+void Actions::showAll() {
     for (const ActionId id : onViews) {
         show(id);
     }

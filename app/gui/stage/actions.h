@@ -223,15 +223,19 @@ public:
     /// The views are in front of all pages, or one covers them.
     void setViewsInFront(bool inFront);
     bool viewsInFront() const { return m_viewsInFront; }
+    /// A page that covers the views shows a model of its own: what moves the camera moves it there.
+    void setModelInFront(bool inFront);
 
 private:
     void show(ActionId id);
+    void showAll();
 
     std::vector<QAction*> m_actions;  // by id
     std::vector<bool> m_usable;       // by id, whatever is in front
     QStringList m_tips;               // by id
     QStringList m_whys;               // by id
     bool m_viewsInFront = true;
+    bool m_modelInFront = false;
 };
 
 /// The actions as a table in Markdown: a page of the manual.

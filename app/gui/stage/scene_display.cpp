@@ -61,7 +61,6 @@ void SceneDisplay::connectActions() {
         view.camerasLinked = linked;
         setView(view);
     });
-    connect(&m_actions[ActionId::Fit], &QAction::triggered, this, [this] { m_area.views().fit(); });
     connect(&m_colours, &QComboBox::activated, this, [this] {
         render::View view = m_area.views().view();
         view.colourBy = static_cast<render::ColourBy>(m_colours.currentData().toInt());

@@ -36,6 +36,10 @@ ViewArea::ViewArea(QWidget* parent)
     addWidget(buildEmpty());
 }
 
+widgets::ViewWidget& ViewArea::watched() {
+    return m_besidePhotograph != nullptr && m_besidePhotograph->isVisible() ? *m_besidePhotograph : *m_views;
+}
+
 QWidget* ViewArea::buildEmpty() {
     auto* page = new QWidget;
     page->setObjectName(QStringLiteral("emptyState"));

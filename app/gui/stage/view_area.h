@@ -22,6 +22,10 @@ public:
     explicit ViewArea(QWidget* parent = nullptr);
 
     widgets::ViewWidget& views() { return *m_views; }
+    /// What the keys and the menu of the camera move: the views, or the model beside a photograph while that is seen.
+    widgets::ViewWidget& watched();
+    /// Names the view of the model that stands beside a photograph, in place of the views.
+    void setBesidePhotograph(widgets::ViewWidget& model) { m_besidePhotograph = &model; }
     /// Stands above the views while fragments are coloured by their error.
     widgets::ErrorBar& errorBar() { return *m_errorBar; }
     /// Stands above the views while another scenario is shown in one.
@@ -41,6 +45,7 @@ private:
 
     widgets::StartPage* m_start;
     widgets::ViewWidget* m_views;
+    widgets::ViewWidget* m_besidePhotograph = nullptr;
     widgets::ErrorBar* m_errorBar;
     widgets::ScenarioBar* m_scenarioBar;
     widgets::ClipBar* m_clipBar;

@@ -63,17 +63,20 @@ void ViewTools::change(const std::function<void(render::View&)>& edit) {
 }
 
 void ViewTools::connectCameras() {
-    widgets::ViewWidget& views = m_area.views();
+    const auto on = [this](ActionId id, auto moves) {
+        connect(&m_actions[id], &QAction::triggered, this, [this, moves](bool checked) { moves(m_area.watched(), checked); });
+    };
     for (const Look& look : looks) {
-        connect(&m_actions[look.id], &QAction::triggered, this, [&views, preset = look.preset] { views.look(preset); });
+        on(look.id, [preset = look.preset](widgets::ViewWidget& views, bool) { views.look(preset); });
     }
-    connect(&m_actions[ActionId::Parallel], &QAction::triggered, this, [&views](bool on) { views.setParallel(on); });
-    connect(&m_actions[ActionId::ZoomIn], &QAction::triggered, this, [&views] { views.zoomBy(zoomStep); });
-    connect(&m_actions[ActionId::ZoomOut], &QAction::triggered, this, [&views] { views.zoomBy(1.0 / zoomStep); });
-    connect(&m_actions[ActionId::TurnLeft], &QAction::triggered, this, [&views] { views.turn(-turnStep, 0.0); });
-    connect(&m_actions[ActionId::TurnRight], &QAction::triggered, this, [&views] { views.turn(turnStep, 0.0); });
-    connect(&m_actions[ActionId::TurnUp], &QAction::triggered, this, [&views] { views.turn(0.0, turnStep); });
-    connect(&m_actions[ActionId::TurnDown], &QAction::triggered, this, [&views] { views.turn(0.0, -turnStep); });
+    on(ActionId::Fit, [](widgets::ViewWidget& views, bool) { views.fit(); });
+    on(ActionId::Parallel, [](widgets::ViewWidget& views, bool parallel) { views.setParallel(parallel); });
+    on(ActionId::ZoomIn, [](widgets::ViewWidget& views, bool) { views.zoomBy(zoomStep); });
+    on(ActionId::ZoomOut, [](widgets::ViewWidget& views, bool) { views.zoomBy(1.0 / zoomStep); });
+    on(ActionId::TurnLeft, [](widgets::ViewWidget& views, bool) { views.turn(-turnStep, 0.0); });
+    on(ActionId::TurnRight, [](widgets::ViewWidget& views, bool) { views.turn(turnStep, 0.0); });
+    on(ActionId::TurnUp, [](widgets::ViewWidget& views, bool) { views.turn(0.0, turnStep); });
+    on(ActionId::TurnDown, [](widgets::ViewWidget& views, bool) { views.turn(0.0, -turnStep); });
 }
 
 void ViewTools::connectStyle() {
@@ -133,7 +136,7 @@ void ViewTools::refresh() {
     for (const ActionId id : modelActions) {
         m_actions.enable(id, have);
     }
-    m_actions[ActionId::Parallel].setChecked(view.cameras[0].parallel);
+    m_actions[ActionId::Parallel].setChecked(m_area.watched().view().cameras[0].parallel);
     m_actions[ActionId::GroundGrid].setChecked(view.groundGrid);
     m_actions[ActionId::Axes].setChecked(view.axes);
     m_actions[ActionId::Shading].setChecked(view.shading);

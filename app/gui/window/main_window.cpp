@@ -211,6 +211,9 @@ void MainWindow::connectActions() {
         m_actions.setViewsInFront(inFront);
         m_rooms->states->offerColours();
     });
+    // What hides when the window ends comes too late for its actions.
+    connect(m_evidencePage, &widgets::EvidencePage::modelSeen, m_rooms->states.get(),
+            [this](bool seen) { m_actions.setModelInFront(seen); });
     widgets::EvidencePanel& panel = m_rooms->deck->evidence();
     connect(&panel, &widgets::EvidencePanel::photographChosen, this, &MainWindow::showCentre);
     connect(&panel.list(), &widgets::EvidenceTable::chosen, this, &MainWindow::showCentre);

@@ -70,6 +70,7 @@ void MainWindow::buildLayout() {
     m_centre->addWidget(m_area);
     m_centre->addWidget(m_accuracyPage);
     m_centre->addWidget(m_evidencePage);
+    m_area->setBesidePhotograph(m_evidencePage->model());
     m_centre->addWidget(&m_rooms->studies->ensemblePage());
     m_centre->addWidget(&m_rooms->studies->causesPage());
     auto* middle = new QWidget;

@@ -2,6 +2,7 @@
 #include <QImageWriter>
 #include <QSignalSpy>
 #include <QTest>
+#include <array>
 #include <fstream>
 
 #include "app/gui/case/file_commands.h"
@@ -243,6 +244,36 @@ TEST_F(Evidence, EveryEditIsOneStepOfUndo) {
     stack.setIndex(begin + 4);
     EXPECT_EQ(photo().masks.size(), 1u);
     EXPECT_TRUE(prepared()) << "no result depends on photographs";
+}
+
+// Keys of the camera moved the views behind the page, and nothing that was seen.
+TEST_F(Evidence, BesideAPhotographTheKeysOfTheCameraMoveTheModelThere) {
+    openArch();
+    add(photograph(cameraFor(session->computation().inputs().fe->mesh()), QStringLiteral("beside.jpg")));
+    auto& page = *window->findChild<widgets::EvidencePage*>();
+    page.setBeside(true);
+    widgets::ViewWidget& model = page.model();
+    widgets::ViewWidget& views = window->area().views();
+    model.setAnimated(false);
+    views.setAnimated(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model.isVisible() && model.data().fe != nullptr; }, patience));
+    const render::Camera behind = views.view().cameras[0];
+    constexpr std::array moves{ActionId::LookTop, ActionId::TurnDown, ActionId::ZoomIn, ActionId::Parallel, ActionId::Fit};
+    const auto press = [&](ActionId id) {
+        const QKeyCombination keys = window->actions()[id].shortcut()[0];
+        QTest::keyClick(&*window, keys.key(), keys.keyboardModifiers());
+    };
+    for (const ActionId id : moves) {
+        const render::Camera before = render::cameraOf(model.view(), render::PaneContent::Fragments);
+        press(id);
+        EXPECT_FALSE(render::cameraOf(model.view(), render::PaneContent::Fragments) == before)
+            << window->actions()[id].text().toStdString();
+        EXPECT_TRUE(views.view().cameras[0] == behind);
+    }
+    window->rooms().deck->choose(PanelDeck::Run);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views.isVisible(); }, patience));
+    press(ActionId::TurnLeft);
+    EXPECT_FALSE(views.view().cameras[0] == behind) << "elsewhere the views are moved";
 }
 
 TEST_F(Evidence, WhatIsNoPhotographIsRefusedInPlace) {

@@ -29,10 +29,6 @@ namespace {
 
 constexpr double surveyNoData = -9999.0;
 
-std::string_view fitName(SurveyFit fit) {
-    return fit == SurveyFit::None ? "none" : fit == SurveyFit::Ground ? "ground" : "debris";
-}
-
 /// Rows from the north.
 std::vector<double> northUp(const CellGrid& grid) {
     std::vector<double> values;
@@ -76,12 +72,25 @@ std::string scanProvenance(const RunReader& run, const RunScan& made, const Site
     return jsonText(document);
 }
 
-std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, double time) {
-    std::vector<Caution> cautions = evidenceCautions(survey.findings);
+namespace {
+
+/// What speaks against evidence, then the cautions of the run that is held against it at an instant.
+std::vector<Caution> besideEvidence(const Findings& findings, const RunReader& run, double time) {
+    std::vector<Caution> cautions = evidenceCautions(findings);
     for (Caution& caution : runCautions(standingAt(run, time))) {
         cautions.push_back(std::move(caution));
     }
     return cautions;
+}
+
+}  // namespace
+
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, double time) {
+    return besideEvidence(survey.findings, run, time);
+}
+
+std::vector<Caution> sectionCautions(const RunReader& run, const RunSection& made) {
+    return besideEvidence(made.findings, run, made.time);
 }
 
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath) {
@@ -107,7 +116,7 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                                      {"least_height_m", made.settings.leastHeight},
                                      {"live_structure", fallen},
                                      {"survey_live_structure", surveyed},
-                                     {"registration", fitName(made.settings.fit)},
+                                     {"registration", surveyFitName(made.settings.fit)},
                                      {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
                                      {"level_of_detection_m", jsonNumber(made.noise.detection())},
                                      {"area_m", outlineJson(made.settings.scope.area)},
@@ -131,7 +140,7 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                     {"RUBBLE_CAUTIONS", cautions.empty() ? "none" : cautions},
                     {"RUBBLE_LIVE_STRUCTURE", fallen},
                     {"RUBBLE_SURVEY_LIVE_STRUCTURE", surveyed},
-                    {"RUBBLE_REGISTRATION", std::string(fitName(made.settings.fit))},
+                    {"RUBBLE_REGISTRATION", std::string(surveyFitName(made.settings.fit))},
                     {"RUBBLE_SCOPE", made.settings.scope.whole() ? "all that was surveyed" : "an area of interest"}};
     return origin;
 }
@@ -183,6 +192,22 @@ std::string sectionFoot(const RunReader& run, const RunSection& made) {
     return line;
 }
 
+std::string distanceProvenance(const RunReader& run, const RunDistance& made, const std::string& sha256) {
+    const CloudComparison& compared = made.compared;
+    const std::optional<double>& registration = compared.settings.registrationError;
+    nlohmann::json document = nlohmann::json::parse(provenanceText(run));
+    const std::string& cloud = compared.first.path;
+    document["inputs"].push_back({{"role", "survey"}, {"path", cloud}, {"sha256", sha256}});
+    document["cloud_distances"] = {{"cloud", std::filesystem::path(cloud).filename().string()},
+                                   {"time_s", made.time},
+                                   {"normal_scale_m", compared.settings.normalRadius},
+                                   {"projection_scale_m", compared.settings.projectionRadius},
+                                   {"depth_m", compared.settings.depth},
+                                   {"registration_error_m", registration ? nlohmann::json(*registration) : nlohmann::json()}};
+    document["cautions"] = cautionsJson(besideEvidence(compared.findings, run, made.time));
+    return jsonText(document);
+}
+
 std::string sectionProvenance(const RunReader& run, const RunSection& made, const SitePlace& place) {
     const SectionLine& line = made.section.line;
     const Eigen::Vector2d from = place.planToWorld(line.from);
@@ -193,6 +218,7 @@ std::string sectionProvenance(const RunReader& run, const RunSection& made, cons
     for (const RunSection::File& file : made.files) {
         document["inputs"].push_back({{"role", "survey"}, {"path", file.path}, {"sha256", file.sha256}});
     }
+    document["cautions"] = cautionsJson(sectionCautions(run, made));
     return jsonText(document);
 }
 

@@ -7,6 +7,7 @@
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/case.h"
 #include "io/exports/map_files.h"
+#include "io/site/clouds/run_distance.h"
 #include "io/site/clouds/run_scan.h"
 #include "io/site/survey_file.h"
 #include "io/site/surveys/run_section.h"
@@ -31,6 +32,13 @@ std::string scanProvenance(const RunReader& run, const RunScan& made, const Site
 /// value -9999, rows from the north, the coordinate system of the case. Atomic, with NAME.provenance.json.
 /// Throws WorldError, UsageError, Cancelled.
 void writeSurveyTiff(const std::string& path, const SurveyComparison& made, const MapOrigin& origin, const Execution& execution);
+
+/// Provenance of distances between a cloud and a run: that of the run, with the cloud, the instant, and what speaks against the
+/// cloud as evidence, as JSON. @param sha256  of the cloud
+std::string distanceProvenance(const RunReader& run, const RunDistance& made, const std::string& sha256);
+
+/// What must be known beside a section: which of its points speak against themselves as evidence, then the cautions of the run.
+std::vector<Caution> sectionCautions(const RunReader& run, const RunSection& made);
 
 /// What stands at the foot of a section: as footLine(), and the first figures of the files of points.
 std::string sectionFoot(const RunReader& run, const RunSection& made);

@@ -19,7 +19,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
-#include "io/exports/exports.h"
+#include "io/exports/survey_files.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/e57/placed_photographs.h"
@@ -259,8 +259,11 @@ ExitCode compareWithRun(const Arguments& arguments, Session& session, const std:
     if (const auto csv = arguments.value("--csv")) {
         written.push_back(*csv);
     }
-    for (const std::string& file : written) {
-        io::writeProvenance(file, io::provenanceText(*subject.run));
+    if (!written.empty()) {
+        const std::string provenance = io::distanceProvenance(*subject.run, made, io::sha256OfFile(request.cloud));
+        for (const std::string& file : written) {
+            io::writeProvenance(file, provenance);
+        }
     }
     conclude(
         arguments, session, subject, findings, [&] { return runDistanceJson(made, request.settings); },

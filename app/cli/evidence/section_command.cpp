@@ -58,9 +58,16 @@ SectionLine lineFrom(const Arguments& arguments, const io::SitePlace& place) {
     return line;
 }
 
+/// A file of points, and how it was read.
+struct MeasuredFile {
+    std::string path;
+    CloudRequest read;
+};
+
 /// What was measured, and when by the case.
 struct MeasuredSite {
-    std::vector<MeasuredSet> sets;  ///< by file
+    std::vector<MeasuredSet> sets;    ///< by file
+    std::vector<MeasuredFile> files;  ///< beside the sets
     std::optional<double> instant;
 };
 
@@ -94,6 +101,7 @@ MeasuredSite measuredFrom(const Arguments& arguments, const MapSubject& subject,
             }
         }
         takeCloudRequest(arguments, request.read);
+        all.files.push_back({path, request.read});
         all.sets.push_back({std::filesystem::path(path).filename().string(), io::readMeasuredPoints(request, findings, execution)});
     }
     if (instants.size() > 1 && !arguments.has("--time")) {
@@ -122,8 +130,8 @@ io::RunSection makeSection(const Arguments& arguments, const MapSubject& subject
     findings.append(made.findings);
     made.findings = std::move(findings);
     made.zero = place.transform().height;
-    for (const std::string& path : arguments.values("--points")) {
-        made.files.push_back({path, io::sha256OfFile(path)});
+    for (const MeasuredFile& file : measured.files) {
+        io::addMeasuredFile(made, {file.path, io::sha256OfFile(file.path)}, file.read, subject.run->origin().fingerprint.hex());
     }
     return made;
 }
@@ -160,7 +168,7 @@ void drawSection(const std::string& path, const io::RunSection& made, const Argu
                                       place.planToWorld(line.to),
                                       line.width,
                                       place.system(),
-                                      QString::fromStdString(pictureCautions(runCautions(io::standingAt(run, made.time)))),
+                                      QString::fromStdString(pictureCautions(io::sectionCautions(run, made))),
                                       io::sectionFoot(run, made)};
     const std::string provenance = io::sectionProvenance(run, made, place);
     figures::writePng(path, figures::sectionPicture(made.section, style), provenance);

@@ -160,7 +160,7 @@ void SurveySections::cutAgain() {
     m_worker.start(
         {Worker::Kind::Study,
          [outcome, order = *m_order, scope, said, points, run = EvidenceRun(m_computation.inputs(), record),
-          site = m_document.theCase().site, frame = m_computation.inputs().frame,
+          site = m_document.theCase().site, frame = m_computation.inputs().frame, cut = record->reader->origin().fingerprint.hex(),
           path = io::inputPath(m_document.base().toStdString(), m_order->survey)](const Execution& execution) mutable {
              MappedRun mapped = run.mapped();
              const SiteSurface ground = groundOf(mapped);
@@ -182,9 +182,11 @@ void SurveySections::cutAgain() {
              findings.append(outcome->findings);
              outcome->findings = std::move(findings);
              outcome->zero = io::SitePlace(frame, site).transform().height;
-             outcome->files.push_back({path, order.survey.sha256});
+             if (measured.size() > points.size()) {
+                 io::addMeasuredFile(*outcome, {path, order.survey.sha256}, order.survey.read, cut);
+             }
              for (const CaseInput& input : points) {
-                 outcome->files.push_back({input.path, input.sha256});
+                 io::addMeasuredFile(*outcome, {input.path, input.sha256}, input.read, cut);
              }
          },
          [this, outcome](const std::exception_ptr& thrown) {
@@ -222,6 +224,9 @@ void SurveySections::show(const QString& complaint) {
             content.ends = {place.planToWorld(line.from), place.planToWorld(line.to)};
             content.along = m_order && m_order->along;
             content.findings = m_section->findings;
+            if (m_cutOf != nullptr && m_cutOf == m_computation.currentRun() && m_cutOf->reader != nullptr) {
+                content.cautions = io::sectionCautions(*m_cutOf->reader, *m_section);
+            }
         }
         content.complaint = complaint;
         content.cutting = m_order && m_section == nullptr && complaint.isEmpty();
@@ -255,7 +260,7 @@ void SurveySections::saveTo(const QString& path) {
                                           place.planToWorld(line.to),
                                           line.width,
                                           place.system(),
-                                          widgets::cautionWords(runCautions(io::standingAt(run, m_section->time))),
+                                          widgets::cautionWords(io::sectionCautions(run, *m_section)),
                                           io::sectionFoot(run, *m_section)};
         const std::string provenance = io::sectionProvenance(run, *m_section, place);
         figures::writePng(path.toStdString(), figures::sectionPicture(m_section->section, style), provenance);

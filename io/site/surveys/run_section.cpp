@@ -2,9 +2,17 @@
 
 #include <cmath>
 
+#include "core/evidence/no_evidence.h"
 #include "io/site/clouds/run_distance.h"
+#include "io/site/surveys/evidence_origin.h"
 
 namespace rubble::io {
+
+void addMeasuredFile(RunSection& made, const RunSection::File& file, const CloudRequest& read, const std::string& cut) {
+    made.files.push_back(file);
+    noteOrigin(made.findings, file.path, surveyOriginOf(file.path, read), cut);
+    made.findings = noEvidenceFirst(made.findings);
+}
 
 SectionLine lineAlongPoints(std::span<const MeasuredSet> measured, const SectionLine& line, Findings& findings) {
     const SectionLine found = lineAlong(measured, line);

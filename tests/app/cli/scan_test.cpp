@@ -11,6 +11,7 @@
 #include "tests/support/run_tests.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::cli {
 
@@ -73,7 +74,9 @@ TEST_F(ScanOfRun, LiesWithinTheLevelOfDetectionOfItsRun) {
     EXPECT_EQ(itself["second"]["points"], scan["points"]) << "each ray meets what it met";
     for (const char* name : {"d.las", "d.ply", "d.csv"}) {
         EXPECT_TRUE(fs::exists(m_folder / name)) << name;
-        EXPECT_TRUE(fs::exists(m_folder / name + ".provenance.json")) << name;
+        const nlohmann::json from = nlohmann::json::parse(io::wholeFile(m_folder / name + ".provenance.json"));
+        EXPECT_EQ(from["cloud_distances"]["cloud"], "scan.las") << name;
+        EXPECT_THAT(from["cautions"].front()["text"].get<std::string>(), HasSubstr("made from the very run")) << name;
     }
     EXPECT_EQ(itself["time_s"], scan["time_s"]);
     EXPECT_EQ(itself["cautions"], scan["cautions"]);

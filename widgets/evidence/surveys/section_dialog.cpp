@@ -12,6 +12,7 @@
 #include "widgets/basics/panel.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
+#include "widgets/run/caution_words.h"
 
 namespace rubble::widgets {
 
@@ -160,7 +161,8 @@ void SectionDialog::setContent(const Content& content) {
     } else if (content.stale && !content.cutting) {
         m_notice->set(Notice::Kind::Finding, tr("Of another run, survey or place: draw the section again."));
     } else {
-        m_notice->set(Notice::Kind::Note, {});
+        const QString known = content.section != nullptr ? cautionWords(content.cautions) : QString();
+        m_notice->set(known.isEmpty() ? Notice::Kind::Note : Notice::Kind::Finding, known);
     }
     m_save->setEnabled(content.section != nullptr && !content.cutting && !content.stale);
 }

@@ -4,8 +4,10 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/base/finding.h"
+#include "core/evidence/cautions.h"
 #include "core/evidence/site_section.h"
 #include "widgets/figures/report/section_picture.h"
 
@@ -36,7 +38,8 @@ public:
         std::optional<Ends> ends;                    ///< of the line; unset: it is not known yet
         bool along = false;                          ///< the line was found along measured points
         Findings findings;
-        QString complaint;  ///< what went wrong with the last one
+        std::vector<Caution> cautions;  ///< what must be known beside it
+        QString complaint;              ///< what went wrong with the last one
         bool cutting = false;
         bool stale = false;  ///< it is of another run, survey or place
     };

@@ -1,3 +1,5 @@
+#include <gmock/gmock.h>
+
 #include <QAction>
 #include <QComboBox>
 #include <QLineEdit>
@@ -22,6 +24,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/ascii_grid.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
 #include "widgets/evidence/evidence_page.h"
@@ -220,11 +223,14 @@ TEST_F(SurveyPlaces, WhatWasRemovedIsDrawnWithItsTimeAndLeavesLaterSurveysOut) {
 
 TEST_F(SurveyPlaces, ASectionIsDrawnCutMeasuredAndSaved) {
     compared();
+    std::ofstream(m_folder / "after.asc.provenance.json")
+        << R"({"build":"Rubble","fingerprint":"00112233445566778899aabbccddeeff"})";
     emit box().sectionRequested();
     drawOnMap({{-12.0, 0.0}, {12.0, 0.0}});
     SurveySections& sections = surveys().sections();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !sections.busy() && sections.section() != nullptr; }, 60'000));
     const SiteSection& cut = sections.section()->section;
+    EXPECT_EQ(sections.section()->findings.list().front().what.id, "evidence.of_run") << "it is no evidence";
     EXPECT_NEAR(cut.line.length(), 24.0, 0.5);
     // One or two rows of heights within the width, a metre apart.
     EXPECT_GE(cut.points.size(), 22u);
@@ -232,9 +238,14 @@ TEST_F(SurveyPlaces, ASectionIsDrawnCutMeasuredAndSaved) {
     EXPECT_NEAR(cut.measuredArea, 24.0, 2.5) << "a metre high over 24 m";
     ASSERT_NE(sections.dialog(), nullptr);
     EXPECT_TRUE(sections.dialog()->isVisible());
+    bool told = false;
+    for (const auto* notice : sections.dialog()->findChildren<widgets::Notice*>()) {
+        told = told || notice->text().contains(QStringLiteral("single run"));
+    }
+    EXPECT_TRUE(told) << "what must be known of the run stands beside its section";
     sections.saveTo(QString::fromStdString(m_folder / "section.png"));
     EXPECT_TRUE(std::filesystem::exists(m_folder / "section.png"));
-    EXPECT_TRUE(std::filesystem::exists(m_folder / "section.png.provenance.json"));
+    EXPECT_THAT(io::wholeFile(m_folder / "section.png.provenance.json"), testing::HasSubstr("made from a simulated run"));
     // Other settings make map and section stale: it is not saved.
     for (auto* each : box().findChildren<QComboBox*>()) {
         if (each->accessibleName() == QStringLiteral("Registration of the survey")) {

@@ -62,7 +62,7 @@ const std::array optionNames{
     OptionName{QLatin1String("--survey-live"), {"rubble::widgets::SurveyBox", "Fallen structure in it"}, evidencePanel},
     OptionName{QLatin1String("--area"), {"rubble::widgets::SurveyBox", "Draw an area of interest"}, evidencePanel},
     OptionName{QLatin1String("--leave-out"), {"rubble::widgets::SurveyBox", "Draw what is left out"}, evidencePanel},
-    OptionName{QLatin1String("--registration-error"), {"rubble::widgets::PointBox", "Registration error"}, evidencePanel},
+    OptionName{QLatin1String("--registration-error"), {"rubble::widgets::DistanceFields", "Registration error"}, evidencePanel},
     OptionName{
         QLatin1String("--mesh-offset"), {"rubble::widgets::SiteDialog", "Offsets of the surroundings"}, {"actions", "Site…"}},
     OptionName{QLatin1String("--case"), {"actions", "Save case"}, caseMenu},

@@ -23,13 +23,14 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/case_photographs.h"
-#include "io/exports/exports.h"
+#include "io/exports/survey_files.h"
 #include "io/site/clouds/distance_files.h"
 #include "io/site/clouds/e57/placed_photographs.h"
 #include "io/site/site_place.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/surveys/distance_fields.h"
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/evidence/surveys/scanner_field.h"
 #include "widgets/figures/number_text.h"
@@ -53,8 +54,8 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
     connect(&m_pause, &QTimer::timeout, this, &CloudPoints::ask);
     widgets::PointBox& box = deck.evidence().survey().points();
     if (m_work.asked) {
-        box.setSettings(*m_work.asked);
-        box.setCell(m_work.cell);
+        box.distances().setSettings(*m_work.asked);
+        box.distances().setCell(m_work.cell);
     }
     connect(&box, &widgets::PointBox::shownChosen, this, &CloudPoints::setShown);
     connect(&box, &widgets::PointBox::colourChosen, this, &CloudPoints::setColour);
@@ -97,8 +98,8 @@ CloudPoints::CloudPoints(Session& session, PanelDeck& deck, SceneDisplay& scene,
 
 CloudPoints::~CloudPoints() {
     const widgets::PointBox& box = m_deck.evidence().survey().points();
-    m_work.asked = box.settings();
-    m_work.cell = box.cell();
+    m_work.asked = box.distances().settings();
+    m_work.cell = box.distances().cell();
 }
 
 void CloudPoints::stopMeasuring() {
@@ -216,8 +217,8 @@ std::optional<PointsWork::Measured> CloudPoints::measuredNow() const {
     PointsWork::Measured now{*cloud,
                              *survey,
                              record->reader,
-                             m_deck.evidence().survey().points().settings(),
-                             m_deck.evidence().survey().points().cell().value_or(0.0),
+                             m_deck.evidence().survey().points().distances().settings(),
+                             m_deck.evidence().survey().points().distances().cell().value_or(0.0),
                              {}};
     now.survey.scope = scopeWhenTaken(m_document.theCase(), *survey, now.said);
     return now;
@@ -452,9 +453,9 @@ void CloudPoints::saveDistancesTo(const QString& path) {
         m_session.tell(CloudTools::wrongEnding());
         return;
     }
-    m_session.writeNow(path, [&, made = m_work.distances.result()] {
+    m_session.writeNow(path, [&, made = m_work.distances.result(), cloud = measuredNow()->survey.sha256] {
         io::writeDistanceFile(path.toStdString(), made->made.compared);
-        io::writeProvenance(path.toStdString(), io::provenanceText(*record->reader));
+        io::writeProvenance(path.toStdString(), io::distanceProvenance(*record->reader, made->made, cloud));
     });
 }
 

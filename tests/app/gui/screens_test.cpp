@@ -28,6 +28,7 @@
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_place.h"
+#include "widgets/evidence/surveys/distance_fields.h"
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/evidence/surveys/scanner_field.h"
 #include "widgets/views/tour.h"
@@ -199,7 +200,7 @@ TEST_F(Screens, ACloudAndItsDialogsCanBeReadWhole) {
     std::ofstream(folder / "survey.csv") << "name,easting,northing,height\nA,-15,-5,0.4\nB,15,-5,0.4\nC,15,5,0.6\n";
     window->rooms().survey->add(QString::fromStdString(folder / "survey.csv"));
     window->rooms().survey->add(QString::fromStdString(layLevelTable(folder / "level.csv", 0.1)));
-    window->rooms().deck->evidence().survey().points().setCell(1.0);
+    window->rooms().deck->evidence().survey().points().distances().setCell(1.0);
     window->rooms().cloudPoints->measure();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().cloudPoints->busy(); }, patience));
     inEachLanguage([&] {

@@ -9,14 +9,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/evidence/surveys/distance_fields.h"
 
 namespace rubble::widgets {
 
 namespace {
-
-constexpr CloudDistanceSettings usualScales{1.0, 0.5, 3.0, std::nullopt, false};
 
 QString takenText(const CloudPairDialog::Cloud& cloud) {
     return cloud.taken.empty() ? CloudPairDialog::tr("not known") : QString::fromStdString(cloud.taken);
@@ -29,11 +27,7 @@ CloudPairDialog::CloudPairDialog(const std::vector<Cloud>& clouds, QWidget* pare
       m_clouds(clouds),
       m_first(new QComboBox),
       m_second(new QComboBox),
-      m_normal(new NumberField(tr("Normal scale"))),
-      m_projection(new NumberField(tr("Projection scale"))),
-      m_depth(new NumberField(tr("Depth of the cylinder"))),
-      m_registration(new NumberField(tr("Registration error"))),
-      m_cell(new NumberField(tr("Cells of the volumes"))),
+      m_distances(new DistanceFields({tr("not known"), tr("By which one cloud may be out of place against the other, m")}, this)),
       m_epochs(new QLabel),
       m_said(new QLabel),
       m_notice(new Notice),
@@ -71,25 +65,9 @@ CloudPairDialog::CloudPairDialog(const std::vector<Cloud>& clouds, QWidget* pare
     }
     m_epochs->setWordWrap(true);
     form->addRow(m_epochs);
-    for (const auto& [label, field, number] : {std::tuple(tr("Normal scale, m"), m_normal, usualScales.normalRadius),
-                                               std::tuple(tr("Projection scale, m"), m_projection, usualScales.projectionRadius),
-                                               std::tuple(tr("Depth, m"), m_depth, usualScales.depth)}) {
-        field->setRange(0.001, 1000.0);
-        field->setNumber(number);
-        form->addRow(label, field);
-    }
-    m_registration->setRange(0.0, 100.0);
-    m_registration->setEmptyMeans(tr("not known"));
-    m_registration->setToolTip(tr("By which one cloud may be out of place against the other, m"));
-    form->addRow(tr("Registration error, m"), m_registration);
-    m_cell->setRange(0.01, 1000.0);
-    m_cell->setEmptyMeans(tr("no volumes"));
-    m_cell->setToolTip(tr("Side of the square cells over which cut, fill and net are summed straight up, m"));
-    form->addRow(tr("Volume cells, m"), m_cell);
+    m_distances->addTo(*form);
     column->addLayout(form);
-    for (NumberField* field : {m_normal, m_projection, m_depth, m_registration, m_cell}) {
-        connect(field, &NumberField::edited, this, &CloudPairDialog::change);
-    }
+    connect(m_distances, &DistanceFields::edited, this, &CloudPairDialog::change);
     auto* row = new QHBoxLayout;
     row->addWidget(m_measure);
     row->addWidget(m_cancel);
@@ -146,16 +124,11 @@ std::optional<CloudPairDialog::Cloud> CloudPairDialog::second() const {
 }
 
 CloudDistanceSettings CloudPairDialog::settings() const {
-    CloudDistanceSettings settings = usualScales;
-    settings.normalRadius = m_normal->number().value_or(settings.normalRadius);
-    settings.projectionRadius = m_projection->number().value_or(settings.projectionRadius);
-    settings.depth = m_depth->number().value_or(settings.depth);
-    settings.registrationError = m_registration->number();
-    return settings;
+    return m_distances->settings();
 }
 
 double CloudPairDialog::cell() const {
-    return m_cell->number().value_or(0.0);
+    return m_distances->cell().value_or(0.0);
 }
 
 QString CloudPairDialog::epochs() const {

@@ -15,9 +15,9 @@ class QPushButton;
 
 namespace rubble::widgets {
 
+class DistanceFields;
 class FindingList;
 class Notice;
-class NumberField;
 
 /// Two clouds of different epochs, how one is held against the other, and what came of it.
 class CloudPairDialog : public QDialog {
@@ -70,11 +70,7 @@ private:
     bool m_filling = false;
     QComboBox* m_first;
     QComboBox* m_second;
-    NumberField* m_normal;
-    NumberField* m_projection;
-    NumberField* m_depth;
-    NumberField* m_registration;
-    NumberField* m_cell;
+    DistanceFields* m_distances;
     QLabel* m_epochs;
     QLabel* m_said;
     Notice* m_notice;

@@ -10,6 +10,7 @@
 
 #include "widgets/basics/number_field.h"
 #include "widgets/basics/panel.h"
+#include "widgets/evidence/surveys/distance_fields.h"
 #include "widgets/evidence/surveys/scanner_field.h"
 
 namespace rubble::widgets {
@@ -21,11 +22,10 @@ PointBox::PointBox(QWidget* parent)
       m_status(new QLabel),
       m_complaint(new Notice),
       m_findings(new FindingList),
-      m_normal(new NumberField(tr("Normal scale"))),
-      m_projection(new NumberField(tr("Projection scale"))),
-      m_depth(new NumberField(tr("Depth of the cylinder"))),
-      m_registration(new NumberField(tr("Registration error"))),
-      m_cell(new NumberField(tr("Cells of the volumes"))),
+      m_distances(new DistanceFields(
+          {tr("as known"),
+           tr("By which the cloud may be out of place, m. Left empty it is that of its registration or its offset error")},
+          this)),
       m_scanners(new ScannerField(tr("as the cloud says"))),
       m_photographs(new QPushButton),
       m_noPhotographs(new QPushButton(tr("Cancel"))),
@@ -67,8 +67,9 @@ PointBox::PointBox(QWidget* parent)
     connect(m_photographs, &QPushButton::clicked, this, &PointBox::photographsRequested);
     column->addWidget(m_complaint);
     column->addWidget(m_findings);
-    m_findings->setDoings({{"distance.from_above", tr("Give the scanners"), [this] { m_scanners->ask(); }},
-                           {"distance.registration_unknown", tr("State the error"), [this] { askIn(*m_registration); }}});
+    m_findings->setDoings(
+        {{"distance.from_above", tr("Give the scanners"), [this] { m_scanners->ask(); }},
+         {"distance.registration_unknown", tr("State the error"), [this] { askIn(m_distances->registration()); }}});
     buildMeasuring();
     connect(m_shown, &QCheckBox::toggled, this, [this](bool shown) {
         if (!m_showing) {
@@ -89,27 +90,7 @@ void PointBox::buildMeasuring() {
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(8);
     form->setVerticalSpacing(4);
-    for (NumberField* field : {m_normal, m_projection, m_depth}) {
-        field->setRange(0.001, 1000.0);
-    }
-    m_registration->setRange(0.0, 100.0);
-    m_registration->setEmptyMeans(tr("as known"));
-    m_normal->setToolTip(tr("Radius within which points of the cloud give the local normal, m: several times their spacing"));
-    m_projection->setToolTip(tr(
-        "Radius of the cylinder along the normal in which cloud and site are averaged, m: 20 points or more should fall into it"));
-    m_depth->setToolTip(tr("Of the cylinder to each side, m: more than the largest distance"));
-    m_registration->setToolTip(
-        tr("By which the cloud may be out of place, m. Left empty it is that of its registration or its offset error"));
-    form->addRow(tr("Normal scale, m"), m_normal);
-    form->addRow(tr("Projection scale, m"), m_projection);
-    form->addRow(tr("Depth, m"), m_depth);
-    form->addRow(tr("Registration error, m"), m_registration);
-    m_cell->setRange(0.01, 1000.0);
-    m_cell->setEmptyMeans(tr("no volumes"));
-    m_cell->setToolTip(
-        tr("Side of the square cells over which cut, fill and net are summed straight up, m; left empty none are. Where nobody "
-           "stated the registration error, their systematic error is not known"));
-    form->addRow(tr("Volume cells, m"), m_cell);
+    m_distances->addTo(*form);
     // A narrow panel has no room for places beside a label.
     form->addRow(new QLabel(tr("Scanners")));
     form->addRow(m_scanners);
@@ -131,31 +112,6 @@ void PointBox::buildMeasuring() {
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_said->setWordWrap(true);
     column->addWidget(m_said);
-    setSettings({1.0, 0.5, 3.0, {}, false});
-}
-
-CloudDistanceSettings PointBox::settings() const {
-    CloudDistanceSettings settings;
-    settings.normalRadius = m_normal->number().value_or(1.0);
-    settings.projectionRadius = m_projection->number().value_or(0.5);
-    settings.depth = m_depth->number().value_or(3.0);
-    settings.registrationError = m_registration->number();
-    return settings;
-}
-
-void PointBox::setSettings(const CloudDistanceSettings& settings) {
-    m_normal->setNumber(settings.normalRadius);
-    m_projection->setNumber(settings.projectionRadius);
-    m_depth->setNumber(settings.depth);
-    m_registration->setNumber(settings.registrationError);
-}
-
-std::optional<double> PointBox::cell() const {
-    return m_cell->number();
-}
-
-void PointBox::setCell(const std::optional<double>& cell) {
-    m_cell->setNumber(cell);
 }
 
 void PointBox::setContent(const Content& content) {

@@ -15,9 +15,9 @@ class QPushButton;
 
 namespace rubble::widgets {
 
+class DistanceFields;
 class FindingList;
 class Notice;
-class NumberField;
 class ScannerField;
 
 /// The points of a surveyed cloud in the views: whether they are drawn, what their colours say, how many are there, and the
@@ -45,12 +45,8 @@ public:
     };
     void setContent(const Content& content);
     ScannerField& scanners() { return *m_scanners; }
-    /// What the fields ask for.
-    CloudDistanceSettings settings() const;
-    void setSettings(const CloudDistanceSettings& settings);
-    /// m, side of the cells that volumes are taken over; unset: none are.
-    std::optional<double> cell() const;
-    void setCell(const std::optional<double>& cell);
+    /// What distances are asked with.
+    DistanceFields& distances() const { return *m_distances; }
 
 signals:
     void shownChosen(bool shown);
@@ -72,11 +68,7 @@ private:
     QLabel* m_status;
     Notice* m_complaint;
     FindingList* m_findings;
-    NumberField* m_normal;
-    NumberField* m_projection;
-    NumberField* m_depth;
-    NumberField* m_registration;
-    NumberField* m_cell;
+    DistanceFields* m_distances;
     ScannerField* m_scanners;
     QPushButton* m_photographs;
     QPushButton* m_noPhotographs;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/gui/evidence/evidence_work.h"
-#include "app/gui/evidence/surveys/survey_placing.h"
 #include "app/gui/session/file_kinds.h"
 #include "app/gui/session/session.h"
 #include "core/evidence/scanned_site.h"
@@ -20,14 +19,7 @@
 namespace rubble {
 
 CloudPlacing::CloudPlacing(Session& session, widgets::EvidencePage& page, Placed placed, QObject* parent)
-    : QObject(parent),
-      m_session(session),
-      m_document(session.document()),
-      m_computation(session.computation()),
-      m_page(page),
-      m_placed(std::move(placed)) {
-    connect(&m_document, &Document::replaced, this, [this] { m_worker.cancel(); });
-}
+    : SurveyPlacing(session, page, parent), m_placed(std::move(placed)) {}
 
 void CloudPlacing::open(const CaseInput& survey) {
     const Inputs& inputs = m_computation.inputs();
@@ -35,7 +27,7 @@ void CloudPlacing::open(const CaseInput& survey) {
         m_session.tell(tr("A cloud is fitted to the site: open the FE result first."));
         return;
     }
-    readToPlace(m_worker, m_session, survey, survey.registration, {}, [this, survey](io::SurveyInput& read) { ask(survey, read); });
+    readToPlace(survey, survey.registration, {}, [this, survey](io::SurveyInput& read) { ask(survey, read); });
 }
 
 void CloudPlacing::ask(const CaseInput& survey, io::SurveyInput& read) {

@@ -5,22 +5,17 @@
 #include <memory>
 #include <string>
 
-#include "app/gui/session/worker.h"
+#include "app/gui/evidence/surveys/survey_placing.h"
 #include "core/scenario/case.h"
-#include "io/site/survey_file.h"
 
 namespace rubble {
 
-class Computation;
-class Document;
-class Session;
 namespace widgets {
-class EvidencePage;
 class FitDialog;
 }  // namespace widgets
 
 /// Fits a cloud to what did not move: reads it in the background as it lies in the case, then asks where that is.
-class CloudPlacing : public QObject {
+class CloudPlacing : public SurveyPlacing {
     Q_OBJECT
 
 public:
@@ -31,20 +26,13 @@ public:
 
     /// Reads a cloud and opens the dialog.
     void open(const CaseInput& survey);
-    bool busy() const { return m_worker.busy(); }
 
 private:
     void ask(const CaseInput& survey, io::SurveyInput& read);
     void fit(widgets::FitDialog& dialog, const CaseInput& survey, std::shared_ptr<Registration> placed);
     void addPolygons(widgets::FitDialog& dialog);
 
-    Session& m_session;
-    Document& m_document;
-    Computation& m_computation;
-    widgets::EvidencePage& m_page;
     Placed m_placed;
-    // Last, so that it has ended before anything it uses goes.
-    Worker m_worker;
 };
 
 }  // namespace rubble

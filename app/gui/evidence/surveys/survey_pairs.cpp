@@ -3,7 +3,6 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "app/gui/evidence/surveys/survey_placing.h"
 #include "app/gui/session/save_path.h"
 #include "app/gui/session/session.h"
 #include "core/base/error.h"
@@ -16,14 +15,7 @@
 namespace rubble {
 
 SurveyPairs::SurveyPairs(Session& session, widgets::EvidencePage& page, Placed placed, QObject* parent)
-    : QObject(parent),
-      m_session(session),
-      m_document(session.document()),
-      m_computation(session.computation()),
-      m_page(page),
-      m_placed(std::move(placed)) {
-    connect(&m_document, &Document::replaced, this, [this] { m_worker.cancel(); });
-}
+    : SurveyPlacing(session, page, parent), m_placed(std::move(placed)) {}
 
 void SurveyPairs::pick(const CaseInput& survey) {
     const Inputs& inputs = m_computation.inputs();
@@ -32,7 +24,7 @@ void SurveyPairs::pick(const CaseInput& survey) {
         return;
     }
     readToPlace(
-        m_worker, m_session, survey, std::nullopt,
+        survey, std::nullopt,
         [](const io::SurveyInput& read, const std::string& path) {
             if (read.survey.heights.aboveGround) {
                 throw UsageError({"pairs.above_ground", "{0} holds heights above the ground, which belong to no place", {path}},

@@ -4,23 +4,18 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/session/worker.h"
+#include "app/gui/evidence/surveys/survey_placing.h"
 #include "core/evidence/surveys/pair_fit.h"
 #include "core/scenario/case.h"
-#include "io/site/survey_file.h"
 
 namespace rubble {
 
-class Computation;
-class Document;
-class Session;
 namespace widgets {
-class EvidencePage;
 class PlacePairsDialog;
 }  // namespace widgets
 
 /// Places a survey by places that are clicked in it and in the model: reads it in the background as its coordinates say, then asks.
-class SurveyPairs : public QObject {
+class SurveyPairs : public SurveyPlacing {
     Q_OBJECT
 
 public:
@@ -31,18 +26,11 @@ public:
 
     /// Reads a survey and opens the dialog.
     void pick(const CaseInput& survey);
-    bool busy() const { return m_worker.busy(); }
 
 private:
     void ask(const std::string& id, io::SurveyInput& read);
 
-    Session& m_session;
-    Document& m_document;
-    Computation& m_computation;
-    widgets::EvidencePage& m_page;
     Placed m_placed;
-    // Last, so that it has ended before anything it uses goes.
-    Worker m_worker;
 };
 
 }  // namespace rubble

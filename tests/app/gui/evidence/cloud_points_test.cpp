@@ -21,6 +21,7 @@
 #include "tests/support/temporary_folder.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/surveys/distance_fields.h"
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/views/view_widget.h"
 
@@ -272,7 +273,7 @@ TEST_F(PointsOfACloud, AreColouredByWhatDiffersFromTheRunBeyondTheLevelOfDetecti
     makeCheap();
     simulateToEnd();
     window->rooms().survey->refresh();
-    box().setSettings({2.0, 1.0, 4.0, 0.05, false});
+    box().distances().setSettings({2.0, 1.0, 4.0, 0.05, false});
     points().measure();
     settle();
     ASSERT_NE(drawn(), nullptr);

@@ -31,6 +31,7 @@
 #include "widgets/evidence/survey_box.h"
 #include "widgets/evidence/survey_place.h"
 #include "widgets/evidence/surveys/cloud_pair_dialog.h"
+#include "widgets/evidence/surveys/distance_fields.h"
 #include "widgets/evidence/surveys/fit_dialog.h"
 #include "widgets/evidence/surveys/point_box.h"
 #include "widgets/evidence/surveys/reading_box.h"
@@ -176,7 +177,7 @@ TEST_F(CloudWork, AFitThatLeavesADirectionOpenIsRefusedAndCanBeLeft) {
 TEST_F(CloudWork, DistancesAndVolumesAreToldAndSavedAsCloudAndTable) {
     scanned();
     widgets::PointBox& about = box().points();
-    about.setSettings({1.0, 0.5, 2.0, std::nullopt, false});
+    about.distances().setSettings({1.0, 0.5, 2.0, std::nullopt, false});
     type(field(about, "Cells of the volumes"), QStringLiteral("0.5"));
     auto* save = about.findChild<QPushButton*>(QStringLiteral("saveDistances"));
     EXPECT_FALSE(save->isVisibleTo(&about)) << "nothing was measured";
@@ -508,8 +509,7 @@ TEST_F(CloudWork, AScanOfTheRunIsNoEvidenceUnderAnyName) {
     for (const auto* notice : box().findChildren<widgets::Notice*>()) {
         top = notice->isVisibleTo(&box()) && (top == nullptr || height(notice) < height(top)) ? notice : top;
     }
-    ASSERT_NE(top, nullptr);
-    EXPECT_TRUE(top->text().contains(QStringLiteral("very run"))) << qPrintable(top->text());
+    EXPECT_TRUE(top != nullptr && top->text().contains(QStringLiteral("very run")));
     const std::string map = m_folder / "map.png";
     window->rooms().survey->saveTo(QString::fromStdString(map));
     std::ifstream in(map + ".provenance.json");

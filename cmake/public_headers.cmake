@@ -44,6 +44,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/scenario/case.h
     core/scenario/cloud_request.h
     core/scenario/ensemble.h
+    core/scenario/evidence_settings.h
     core/scenario/journal.h
     core/scenario/materials.h
     core/scenario/parameters.h

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/small_letters.h"
+#include "core/evidence/surveys/stated_survey.h"
 #include "core/fe/control_points.h"
 
 namespace rubble {
@@ -114,6 +116,21 @@ std::span<const std::string_view> endingsOf(EvidenceForm form) {
 
 bool hasOverlap(const CaseInput& survey) {
     return evidenceFormOf(survey) != EvidenceForm::Measured || survey.held == PointsHeld::Outline;
+}
+
+void checkHasOverlap(const CaseInput& survey) {
+    checkShowsDebris(survey);
+    if (!hasOverlap(survey)) {
+        throw UsageError(
+            {"survey.held_for_sections", "The points of {0} are held for sections: they have no overlap", {survey.path}},
+            {"survey.held_for_sections.remedy", "Hold them as an outline if they are the edge of the debris.", {}});
+    }
+}
+
+ComparisonSettings photographSettingsOf(const Case& theCase) {
+    ComparisonSettings settings;
+    settings.withFallen = theCase.evidence.photographsWithFallen;
+    return settings;
 }
 
 EvidenceForm evidenceFormOf(const CaseInput& survey) {

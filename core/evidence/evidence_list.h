@@ -10,6 +10,7 @@
 #include "core/base/finding.h"
 #include "core/base/message.h"
 #include "core/base/unknown.h"
+#include "core/evidence/photographs/photo_comparison.h"
 #include "core/scenario/case.h"
 
 namespace rubble {
@@ -42,6 +43,10 @@ std::span<const std::string_view> endingsOf(EvidenceForm form);
 
 /// A survey that can be held against the debris by overlap, and not in sections alone.
 bool hasOverlap(const CaseInput& survey);
+/// Throws UsageError as checkShowsDebris(), and for measured points that sections are held against.
+void checkHasOverlap(const CaseInput& survey);
+/// What photographs of a case are compared with, where nothing else is asked for.
+ComparisonSettings photographSettingsOf(const Case& theCase);
 
 /// What a survey is, by what was found in its file, else by its ending.
 EvidenceForm evidenceFormOf(const CaseInput& survey);

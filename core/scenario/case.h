@@ -9,6 +9,7 @@
 #include "core/fe/frame.h"
 #include "core/scenario/cloud_request.h"
 #include "core/scenario/ensemble.h"
+#include "core/scenario/evidence_settings.h"
 #include "core/scenario/journal.h"
 #include "core/scenario/photograph.h"
 #include "core/scenario/registration.h"
@@ -104,6 +105,7 @@ struct Case {
     std::vector<Removal> removals;  ///< of debris, in the order of their times
     Site site;
     EnsembleSettings ensemble{usualVariations()};
+    EvidenceSettings evidence;
     Journal journal;
     friend bool operator==(const Case&, const Case&) = default;
 };

@@ -19,6 +19,7 @@
 #include "io/json/camera_key_json.h"
 #include "io/json/case_migrations.h"
 #include "io/json/ensemble_json.h"
+#include "io/json/evidence_settings_json.h"
 #include "io/json/json_cursor.h"
 #include "io/json/photograph_json.h"
 #include "io/json/registration_json.h"
@@ -273,6 +274,9 @@ json caseJson(const Case& theCase) {
     if (!theCase.cameraKeys.empty()) {
         object["camera_keys"] = cameraKeysJson(theCase.cameraKeys);
     }
+    if (!(theCase.evidence == EvidenceSettings())) {
+        object["evidence"] = evidenceSettingsJson(theCase.evidence);
+    }
     if (!theCase.removals.empty()) {
         object["removals"] = removalsJson(theCase.removals);
     }
@@ -284,7 +288,7 @@ json caseJson(const Case& theCase) {
 
 Case caseFromJson(const JsonCursor& top) {
     top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "camera_keys",
-                   "photographs", "removals", "site", "ensemble", "journal"});
+                   "photographs", "removals", "site", "ensemble", "evidence", "journal"});
     Case theCase;
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
@@ -305,6 +309,9 @@ Case caseFromJson(const JsonCursor& top) {
         theCase.cameraKeys = cameraKeysFromJson(top["camera_keys"]);
     }
     theCase.photographs = photographsFromJson(top["photographs"]);
+    if (top.has("evidence")) {
+        theCase.evidence = evidenceSettingsFromJson(top["evidence"]);
+    }
     if (top.has("removals")) {
         theCase.removals = removalsFromJson(top["removals"]);
     }

@@ -148,17 +148,12 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
         survey.name = fs::path(input.path).filename().string();
         attempt(survey.problem, [&] {
             const SurveyRequest wanted = surveyRequest(request.run->origin(), input, request.terrainPath);
-            checkShowsDebris(input);
-            if (!hasOverlap(input)) {
-                throw UsageError(
-                    {"report.held_for_sections", "These are measured points that sections are held against: no overlap", {}},
-                    {"report.held_for_sections.remedy", "Hold them as an outline if they are the edge of the debris.", {}});
-            }
+            checkHasOverlap(input);
             Site site = request.theCase->site;
             site.groundClasses = request.run->origin().site.groundClasses;
             const SiteWindow window(boundsAtRest(facts.fe->mesh()), debrisBounds(mapped, input.instant));
             const SurveyInput read = readSurvey(input.path, request.inputs.frame, site, window, execution, wanted);
-            SurveySettings settings;
+            SurveySettings settings = surveySettingsOf(*request.theCase);
             takeStated(settings, *request.theCase, input, facts.findings);
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
             survey.comparison = compareRunWithSurvey(mapped, input.instant, read.survey, settings, execution);
@@ -308,7 +303,7 @@ std::vector<ReportPhoto> photographsOfCase(const MappedRun& run, const Case& the
             photo.height = picture.height;
             photo.rgb = std::move(picture.rgb);
             photo.match = matchPhotograph(*drawn, execution);
-            photo.comparison = compareRunWithPhoto(run, *drawn, *photo.match, {}, execution);
+            photo.comparison = compareRunWithPhoto(run, *drawn, *photo.match, photographSettingsOf(theCase), execution);
         });
         photo.cautions = photographCautions(*drawn, photo.match ? &*photo.match : nullptr, &standing);
         Findings origin;

@@ -139,6 +139,7 @@ Case randomCase(std::mt19937& engine, double share) {
                           {2.0, {0.0, 0.0, 30.0}, {0.0, 0.0, 1.0}, Vec3::UnitY(), 30.0, true, 12.25}};
     theCase.bookmarks = {{-0.25, "before \"it\" began"}, {4.75, "crown \xC3\xA4"}};
     theCase.photographs = {randomPhotograph(engine)};
+    theCase.evidence = {0.05 + 0.1 * static_cast<double>(engine() % 90), 0.3, SurveyFit::Ground, engine() % 2 == 0, false};
     return theCase;
 }
 
@@ -272,6 +273,10 @@ TEST(CaseFile, NamesThePlaceOfWhatItDoesNotUnderstand) {
     EXPECT_THAT(with("/frame/metres_per_unit", 0), names("/frame/metres_per_unit"));
     EXPECT_THAT(with("/frame/origin", json::array({1, 2})), names("/frame/origin"));
     EXPECT_THAT(with("/title", 3), names("/title"));
+    EXPECT_THAT(with("/evidence/cell_m", 0.01), names("/evidence/cell_m"));
+    EXPECT_THAT(with("/evidence/least_height_m", -1), names("/evidence/least_height_m"));
+    EXPECT_THAT(with("/evidence/registration", "crown"), names("/evidence/registration"));
+    EXPECT_THAT(with("/evidence/extra", 1), names("/evidence/extra"));
     EXPECT_THAT(with("/scenarios", 3), names("/scenarios"));
     EXPECT_THAT(with("/scenarios/0/regrouping", json::array({{{"step", "explode"}}})), names("/scenarios/0/regrouping/0/step"));
     json missing = good;

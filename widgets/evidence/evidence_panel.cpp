@@ -278,6 +278,11 @@ void EvidencePanel::buildAgreement() {
     m_withFallen->setChecked(true);
     m_withFallen->setToolTip(
         tr("Live elements that moved farther than %1 are debris; else they only hide what lies behind them").arg(shownLength(1.0)));
+    connect(m_withFallen, &QCheckBox::toggled, this, [this](bool with) {
+        if (!m_showing) {
+            emit withFallenChosen(with);
+        }
+    });
     group->addWide(m_withFallen);
     m_compare->setObjectName(QStringLiteral("primary"));
     m_compare->setToolTip(
@@ -316,17 +321,10 @@ void EvidencePanel::setAdding(bool adding) {
     m_pairs->setAdding(adding);
 }
 
-void EvidencePanel::setWithFallen(bool with) {
-    m_withFallen->setChecked(with);
-}
-
-bool EvidencePanel::withFallen() const {
-    return m_withFallen->isChecked();
-}
-
 void EvidencePanel::setContent(const Content& content) {
     m_content = content;
     m_showing = true;
+    m_withFallen->setChecked(content.withFallen);
     const bool one = content.chosen >= 0;
     m_photographs->clear();
     m_photographs->addItems(content.names);

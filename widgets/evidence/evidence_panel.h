@@ -32,6 +32,7 @@ public:
 
     struct Content {
         bool available = false;  ///< a case is open
+        bool withFallen = true;  ///< fallen live structure counts as debris
         QStringList names;       ///< of all photographs
         int chosen = -1;
         Photograph photograph;  ///< the chosen one
@@ -52,9 +53,6 @@ public:
     void setContent(const Content& content);
     const Content& content() const { return m_content; }
     void setAdding(bool adding);
-    /// Whether fallen live structure counts as debris.
-    bool withFallen() const;
-    void setWithFallen(bool with);
     SurveyBox& survey() { return *m_survey; }
     EvidenceTable& list() { return *m_list; }
 
@@ -70,6 +68,8 @@ signals:
     void readPairsRequested();
     void compareRequested();
     void cancelRequested();
+    /// Whether fallen structure counts as debris to photographs.
+    void withFallenChosen(bool with);
 
 private:
     void buildList();

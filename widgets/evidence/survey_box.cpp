@@ -350,6 +350,7 @@ SurveySettings SurveyBox::settings() const {
 }
 
 void SurveyBox::setSettings(const SurveySettings& settings) {
+    const QSignalBlocker quiet(this);
     m_cell->setNumber(settings.cell);
     m_least->setNumber(settings.leastHeight);
     m_fit->setCurrentIndex(m_fit->findData(static_cast<int>(settings.fit)));

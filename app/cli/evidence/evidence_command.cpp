@@ -56,7 +56,7 @@ public:
             io::readSurvey(io::inputPath(casePath, survey), m_inputs.frame, site, window, execution, wanted);
         // That it shows a run is said of every piece at once.
         findings.append(otherThanNoEvidence(input.findings));
-        SurveySettings settings;
+        SurveySettings settings = surveySettingsOf(theCase);
         takeStated(settings, theCase, survey, findings);
         settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
         const SurveyComparison made = compareRunWithSurvey(mapped(), survey.instant, input.survey, settings, execution);
@@ -121,7 +121,8 @@ private:
         const bool drawn = std::any_of(photograph->masks.begin(), photograph->masks.end(),
                                        [](const PhotoMask& mask) { return mask.kind == MaskClass::Debris; });
         if (m_run != nullptr && drawn) {
-            row.score = compareRunWithPhoto(m_run->mapped(), *photograph, match, {}, m_execution).iou.best;
+            row.score =
+                compareRunWithPhoto(m_run->mapped(), *photograph, match, photographSettingsOf(m_case), m_execution).iou.best;
         }
     }
 

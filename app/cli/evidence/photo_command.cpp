@@ -13,6 +13,7 @@
 #include "app/cli/frame/run_inputs.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
+#include "core/evidence/evidence_list.h"
 #include "core/evidence/photographs/confidence.h"
 #include "core/evidence/photographs/photo_comparison.h"
 #include "io/case/case_file.h"
@@ -73,8 +74,9 @@ std::vector<const Photograph*> choose(const Case& theCase, const Arguments& argu
     return chosen;
 }
 
-ComparisonSettings comparisonSettingsFrom(const Arguments& arguments) {
-    ComparisonSettings settings;
+/// What is asked for, else as the case has it.
+ComparisonSettings comparisonSettingsFrom(const Arguments& arguments, const Case& theCase) {
+    ComparisonSettings settings = photographSettingsOf(theCase);
     settings.withFallen = parseOnOff(arguments, "--live", settings.withFallen);
     if (const auto cameras = arguments.value("--cameras")) {
         if (!parseNumber(*cameras, settings.cameras) || settings.cameras < 2 || settings.cameras > 10000) {
@@ -225,9 +227,10 @@ ExitCode photo(const Arguments& arguments, Session& session) {
              {arguments.operand(1)}},
             {"cli.photo_one_case.remedy", "Write photo add CASE PHOTO to add a photograph, photo facts PHOTO to look at one.", {}});
     }
-    const ComparisonSettings settings = comparisonSettingsFrom(arguments);
+    comparisonSettingsFrom(arguments, {});  // what is wrong is said before anything is read
     checkCsvPath(arguments, std::vector<std::string>{path});
     const Case theCase = io::loadCase(path);
+    const ComparisonSettings settings = comparisonSettingsFrom(arguments, theCase);
     const std::vector<const Photograph*> chosen = choose(theCase, arguments);
     std::optional<ComparedRun> run;
     if (const auto runPath = arguments.value("--run")) {
@@ -278,7 +281,7 @@ Command photoCommand() {
             "outline drawn on it; what the camera leaves open is carried into the score.",
             {{"--photograph", "ID", false, "only this one, by its id or file (default: all)"},
              {"--run", "FILE", false, "the run whose debris is compared"},
-             {"--live", "on|off", false, "fallen live structure counts as debris (default: on)"},
+             {"--live", "on|off", false, "fallen live structure counts as debris (default: as the case has it, else on)"},
              {"--cameras", "N", false, "cameras drawn from the uncertainty of the match (default: 64)"},
              feOption(),
              runTerrainOption(),

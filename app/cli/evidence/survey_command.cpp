@@ -38,8 +38,9 @@ namespace rubble::cli {
 
 namespace {
 
-SurveySettings surveySettingsFrom(const Arguments& arguments) {
-    SurveySettings settings;
+/// What is asked for, else as the case of the survey has it.
+SurveySettings surveySettingsFrom(const Arguments& arguments, const Case& theCase) {
+    SurveySettings settings = surveySettingsOf(theCase);
     settings.cell = parseLength(arguments, "--cell", settings.cell);
     settings.leastHeight = parseLength(arguments, "--least-height", settings.leastHeight, true);
     settings.liveThreshold = parseLength(arguments, "--live-threshold", settings.liveThreshold, true);
@@ -58,10 +59,11 @@ SurveySettings surveySettingsFrom(const Arguments& arguments) {
         settings.offsetError = parseLength(arguments, "--offset-error", 0.0, true);
     }
     if (const auto fit = arguments.value("--register")) {
-        if (*fit != "none" && *fit != "ground" && *fit != "debris") {
+        const std::optional<SurveyFit> named = surveyFitNamed(*fit);
+        if (!named) {
             throw wrongValue("--register", *fit, "none, ground or debris");
         }
-        settings.fit = *fit == "ground" ? SurveyFit::Ground : *fit == "debris" ? SurveyFit::Debris : SurveyFit::None;
+        settings.fit = *named;
     }
     if (const auto sectors = arguments.value("--sectors")) {
         if (!parseNumber(*sectors, settings.sectors) || settings.sectors < 1 || settings.sectors > 360) {
@@ -100,15 +102,11 @@ SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run, Find
     file.stated.path = file.path;
     if (const CaseInput* found = casePath.empty() ? nullptr : io::surveyOfFile(file.theCase, casePath, file.path)) {
         file.stated = *found;
-        checkShowsDebris(*found);
+        checkHasOverlap(*found);
     } else if (!arguments.has("--time")) {
         file.stated.instant = io::instantOfScan(file.path, findings);
     }
     return file;
-}
-
-std::string_view fitText(SurveyFit fit) {
-    return fit == SurveyFit::None ? "none" : fit == SurveyFit::Ground ? "ground" : "debris";
 }
 
 std::string_view sourceText(SurveyNoise::Source source) {
@@ -209,7 +207,7 @@ Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input, cons
     object["survey_live_structure"] = made.surveyShowsFallen ? Json(*made.surveyShowsFallen) : Json();
     object["fallen"] = {{"elements", made.fallen.elements}, {"volume_m3", made.fallen.volume}, {"held_parts", made.fallen.held}};
     object["standing"] = {{"area_m2", made.standing.area}, {"volume_m3", made.standing.volume}};
-    object["registration"] = {{"to", fitText(made.settings.fit)},
+    object["registration"] = {{"to", surveyFitName(made.settings.fit)},
                               {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
                               {"cells", made.shift.cells},
                               {"rms_before", made.shift.before},
@@ -337,7 +335,7 @@ void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInpu
     facts.add("centroids apart", centroidsText(made));
     facts.add("registration", made.settings.fit == SurveyFit::None
                                   ? std::string("none: the survey lies where it was placed")
-                                  : "to the " + std::string(fitText(made.settings.fit)) + ", moved by " +
+                                  : "to the " + std::string(surveyFitName(made.settings.fit)) + ", moved by " +
                                         englishNumber(made.shift.by.x()) + ", " + englishNumber(made.shift.by.y()) + ", " +
                                         englishNumber(made.shift.by.z()) + " m; RMS " + englishNumber(made.shift.before) +
                                         " before, " + englishNumber(made.shift.after) + " after");
@@ -368,7 +366,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
 }
 
 ExitCode survey(const Arguments& arguments, Session& session) {
-    SurveySettings settings = surveySettingsFrom(arguments);
+    surveySettingsFrom(arguments, {});  // what is wrong is said before anything is read
     std::optional<double> time = instantFrom(arguments);
     const std::vector<std::string> files = arguments.values("--out");
     const std::vector<std::string> inputs{arguments.operand(), arguments.value("--survey").value_or(arguments.operand())};
@@ -382,6 +380,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     MapSubject subject = openMapSubject(arguments, session);
     Findings findings = subject.findings;
     SurveyFile file = surveyFile(arguments, *subject.run, findings);
+    SurveySettings settings = surveySettingsFrom(arguments, file.theCase);
     if (!arguments.has("--time")) {
         time = file.stated.instant;
     }
@@ -441,9 +440,10 @@ Command surveyCommand() {
               systemOption(),
               evidenceCaseOption(),
               {"--time", "SECONDS", false, "instant on the file's clock, or end (default: as the case says, else end)"},
-              {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
-              {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
-              {"--live", "on|off", false, "whether fallen live structure counts as debris (default: on)"},
+              {"--cell", "M", false, "side of the cells that are compared, m (default: as the case has it, else 0.5)"},
+              {"--least-height", "M", false,
+               "height above the ground from which there is debris, m (default: as the case has it, else 0.2)"},
+              {"--live", "on|off", false, "whether fallen live structure counts as debris (default: as the case has it, else on)"},
               {"--survey-live", "on|off", false,
                "whether the survey shows fallen live structure (default: as the case or the file says, else not known)"},
               {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
@@ -455,7 +455,8 @@ Command surveyCommand() {
                "standard deviation of an offset that all surveyed heights may have together, m (default: as the case says, else "
                "not "
                "known)"},
-              {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
+              {"--register", "none|ground|debris", false,
+               "what the survey is moved to before, by least squares (default: as the case has it, else none)"},
               {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
               {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},
               {"--out", "FILE", true, "a file to write: .tif (difference, surveyed, simulated) or .png"},

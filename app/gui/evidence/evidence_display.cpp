@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "app/gui/stage/panel_deck.h"
 #include "app/gui/stage/playback.h"
 #include "app/gui/stage/scene_display.h"
+#include "core/evidence/evidence_list.h"
 #include "io/case/case_file.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -44,6 +44,7 @@ EvidenceDisplay::EvidenceDisplay(Session& session, PanelDeck& deck, widgets::Evi
       m_kept(session.part<Kept>()),
       m_overlay(session.computation(), m_work, page.photo(), [this] { return m_scene.data(); }) {
     connect(&m_document, &Document::photographsChanged, this, &EvidenceDisplay::photographsChanged);
+    connect(&m_document, &Document::evidenceChanged, this, &EvidenceDisplay::refresh);
     connect(&m_document, &Document::replaced, this, [this] {
         m_kept.chosen = -1;
         m_kept.answer.drop();
@@ -86,7 +87,6 @@ EvidenceDisplay::EvidenceDisplay(Session& session, PanelDeck& deck, widgets::Evi
                 m_kept.answer.end(failure);
                 showPanel();
             });
-    m_deck.evidence().setWithFallen(m_kept.withFallen);
     connectPanel();
     connectPage();
     connectActions(actions);
@@ -99,7 +99,6 @@ EvidenceDisplay::EvidenceDisplay(Session& session, PanelDeck& deck, widgets::Evi
 }
 
 EvidenceDisplay::~EvidenceDisplay() {
-    m_kept.withFallen = m_deck.evidence().withFallen();
     m_kept.beside = m_page.beside();
     m_kept.show = m_page.photo().show();
 }
@@ -113,6 +112,11 @@ void EvidenceDisplay::connectPanel() {
     connect(&panel, &widgets::EvidencePanel::readPairsRequested, this, &EvidenceDisplay::chooseTable);
     connect(&panel, &widgets::EvidencePanel::compareRequested, this, &EvidenceDisplay::compare);
     connect(&panel, &widgets::EvidencePanel::cancelRequested, this, [this] { m_work.cancelComparison(); });
+    connect(&panel, &widgets::EvidencePanel::withFallenChosen, this, [this](bool with) {
+        EvidenceSettings evidence = m_document.theCase().evidence;
+        evidence.photographsWithFallen = with;
+        m_document.setEvidence(evidence, [] { return tr("how photographs are compared"); });
+    });
     connect(&panel, &widgets::EvidencePanel::addToggled, this,
             [this](bool adding) { m_page.setTool(adding ? widgets::PhotoView::Tool::Point : widgets::PhotoView::Tool::Look); });
     connect(&panel, &widgets::EvidencePanel::pairChosen, this, [this](int pair) {
@@ -349,17 +353,13 @@ void EvidenceDisplay::matchCurrent() {
 }
 
 void EvidenceDisplay::chooseTable() {
-    const QString path =
-        QFileDialog::getOpenFileName(m_page.window(), tr("Point pairs"), QFileInfo(m_document.base()).absolutePath(),
-                                     tr("Tables of point pairs (*.csv);;All files (*)"));
-    if (!path.isEmpty()) {
-        readPairs(path);
-    }
+    readPairs(QFileDialog::getOpenFileName(m_page.window(), tr("Point pairs"), QFileInfo(m_document.base()).absolutePath(),
+                                           tr("Tables of point pairs (*.csv);;All files (*)")));
 }
 
 void EvidenceDisplay::readPairs(const QString& path) {
     const Photograph* photograph = current();
-    if (photograph == nullptr) {
+    if (photograph == nullptr || path.isEmpty()) {
         return;
     }
     try {
@@ -371,6 +371,7 @@ void EvidenceDisplay::readPairs(const QString& path) {
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_deck.evidence().setError(failure->what(), failure->remedy());
+        m_session.tell(failure->inOneLine());
     }
 }
 
@@ -426,7 +427,7 @@ bool EvidenceDisplay::visible() const {
 }
 
 EvidenceDisplay::Compared EvidenceDisplay::comparedNow(const Photograph& photograph, const RunRecord& record) const {
-    Compared now{photograph, record.reader.get(), m_deck.evidence().withFallen()};
+    Compared now{photograph, record.reader.get(), m_document.theCase().evidence.photographsWithFallen};
     now.photograph.note.clear();
     return now;
 }
@@ -457,10 +458,9 @@ void EvidenceDisplay::compare() {
         return;
     }
     const RunRecord* record = m_computation.currentRun();
-    const Compared now = comparedNow(*photograph, *record);
-    m_kept.answer.ask(now);
-    const ComparisonSettings settings{.withFallen = now.withFallen};
-    m_work.compare(EvidenceRun(m_computation.inputs(), record), *photograph, *m_kept.match, settings);
+    m_kept.answer.ask(comparedNow(*photograph, *record));
+    m_work.compare(EvidenceRun(m_computation.inputs(), record), *photograph, *m_kept.match,
+                   photographSettingsOf(m_document.theCase()));
     showPanel();
 }
 
@@ -474,6 +474,7 @@ void EvidenceDisplay::showPanel() {
     const Photograph* photograph = current();
     widgets::EvidencePanel::Content content;
     content.available = !m_document.empty();
+    content.withFallen = m_document.theCase().evidence.photographsWithFallen;
     for (const Photograph& each : m_document.theCase().photographs) {
         content.names << QFileInfo(pathOf(each)).fileName();
     }
@@ -481,9 +482,7 @@ void EvidenceDisplay::showPanel() {
         content.chosen = m_kept.chosen;
         content.photograph = *photograph;
         content.findings = m_kept.photo.findings;
-        const auto& inputs = m_document.theCase().inputs;
-        const auto input =
-            std::find_if(inputs.begin(), inputs.end(), [&](const CaseInput& each) { return each.id == photograph->input; });
+        const auto input = std::ranges::find(m_document.theCase().inputs, photograph->input, &CaseInput::id);
         content.unchanged = m_kept.photo.sha256.empty()            ? tr("reading the file")
                             : m_kept.photo.sha256 == input->sha256 ? tr("unchanged since it was added")
                                                                    : QString();
@@ -591,7 +590,7 @@ void EvidenceDisplay::drawLater() {
             wanted.photograph = QSize(photograph->facts.width, photograph->facts.height);
             wanted.like = m_page.model().view();
             wanted.like.time = m_playback.clock().time();
-            wanted.withFallen = m_deck.evidence().withFallen();
+            wanted.withFallen = m_document.theCase().evidence.photographsWithFallen;
         }
         return wanted;
     });

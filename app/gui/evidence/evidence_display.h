@@ -83,8 +83,7 @@ private:
         std::vector<PointPair> matchedPairs;
         CameraKnowledge matchedKnowing;
         Answer<Compared, PhotoComparison> answer;
-        bool withFallen = true;  ///< what the panel and the page were set to when a window went
-        bool beside = false;
+        bool beside = false;  ///< what the page was set to when a window went
         widgets::PhotoView::Show show = widgets::PhotoView::Show::Photograph;
     };
     const Photograph* current() const;

@@ -67,7 +67,7 @@ void EvidenceListDisplay::keepNewest() {
     const Case& theCase = m_document.theCase();
     const CaseInput* survey = m_surveys.current();
     if (const auto made = m_surveys.comparison(); made != nullptr && survey != nullptr && !m_surveys.stale()) {
-        m_scores[survey->id] = {*survey, {}, record->reader.get(), made->iou};
+        m_scores[survey->id] = {*survey, {}, record->reader.get(), made->iou, theCase.evidence};
     }
     const int chosen = m_photographs.chosen();
     if (chosen >= 0 && chosen < static_cast<int>(theCase.photographs.size())) {
@@ -78,9 +78,10 @@ void EvidenceListDisplay::keepNewest() {
             overlap = compared->iou.best;
         }
         Score& score = m_scores[photograph.input];
-        const bool other = !(score.photograph == photograph) || score.run != record->reader.get();
+        const bool other =
+            !(score.photograph == photograph) || score.run != record->reader.get() || !(score.evidence == theCase.evidence);
         if (other || !std::isnan(overlap)) {
-            score = {{}, photograph, record->reader.get(), overlap};
+            score = {{}, photograph, record->reader.get(), overlap, theCase.evidence};
         }
     }
 }
@@ -115,7 +116,7 @@ void EvidenceListDisplay::refresh() {
         }
         const Score& score = kept->second;
         const bool same = photograph != nullptr ? score.photograph == *photograph : input != nullptr && score.survey == *input;
-        if (same && current && score.run == record->reader.get()) {
+        if (same && current && score.run == record->reader.get() && score.evidence == theCase.evidence) {
             row.score = score.overlap;
         }
     }

@@ -35,6 +35,7 @@ private:
         Photograph photograph;  ///< as it was compared
         const void* run = nullptr;
         double overlap = 0.0;
+        EvidenceSettings evidence{};  ///< that it was compared with
     };
     void keepNewest();
     void choose(const std::string& id);

@@ -95,15 +95,28 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
         compare();
     });
     widgets::SurveyBox& box = deck.evidence().survey();
-    if (m_work.asked) {
-        box.setSettings(*m_work.asked);
-    }
+    const auto takeSettings = [this, &box] {
+        box.setSettings(surveySettingsOf(m_document.theCase()));
+        refresh();
+    };
+    connect(&m_document, &Document::evidenceChanged, this, takeSettings);
+    connect(&m_document, &Document::replaced, this, takeSettings);
+    box.setSettings(surveySettingsOf(m_document.theCase()));
     connect(&box, &widgets::SurveyBox::addRequested, this, &SurveyDisplay::chooseFile);
     connect(&box, &widgets::SurveyBox::removeRequested, this, &SurveyDisplay::remove);
     connect(&box, &widgets::SurveyBox::compareRequested, this, &SurveyDisplay::compare);
     connect(&box, &widgets::SurveyBox::cancelRequested, this, &SurveyDisplay::cancel);
     connect(&box, &widgets::SurveyBox::saveRequested, this, &SurveyDisplay::save);
-    connect(&box, &widgets::SurveyBox::settingsChanged, this, &SurveyDisplay::refresh);
+    connect(&box, &widgets::SurveyBox::settingsChanged, this, [this, &box] {
+        const SurveySettings asked = box.settings();
+        EvidenceSettings evidence = m_document.theCase().evidence;
+        evidence.cell = asked.cell;
+        evidence.leastHeight = asked.leastHeight;
+        evidence.fit = asked.fit;
+        evidence.surveysWithFallen = asked.withFallen;
+        m_document.setEvidence(evidence, [] { return tr("how surveys are compared"); });
+        refresh();
+    });
     connect(&box, &widgets::SurveyBox::showsFallenChosen, this, &SurveyDisplay::setShowsFallen);
     connect(&box, &widgets::SurveyBox::chosen, this, [this](int survey) {
         m_work.chosen = survey;
@@ -242,7 +255,6 @@ void SurveyDisplay::connectPlace() {
 }
 
 SurveyDisplay::~SurveyDisplay() {
-    m_work.asked = m_deck.evidence().survey().settings();
     m_work.shown = m_page.surveyShown();
 }
 
@@ -445,9 +457,10 @@ QString SurveyDisplay::whyNoComparison() const {
     if (survey != nullptr && survey->held == PointsHeld::Control) {
         return tr("Points that are held as control show no debris: they name places for pairs of photographs.");
     }
-    // A table can be held against the debris as a cloud can; a drawing has lines alone.
-    if (survey != nullptr && !hasOverlap(*survey) && io::hasEnding(survey->path, ".dxf")) {
-        return tr("A drawing without areas has no surface to compare. It is held against the run in a section.");
+    if (survey != nullptr && !hasOverlap(*survey)) {
+        return tr(
+            "Points that are held for sections have no surface to compare: cut a section along them, or hold them as the edge "
+            "of the debris.");
     }
     return EvidenceWork::whyNoDebris(m_computation.currentRun());
 }
@@ -539,11 +552,7 @@ void SurveyDisplay::refresh() {
         content.errors = {survey->noise, survey->groundNoise, survey->offsetError};
         content.stated = {survey->taken, survey->before, survey->instant, survey->registration};
         const std::string path = io::inputPath(m_document.base().toStdString(), *survey);
-        io::EvidenceOrigin origin = m_reach.origin(*survey);
-        if (shown && origin.run.empty()) {
-            origin.run = made->input.ofRun;  // a map of ours says so once it is read
-        }
-        io::noteOrigin(content.findings, path, origin, heldRun());
+        io::noteOrigin(content.findings, path, m_reach.origin(*survey), heldRun());
         content.findings.append(sameEvidence(m_document.theCase(), survey->id));
         content.findings.append(m_reach.of(*survey));
         content.findings.append(m_reach.unread(*survey));

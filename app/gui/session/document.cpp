@@ -89,6 +89,7 @@ bool Document::standsOn(const Case& theCase) const {
         of.photographs.clear();
         of.removals.clear();
         of.ensemble = {};
+        of.evidence = {};
         std::erase_if(of.inputs, [](const CaseInput& input) {
             return input.role == InputRole::Photograph || input.role == InputRole::Survey;
         });
@@ -330,6 +331,19 @@ void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<C
         };
     };
     m_undo.push(new StepCommand(what, way(std::move(photographs), std::move(inputs)), way(m_case.photographs, m_case.inputs)));
+}
+
+void Document::setEvidence(const EvidenceSettings& evidence, const widgets::Wording& what) {
+    if (empty() || evidence == m_case.evidence) {
+        return;
+    }
+    const auto way = [this](const EvidenceSettings& to) {
+        return [this, to] {
+            m_case.evidence = to;
+            emit evidenceChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(evidence), way(m_case.evidence)));
 }
 
 void Document::setEnsemble(const EnsembleSettings& ensemble, const widgets::Wording& what) {

@@ -77,6 +77,8 @@ public:
     void setCameraKeys(std::vector<CameraKey> keys, const widgets::Wording& what);
     /// Other photographs, and the files that they are, as one undoable command; no result depends on them.
     void setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const widgets::Wording& what);
+    /// How evidence is held against runs, as one undoable command; no run depends on it.
+    void setEvidence(const EvidenceSettings& evidence, const widgets::Wording& what);
     /// What an ensemble of the case varies, as one undoable command; no result depends on it.
     void setEnsemble(const EnsembleSettings& ensemble, const widgets::Wording& what);
     /// A preset is one command too.
@@ -99,6 +101,7 @@ signals:
     void photographsChanged();
     void surveysChanged();
     void ensembleChanged();
+    void evidenceChanged();
     void titleChanged();
 
 private:

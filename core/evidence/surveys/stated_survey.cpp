@@ -64,6 +64,15 @@ void takeStated(SurveySettings& settings, const Case& theCase, const CaseInput& 
     settings.scope = scopeWhenTaken(theCase, survey, findings);
 }
 
+SurveySettings surveySettingsOf(const Case& theCase) {
+    SurveySettings settings;
+    settings.cell = theCase.evidence.cell;
+    settings.leastHeight = theCase.evidence.leastHeight;
+    settings.fit = theCase.evidence.fit;
+    settings.withFallen = theCase.evidence.surveysWithFallen;
+    return settings;
+}
+
 void checkShowsDebris(const CaseInput& survey) {
     if (survey.before) {
         throw UsageError({"survey.before", "{0} was taken before the collapse: it shows no debris", {survey.path}},

@@ -16,6 +16,9 @@ std::string clockTimeFrom(const std::string& text);
 /// been removed when it was taken. Removals that may or may not have been done by then are a finding.
 SurveyScope scopeWhenTaken(const Case& theCase, const CaseInput& survey, Findings& findings);
 
+/// What surveys of a case are compared with, where nothing else is asked for.
+SurveySettings surveySettingsOf(const Case& theCase);
+
 /// Takes what the case says of a survey where nothing else was asked for: what it shows, noise, errors, and what is compared. The
 /// error of its registration stands for that of an offset that nobody stated.
 void takeStated(SurveySettings& settings, const Case& theCase, const CaseInput& survey, Findings& findings);

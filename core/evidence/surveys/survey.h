@@ -8,6 +8,7 @@
 #include "core/evidence/maps/footprint.h"
 #include "core/fe/height_grid.h"
 #include "core/fe/raster_lattice.h"
+#include "core/scenario/evidence_settings.h"
 
 namespace rubble {
 
@@ -43,13 +44,6 @@ struct Survey {
 
     /// Box around what was surveyed, m.
     std::pair<Eigen::Vector2d, Eigen::Vector2d> bounds() const;
-};
-
-/// How the survey is moved before it is held against the debris.
-enum class SurveyFit {
-    None,    ///< it lies where it was surveyed
-    Ground,  ///< to the ground beside the debris: errors of its place go, differences of the debris stay
-    Debris,  ///< to the debris in plan: what then differs is the shape, no longer the place
 };
 
 }  // namespace rubble

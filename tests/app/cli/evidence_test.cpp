@@ -226,13 +226,17 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     // Sides of blocks that a scanner sees lie below their tops.
     EXPECT_GT(made["difference_mean_m"], -0.05);
     EXPECT_LT(made["difference_mean_m"], 1.0);
-    EXPECT_TRUE(std::filesystem::exists(picture) && std::filesystem::exists(picture + ".provenance.json"));
+    ASSERT_TRUE(std::filesystem::exists(picture) && std::filesystem::exists(picture + ".provenance.json"));
+    // A scan of the run is no evidence, and who sees the section reads that.
+    EXPECT_TRUE(warns(made, "evidence.of_this_run"));
+    EXPECT_THAT(textOf(picture + ".provenance.json"), HasSubstr("made from the very run"));
     EXPECT_THAT(textOf(m_folder / "section.csv"), HasSubstr("along_m,ground_m,simulated_m,of,points,measured_m,difference_m"));
     // Points of a total station on the level ground, 10 cm above it.
     const std::string station = m_folder / "station.csv";
     std::ofstream(station) << "Point,Easting,Northing,Elevation\n1,-5.5,0.5,0.1\n2,-5,0.5,0.1\n3,8.5,0.5,0.1\n4,8.5,7,0.1\n";
     const nlohmann::json level = cut({"--points", station});
     EXPECT_EQ(level["points"], 3) << "one lies beside the section";
+    EXPECT_FALSE(warns(level, "evidence.of_this_run"));
     EXPECT_NEAR(level["difference_mean_m"], -0.1, 1e-6);
     // Both in one section: each agrees by itself, and both are in the mean of all.
     const nlohmann::json both = cut({"--points", station, "--points", m_folder / "scan.csv", "--width", "1"});
@@ -261,6 +265,30 @@ TEST_F(EvidenceOfCase, ASectionHoldsMeasuredPointsAgainstThePile) {
     EXPECT_EQ(cli({"section", m_out, "--line", "1,2,1,2"}).exitCode, 2);
 }
 
+TEST_F(EvidenceOfCase, WhatItIsComparedWithBelongsToTheCase) {
+    evidence({"--survey", m_cloud});
+    Case theCase = io::loadCase(m_case);
+    theCase.evidence.cell = 1.25;
+    theCase.evidence.leastHeight = 0.4;
+    theCase.evidence.surveysWithFallen = false;
+    io::saveCase(m_case, theCase);
+    const auto held = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"survey", m_out, "--survey", m_cloud, "--case", m_case, "--json"});
+        return cli(more).json();
+    };
+    const nlohmann::json made = held({});
+    EXPECT_EQ(made["cell_m"], 1.25);
+    EXPECT_EQ(made["live_structure"], false);
+    EXPECT_EQ(held({"--cell", "0.5", "--live", "on"})["cell_m"], 0.5) << "unless another is asked for";
+    // The list of evidence scores it alike.
+    const nlohmann::json all = evidence({"--run", m_out});
+    bool found = false;
+    for (const nlohmann::json& row : all["evidence"]) {
+        found = found || (row["iou"].is_number() && std::abs(row["iou"].get<double>() - made["iou"].get<double>()) < 1e-12);
+    }
+    EXPECT_TRUE(found) << all["evidence"].dump(1);
+}
+
 TEST_F(EvidenceOfCase, MeasuredPointsSayWhatTheyAreHeldToSay) {
     const std::string station = m_folder / "station.csv";
     std::ofstream(station) << "Point,Easting,Northing,Elevation\n1,-3,-3,0.1\n2,8,-3,0.1\n3,8,6,0.1\n4,-3,6,0.1\n";
@@ -276,6 +304,9 @@ TEST_F(EvidenceOfCase, MeasuredPointsSayWhatTheyAreHeldToSay) {
     // Unless something else is said they are for sections, and so it stands there.
     nlohmann::json said = row({"--survey", station});
     EXPECT_EQ(said["held_as"], "section");
+    const Outcome noSurface = cli({"survey", m_out, "--survey", station, "--case", m_case});
+    EXPECT_EQ(noSurface.exitCode, 2);
+    EXPECT_THAT(noSurface.err, HasSubstr("held for sections"));
     EXPECT_FALSE(said["kind_by_ending"]);
     EXPECT_THAT(said["shows"].get<std::string>(), HasSubstr("sections"));
     EXPECT_TRUE(row({"--run", m_out})["iou"].is_null());

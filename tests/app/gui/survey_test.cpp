@@ -113,6 +113,11 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().showsFallen, std::optional<bool>(true));
     window->actions()[ActionId::Undo].trigger();
     EXPECT_EQ(session->document().theCase().inputs.back().showsFallen, std::nullopt);
+    // How it is compared belongs to the case too.
+    EXPECT_EQ(io::loadCase(m_folder / "case.rubble").evidence.fit, SurveyFit::Ground);
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_EQ(session->document().theCase().evidence.fit, SurveyFit::None);
+    EXPECT_EQ(box.settings().fit, SurveyFit::None) << "the field follows";
     window->actions()[ActionId::Undo].trigger();
     EXPECT_NE(session->document().theCase().inputs.back().role, InputRole::Survey);
     EXPECT_FALSE(window->actions()[ActionId::CompareSurvey].isEnabled());

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/gui/session/session.h"
-#include "core/evidence/surveys/stated_survey.h"
+#include "core/evidence/evidence_list.h"
 #include "io/case/case_surveys.h"
 #include "io/case/terrain_reader.h"
 #include "io/exports/survey_files.h"
@@ -35,7 +35,7 @@ void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case
                     [made = m_making, path, run, frame, ground, site = theCase.site, survey = order.survey,
                      settings = order.settings, said = order.said](const Execution& execution) mutable {
                         const io::SurveyRequest wanted = io::surveyRequest(ground, survey);
-                        checkShowsDebris(survey);
+                        checkHasOverlap(survey);
                         site.groundClasses = ground.site.groundClasses;
                         const io::SiteWindow window(io::boundsAtRest(run.fe->mesh()), debrisBounds(run.mapped(), survey.instant));
                         made->input = io::readSurvey(path, frame, site, window, execution, wanted);

@@ -45,8 +45,7 @@ public:
 
     int chosen = 0;
     Answer<Compared, Made> answer;
-    std::optional<SurveySettings> asked;  ///< what the fields asked for when a window went
-    bool shown = false;                   ///< its map stood in the centre then
+    bool shown = false;  ///< its map stood in the centre then
 
 signals:
     void changed();

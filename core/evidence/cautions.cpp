@@ -84,6 +84,27 @@ std::vector<Message> placeDoubts(const Findings& findings) {
     return doubts;
 }
 
+std::vector<Message> assumedMasses(const Findings& findings) {
+    std::vector<Message> assumed;
+    for (const Finding& finding : findings.list()) {
+        const auto take = [&](std::string_view id, std::string_view of, const Message& message) {
+            if (finding.what.id == of && !finding.what.arguments.empty()) {
+                Message told = message;
+                told.id = id;
+                told.arguments = {finding.count, finding.what.arguments.front()};
+                assumed.push_back(std::move(told));
+            }
+        };
+        take("caution.assumed_density", "components.assumed_density",
+             {"", "masses are assumed: no density is known of {0} elements, and {1} was taken", {}});
+        take("caution.assumed_thickness", "components.assumed_thickness",
+             {"", "masses are assumed: no thickness is known of {0} elements, and {1} was taken", {}});
+        take("caution.assumed_area", "components.assumed_area",
+             {"", "masses are assumed: no section is known of {0} elements, and {1} was taken", {}});
+    }
+    return assumed;
+}
+
 std::vector<Caution> inputCautions(const std::string& unsaidUnits, const std::vector<Message>& placeDoubts) {
     std::vector<Caution> list;
     if (!unsaidUnits.empty()) {
@@ -134,6 +155,15 @@ std::vector<Caution> runCautions(const RunStanding& run) {
                         {"caution.other_settings", "the case has other settings or inputs now than this run was made with", {}}});
     }
     addCautions(list, inputCautions(run.unsaidUnits, run.placeDoubts));
+    if (run.bornAtRest) {
+        list.push_back(
+            {"born_at_rest",
+             HealthGrade::Finding,
+             {"caution.born_at_rest", "all debris began at rest, not with the velocity that the FE result gave it", {}}});
+    }
+    for (const Message& message : run.assumed) {
+        list.push_back({"assumed", HealthGrade::Finding, message});
+    }
     if (!run.complete) {
         list.push_back({"not_complete",
                         HealthGrade::Finding,

@@ -16,8 +16,8 @@ namespace rubble {
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
     std::string_view key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
-                           ///< "no_place", "place_doubt", "single_run", "bodies", "poor_camera", "not_at_rest", "stated_camera",
-                           ///< "ensemble", "members"
+                           ///< "no_place", "place_doubt", "born_at_rest", "assumed", "single_run", "bodies", "poor_camera",
+                           ///< "not_at_rest", "stated_camera", "ensemble", "members"
     HealthGrade grade{};
     Message what;
 
@@ -49,6 +49,8 @@ struct RunStanding {
     std::string unplaced{};              ///< coordinate system that the case names without a place of the model in it; empty: none
     std::string unsaidUnits{};           ///< systems of units that the FE result would fit as well; empty: its units are known
     std::vector<Message> placeDoubts{};  ///< what makes places and heights uncertain
+    std::vector<Message> assumed{};      ///< what masses rest on that nobody said
+    bool bornAtRest = false;             ///< debris began without the velocity that the FE result gave it
     bool outgrown = false;               ///< the case that it is shown in has other settings by now
     std::optional<double> earlier{};     ///< s, instant that `bodies` and `moving` are of; unset: the last one
 };
@@ -56,6 +58,10 @@ struct RunStanding {
 /// What of the findings of opened inputs makes every place or height of a run uncertain: the way between coordinate systems,
 /// control points, the unit of heights, a terrain that was filled by more than a tenth, ends short of the structure or of debris.
 std::vector<Message> placeDoubts(const Findings& findings);
+
+/// What of the findings of a run says that its masses rest on assumptions: densities, thicknesses, sections, each with its
+/// elements.
+std::vector<Message> assumedMasses(const Findings& findings);
 
 /// Beside whatever was made from these inputs.
 /// @param unsaidUnits  systems of units that the FE result would fit as well; empty: its units are known

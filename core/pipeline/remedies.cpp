@@ -87,7 +87,8 @@ std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const R
         case HealthCheck::AsleepShare:
             return firstOther(grounds, {RemedySetting{"freeze_delay", std::min(60.0, 2.0 * ran.freezeDelay)}});
         case HealthCheck::OutsideSite:
-            return groundSwitchedOff(grounds.ran) ? word("ground", "auto") : firstOther(grounds, {word("birth_velocity", "rest")});
+            // Debris without its birth velocity is another collapse: nobody is led to that by a button.
+            return groundSwitchedOff(grounds.ran) ? word("ground", "auto") : std::nullopt;
         case HealthCheck::Bulking:
             return breach.worst >= breach.limit ? slimmerShapes(grounds)
                                                 : firstOther(grounds, {word("solver", "soft-step"), moreSteps(grounds)});
@@ -107,6 +108,9 @@ std::optional<RemedySetting> remedySettingOf(const Finding& finding, const Remed
     }
     if (id == notHeld || id == looseBeside || id == looseBesideRun) {
         return firstOther(grounds, {word("loose_structure", "fe")});
+    }
+    if (id == speedHeld && grounds.ran.simulation.stepRate) {
+        return std::nullopt;  // they were raised already, and it did not help
     }
     if (id == speedHeld || id == stepsRaised) {
         return firstOther(grounds, {moreSteps(grounds)});

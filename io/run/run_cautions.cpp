@@ -41,6 +41,8 @@ RunStanding standingOf(const RunReader& run) {
     const std::vector<Message>& opened = run.origin().placeDoubts;
     standing.placeDoubts.insert(standing.placeDoubts.begin(), opened.begin(), opened.end());
     standing.outgrown = run.outgrown();
+    standing.bornAtRest = run.origin().scenario.fragments.birthVelocity == BirthVelocity::Rest;
+    standing.assumed = assumedMasses(run.findings());
     if (run.result()) {
         return standing;
     }

@@ -178,8 +178,14 @@ TEST(Wording, NoMessageHasAKeyOfASettingInTheWindow) {
             }
         }
     }
-    EXPECT_FALSE(worded(Message{"x", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}})
-                     .contains(QStringLiteral("substeps")));
+    EXPECT_FALSE(
+        worded(
+            Message{
+                "x",
+                "raise step_rate or substeps; light bodies between far heavier ones ask for it. Where as many are held back after "
+                "that, what they did is less sure",
+                {}})
+            .contains(QStringLiteral("substeps")));
     QCoreApplication::removeTranslator(&chinese);
     EXPECT_EQ(worded(Message{"x", "raise step_rate or substeps", {}}), QStringLiteral("raise “Steps per second” or “Substeps”"));
 }

@@ -133,6 +133,29 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
     return pieces;
 }
 
+namespace {
+
+/// Whether live structure stands where the height of a map is the largest.
+bool highestOn(const DebrisMap& map, std::span<const PlanBox> standing) {
+    const std::vector<double>& heights = map.layer(MapLayer::Height);
+    std::size_t highest = heights.size();
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+        if (std::isfinite(heights[k]) && (highest == heights.size() || heights[k] > heights[highest])) {
+            highest = k;
+        }
+    }
+    if (highest == heights.size()) {
+        return false;
+    }
+    const MapCell& cell = map.cells[highest];
+    const auto side = static_cast<float>(map.cell);
+    const Eigen::Vector2f low(side * static_cast<float>(cell.i), side * static_cast<float>(cell.j));
+    const PlanBox reached(low, low + Eigen::Vector2f(side, side));
+    return std::any_of(standing.begin(), standing.end(), [&](const PlanBox& box) { return box.intersects(reached); });
+}
+
+}  // namespace
+
 DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impactsKnown, const LiveStructure* live,
                         std::vector<std::string> components, const SiteSurface& ground, const MapSettings& settings,
                         const Execution& execution) {
@@ -174,6 +197,7 @@ DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impa
     }
     map.ledger.fragments = static_cast<std::int64_t>(pieces.size());
     map.ledger.footprintArea = areaOf(debris, cell);
+    map.ledger.highestStands = live != nullptr && highestOn(map, live->standing);
     for (const MapPiece& piece : pieces) {
         map.ledger.mass += piece.mass;
         map.ledger.volume += piece.volume;

@@ -73,6 +73,7 @@ struct MapLedger {
     double liveMass = 0.0;           ///< kg
     double liveVolume = 0.0;         ///< m3
     double liveFootprintArea = 0.0;  ///< m2
+    bool highestStands = false;      ///< the highest debris lies where live structure of the run still stands
 };
 
 /// Debris by cells at one instant. Cells that neither fragments nor fallen live structure reach into are left out.

@@ -375,7 +375,9 @@ SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double
     compared.fallen = {static_cast<std::int64_t>(made.live->pieces.size()), made.live->volume,
                        run.result ? run.result->islands.held() : 0};
     compareFallen(compared, survey.name);
-    compareStanding(compared, made.live->standing, survey.name);
+    if (!survey.heights.everywhere) {  // a debris map knows its debris from structure
+        compareStanding(compared, made.live->standing, survey.name);
+    }
     return compared;
 }
 

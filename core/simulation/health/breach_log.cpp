@@ -153,10 +153,11 @@ Message healthRemedy(HealthCheck check, double measured, double limit) {
         case HealthCheck::BelowGround:
             return {"health.below_ground.remedy", "raise step_rate, or set ground_height (or the terrain) to its real height", {}};
         case HealthCheck::OutsideSite:
-            return {"health.outside_site.remedy",
-                    "look at the body's element and its birth velocity in the FE file; birth_velocity = rest lets all debris begin "
-                    "at rest; without ground bodies fall for ever (ground)",
-                    {}};
+            return {
+                "health.outside_site.remedy",
+                "look at the birth velocity of the body's element: where the FE result means it, vouch for the run, for it lies "
+                "there; birth_velocity = rest takes that velocity from all debris; without ground bodies fall for ever (ground)",
+                {}};
         case HealthCheck::NotANumber:
             return {"health.not_a_number.remedy",
                     "look at the element of that body in the FE file; switch the effects off one by one to find the one that fails",

@@ -86,7 +86,8 @@ Reasons reasonsOf(const HealthBreach& breach, const Message& bound) {
         case HealthCheck::OutsideSite:
             return {{},
                     {"health.outside_site.graver",
-                     "nothing of this collapse can be there: covered area and run-out hold debris that is none",
+                     "nothing of this collapse falls there: the FE result threw it, or it is an error; covered area and run-out "
+                     "hold it",
                      {}}};
         case HealthCheck::NotANumber:
             return {{}, {"health.not_a_number.graver", "its mass is missing from then on", {}}};

@@ -503,7 +503,10 @@ void Collapse::warn() {
             {"simulation.speed_held",
              "{0} times in {1} steps a body was held back: nothing that it touched could have made it that fast",
              {slowed, m_result.steps}},
-            {"simulation.speed_held.remedy", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}},
+            {"simulation.speed_held.remedy",
+             "raise step_rate or substeps; light bodies between far heavier ones ask for it. Where as many are held back after "
+             "that, what they did is less sure",
+             {}},
             "", slowed);
     }
 }

@@ -58,7 +58,7 @@ TEST_F(Health, ABreachTaintsTheRunUntilItIsAcknowledged) {
     EXPECT_EQ(breach["worst_at_s"], breach["to_s"]) << "it flies further and further";
     EXPECT_EQ(breach["place_m"].size(), 3u);
     EXPECT_EQ(breach["grade"], "tainted");
-    EXPECT_THAT(breach["why"].get<std::string>(), HasSubstr("nothing of this collapse can be there"));
+    EXPECT_THAT(breach["why"].get<std::string>(), HasSubstr("nothing of this collapse falls there"));
     EXPECT_EQ(breach["times_s"].size(), 1u);
     EXPECT_EQ(breach["times_s"][0][1], breach["to_s"]);
     EXPECT_EQ(object["cautions"][0]["key"], "tainted");

@@ -155,7 +155,11 @@ TEST_F(Languages, ANameThatIsAWordAsWellStaysAsItIs) {
 // Pages of runs said "请提高 step_rate，或设置 auto_remedy = true" where window and report have names.
 TEST_F(Languages, SettingsOfAPageHaveNames) {
     speak("zh_CN");
-    const Message remedy{"x", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}};
+    const Message remedy{
+        "x",
+        "raise step_rate or substeps; light bodies between far heavier ones ask for it. Where as many are held back after "
+        "that, what they did is less sure",
+        {}};
     const std::string words = widgets::worded(remedy).toStdString();
     EXPECT_THAT(words, testing::Not(testing::AnyOf(testing::HasSubstr("step_rate"), testing::HasSubstr("substeps"))));
     EXPECT_EQ(figures::chineseWords(true)(remedy), words);

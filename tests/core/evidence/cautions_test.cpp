@@ -39,6 +39,28 @@ TEST(Cautions, ASoundRunThatRestsSaysThatItIsOneAndHowManyBodiesItHas) {
     EXPECT_EQ(pictureCautions(list), "a single run: what is not known of friction, restitution and births is not in its figures");
 }
 
+TEST(Cautions, SayWhatMassesRestOnAndThatDebrisBeganAtRest) {
+    Findings findings;
+    const Message density{"components.assumed_density", "No density is known: {0} is assumed", {{2400.0, "kg/m3"}}};
+    findings.add(density, {"r", "set it", {}}, "element 1", 300);
+    findings.add(density, {"r", "set it", {}}, "element 301", 100);
+    findings.add({"components.assumed_thickness", "No thickness is known: {0} is assumed", {{0.02, "m"}}}, {"r", "set it", {}}, "",
+                 68);
+    findings.add({"fragments.no_death_time", "another", {}}, {"r", "set it", {}});
+    RunStanding run = rested();
+    run.assumed = assumedMasses(findings);
+    run.bornAtRest = true;
+    const std::vector<Caution> list = runCautions(run);
+    EXPECT_EQ(pictureCautions(list).find("masses are assumed: no density is known of 400 elements, and 2,400 kg/m3 was taken") !=
+                  std::string::npos,
+              true)
+        << pictureCautions(list);
+    EXPECT_NE(pictureCautions(list).find("no thickness is known of 68 elements, and 0.02 m was taken"), std::string::npos);
+    ASSERT_NE(find(list, "born_at_rest"), nullptr);
+    EXPECT_TRUE(find(list, "born_at_rest")->inPictures());
+    EXPECT_EQ(std::ranges::count(list, std::string_view("assumed"), &Caution::key), 2);
+}
+
 TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     RunStanding run = rested();
     run.moving = 12;

@@ -171,6 +171,9 @@ TEST_F(MapOfARun, StandingStructureWithinTheSurveyedDebrisIsTold) {
         survey.heights.heights[k] = about.exteriorDistance(Eigen::Vector2f(place.cast<float>())) < 0.6F ? 2.0 : 0.0;
     }
     EXPECT_TRUE(told(compareRunWithSurvey(mapped, std::nullopt, survey, asked, Execution())));
+    survey.heights.everywhere = true;
+    EXPECT_FALSE(told(compareRunWithSurvey(mapped, std::nullopt, survey, asked, Execution())))
+        << "a debris map tells debris from what stands";
 }
 
 TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {

@@ -37,7 +37,6 @@ TEST(Remedies, OfPassedLimitsAreSettingsThatDifferFromWhatRan) {
     EXPECT_EQ(next(breachOf(HealthCheck::Penetration)), "step_rate=120");
     EXPECT_EQ(next(breachOf(HealthCheck::Bulking)), "cluster_shape=hull");
     EXPECT_EQ(next(breachOf(HealthCheck::Bulking)), "bodies_max=9000");
-    EXPECT_EQ(next(breachOf(HealthCheck::OutsideSite)), "birth_velocity=rest");
     EXPECT_EQ(next(breachOf(HealthCheck::OutsideSite)), "") << "the sentence says where to look";
     setParameterText(grounds.ran, "ground", "off");
     EXPECT_EQ(next(breachOf(HealthCheck::OutsideSite)), "ground=auto") << "without a ground nothing stays near";
@@ -64,6 +63,9 @@ TEST(Remedies, OfFindingsAreSettingsWhereOneHelps) {
     held.ran.effects.loose = LooseStructurePolicy::Fe;
     EXPECT_EQ(textOf(remedySettingOf(findingOf("simulation.live_islands"), held)), "live_islands=released");
     EXPECT_EQ(textOf(remedySettingOf(findingOf("effect.not_held"), held)), "") << "it was so already";
+    RemedyGrounds raised = grounds;
+    raised.ran.simulation.stepRate = 60.0;
+    EXPECT_EQ(textOf(remedySettingOf(findingOf("simulation.speed_held"), raised)), "") << "more steps did not help";
     EXPECT_EQ(meanStepRate(600, 10.0), 60.0);
     EXPECT_EQ(meanStepRate(600, 0.0), 0.0);
 }

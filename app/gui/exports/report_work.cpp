@@ -224,6 +224,10 @@ QString ReportWork::notesFile() const {
 }
 
 void ReportWork::takeNotes() {
+    // Another case asks for its own.
+    widgets::ReportWishes usual = m_deck.report().wishes();
+    usual.repeats = widgets::ReportWishes().repeats;
+    m_deck.report().setWishes(usual);
     m_kept.notes = notesFile();
     if (!m_kept.notes.isEmpty()) {
         try {

@@ -153,6 +153,26 @@ void ReportSections::addPhotograph(const ReportPhoto& photo, const QImage& pictu
     m_blocks.push_back(std::move(figure));
 }
 
+namespace {
+
+/// In which cells, from which height on, and moved by what.
+QString howCompared(const QString& name, const SurveyComparison& made) {
+    const auto metres = [](double value) { return reportNumber(value) + QStringLiteral("\u00A0m"); };
+    QString words = made.isFootprint ? ReportSections::tr("%1: cells of %2.").arg(name, metres(made.settings.cell))
+                                     : ReportSections::tr("%1: cells of %2; heights count as debris from %3 above the ground on.")
+                                           .arg(name, metres(made.settings.cell), metres(made.least));
+    if (made.settings.fit != SurveyFit::None) {
+        words +=
+            u' ' + (made.settings.fit == SurveyFit::Ground
+                        ? ReportSections::tr("It was brought to the ground of the run first, by %1, %2 and %3 along x, y and up.")
+                        : ReportSections::tr("It was brought to the debris of the run first, by %1, %2 and %3 along x, y and up."))
+                       .arg(metres(made.shift.by.x()), metres(made.shift.by.y()), metres(made.shift.by.z()));
+    }
+    return words;
+}
+
+}  // namespace
+
 void ReportSections::addSurveys() {
     if (m_facts.surveys.empty()) {
         text(tr("The case has no survey of the debris; heights and outline were not held against one."));
@@ -164,9 +184,14 @@ void ReportSections::addSurveys() {
             notice(said(caution.what));
         }
     }
-    text(tr(
-        "A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the "
-        "voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that."));
+    const bool moved = std::any_of(m_facts.surveys.begin(), m_facts.surveys.end(), [](const ReportSurvey& survey) {
+        return survey.comparison && survey.comparison->settings.fit != SurveyFit::None;
+    });
+    text((moved ? tr("A survey is compared cell by cell, once it was brought to the run as is said below.")
+                : tr("A survey is compared cell by cell where it was taken, without moving it.")) +
+         u' ' +
+         tr("Volumes lie between ground and top and hold the voids. Steep edges make a surveyed area too large: measures of both "
+            "sides surveyed alike are free of that."));
     ReportTable table;
     table.caption = tr("Surveys: surveyed debris against the simulated");
     table.columns = QStringList{tr("survey"), tr("measure"), tr("unit"), tr("surveyed"), tr("simulated"), tr("compared")};
@@ -184,6 +209,9 @@ void ReportSections::addSurveys() {
     for (std::size_t i = 0; i < m_facts.surveys.size(); ++i) {
         const ReportSurvey& survey = m_facts.surveys[i];
         addEvidenceCautions(survey.name, survey.cautions);
+        if (survey.comparison) {
+            text(howCompared(escaped(survey.name), *survey.comparison));
+        }
         if (survey.comparison && !survey.comparison->settings.scope.whole()) {
             const LeftOutDebris& left = survey.comparison->leftOut;
             text(tr("%1: compared inside the areas that were drawn alone, %2 m². Beyond them lie %3 m² of surveyed and %4 m² of "

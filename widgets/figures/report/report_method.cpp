@@ -16,8 +16,8 @@ void ReportSections::addMethod() {
         text(tr(
             "A finite-element analysis of a collapse deactivates the elements that fail; from then on they are not part of it. "
             "Each "
-            "deactivated element is turned into a rigid fragment with the place, shape and velocity it had when it was last "
-            "active. A "
+            "deactivated element is turned into a rigid fragment with the place and shape it had when it was last active, and "
+            "with its velocity then, unless that is said otherwise below. A "
             "physics engine carries the fragments from there until they lie at rest. The procedure follows Xu, Lu, Guan and Ren, "
             "Automation in Construction 35 (2013) 471–481, with the departures that are named below."));
     }
@@ -40,10 +40,19 @@ void ReportSections::addFragmentMethod() {
         tr("with the mass <i>m</i>, the inertia tensor <i>I</i> about the centre of mass <b>c</b>, the place <b>x</b>, the "
            "interpolated nodal velocity <b>u</b> and the density <i>ρ</i>, scaled so that its integral over the shape is "
            "<i>m</i>."));
+    const bool bornAtRest = m_facts.scenario.fragments.birthVelocity == BirthVelocity::Rest;
     if (const double window = m_facts.scenario.fragments.birthWindow; window > 0.0) {
-        text(tr("In this run what died within %1 s of each other was handed over together, with the place, shape and velocity of "
-                "the first state of that time.")
+        text((bornAtRest
+                  ? tr("In this run what died within %1 s of each other was handed over together, with the place and shape of "
+                       "the first state of that time.")
+                  : tr("In this run what died within %1 s of each other was handed over together, with the place, shape and "
+                       "velocity of the first state of that time."))
                  .arg(reportNumber(window)));
+    }
+    if (bornAtRest) {
+        text(
+            tr("<b>In this run all debris began at rest</b>, not with the velocity that the FE result gave it: where it flew, it "
+               "flies no longer."));
     }
 }
 

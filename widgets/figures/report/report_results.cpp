@@ -91,12 +91,18 @@ void ReportSections::addMeasures() {
         {tr("volume of material"), QStringLiteral("m³"), reportNumber(ledger.volume, ledgerDigits), QStringLiteral("–")});
     members(std::nullopt);
     if (m_facts.map.map.live) {
-        table.rows.push_back({tr("fallen live structure, apart from the fragments"), QStringLiteral("t"),
-                              reportNumber(ledger.liveMass / 1000.0, ledgerDigits), QStringLiteral("–")});
+        table.rows.push_back({tr("fallen live structure, moved farther than %1 m, apart from the fragments")
+                                  .arg(reportNumber(m_facts.map.map.liveThreshold, 2)),
+                              QStringLiteral("t"), reportNumber(ledger.liveMass / 1000.0, ledgerDigits), QStringLiteral("–")});
         members(std::nullopt);
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
+    if (m_facts.atRest.coreArea > m_facts.atRest.footprintArea) {
+        text(
+            tr("The debris is small for these cells: its core, in cells of 2 m, covers more than its footprint in cells of 1 m. "
+               "The debris map has cells that fit the fragments."));
+    }
 }
 
 void ReportSections::addComponentDebris() {

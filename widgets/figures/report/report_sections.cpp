@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "core/scenario/differences.h"
@@ -155,8 +156,11 @@ void ReportSections::addSummary() {
                   rangedNumber(m_facts.atRest.footprintArea, rangeOver(m_facts, &DebrisFigures::footprintArea)),
                   rangedNumber(m_facts.atRest.runOut, rangeOver(m_facts, &DebrisFigures::runOut))),
          tr("The highest of these cells lies %1 m above the ground in the mean; %2 % of the bodies are at rest.")
-             .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
-                  reportNumber(100.0 * run.asleepAtEnd)),
+                 .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
+                      reportNumber(100.0 * run.asleepAtEnd)) +
+             (m_facts.map.map.ledger.highestStands
+                  ? u' ' + tr("The highest debris lies on structure that still stands, not on the pile.")
+                  : QString()),
          spread, unknowns}});
     text(source());
     addCautions();
@@ -235,8 +239,13 @@ void ReportSections::addComponents() {
         guessed += isSaid ? 0 : 1;
         const QString material = nameOf(component.material);
         const bool fits = someMaterialFits(component.density);
-        const QString guess =
-            fits ? tr("%1, by its density").arg(material) : tr("as %1, for no material has its density").arg(material);
+        const bool given = own != m_facts.scenario.components.end() && own->second.density;
+        const std::vector<double>& inFile = m_facts.fe->mesh().density;
+        const bool assumed = !given && std::any_of(component.elements.begin(), component.elements.end(),
+                                                   [&](ElementIndex element) { return !(inFile[at(element)] > 0.0); });
+        const QString guess = assumed ? tr("as %1, its density assumed").arg(material)
+                              : fits  ? tr("%1, by its density").arg(material)
+                                      : tr("as %1, for no material has its density").arg(material);
         table.rows.push_back({escaped(component.name), isSaid ? material : guess, reportNumber(component.density, 4),
                               count(static_cast<std::int64_t>(component.elements.size())), tonnes(component.mass), count(born[c]),
                               tonnes(mass[c])});
@@ -291,10 +300,10 @@ void ReportSections::addAssumptions() {
     table.shares = {0.1, 0.5, 0.4};
     for (const Finding& finding : m_facts.findings.list()) {
         QString what = said(finding.what);
-        // Of a file its name; other examples are places in it, in the words of the program.
-        const QString file = QString::fromStdString(finding.example).section(u'/', -1);
-        if (file.contains(u'.') && !file.contains(u' ')) {
-            what += u' ' + tr("(first: %1)").arg(file.toHtmlEscaped());
+        if (!finding.example.empty()) {
+            const std::filesystem::path file(finding.example);
+            what +=
+                u' ' + tr("(first: %1)").arg(said({"", "{0}", {file.is_absolute() ? file.filename().string() : finding.example}}));
         }
         table.rows.push_back({count(finding.count), what, said(finding.remedy)});
     }

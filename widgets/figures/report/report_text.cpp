@@ -42,6 +42,9 @@ QString reportNumber(double value, int digits) {
 }
 
 QString reportSeconds(double seconds) {
+    if (seconds != 0.0 && std::abs(seconds) < 0.1) {
+        return reportNumber(seconds);
+    }
     return std::isfinite(seconds) ? numbers().toString(seconds, 'f', 2).replace(u'-', QStringLiteral("−")) : QStringLiteral("–");
 }
 

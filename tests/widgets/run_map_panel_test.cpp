@@ -9,10 +9,14 @@
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/theme.h"
 #include "widgets/figures/map_picture.h"
+#include "widgets/figures/sheets/map_window.h"
 #include "widgets/figures/sheets/map_words.h"
 #include "widgets/figures/shown_units.h"
 
@@ -169,8 +173,26 @@ TEST_F(RunMapPanelTest, APictureCountsInMetresInAllOfItWhateverIsShown) {
     const QImage inSi = figures::mapPicture(made->map, MapLayer::Height, style);
     figures::chooseUnits(figures::UnitSet::UsCustomary);
     const QImage inFeet = figures::mapPicture(made->map, MapLayer::Height, style);
+    // On screen all of it counts in feet: colours have round steps there.
+    style.shownUnits = true;
+    const QImage shown = figures::mapPicture(made->map, MapLayer::Height, style);
+    const double foot = 1.0 / 0.3048;
+    const figures::MapRange range = figures::rangeOf(made->map.layer(MapLayer::Height), MapLayer::Height);
+    EXPECT_EQ(figures::unitText(MapLayer::Height), QStringLiteral("ft"));
+    EXPECT_EQ(figures::unitText(MapLayer::Mass), QStringLiteral("lb/ft²"));
+    EXPECT_NEAR(figures::shownScale(MapLayer::Volume), foot, 1e-12);
+    EXPECT_NEAR(figures::shownScale(MapLayer::Mass), 0.3048 * 0.3048 / 0.45359237, 1e-12);
+    EXPECT_EQ(figures::coordinateUnit(style).name, QStringLiteral("ft"));
+    style.system = "EPSG:25832";
+    style.place.shift << 5e5, 5.7e6;
+    EXPECT_EQ(figures::coordinateUnit(style).name, QStringLiteral("m")) << "coordinates of a system are what they are";
     figures::chooseUnits(figures::UnitSet::Si);
     EXPECT_EQ(inSi, inFeet) << "axes in metres beside cells in feet are two maps";
+    EXPECT_NE(inSi, shown);
+    const double step = foot * range.step;
+    const double digits = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    EXPECT_TRUE(std::ranges::any_of(std::array{1.0, 2.0, 2.5, 5.0}, [&](double round) { return std::abs(digits - round) < 1e-6; }))
+        << step << " ft";
 }
 
 TEST_F(RunMapPanelTest, LinesOfARunAndOfAnAreaAreToldFromWhatWasFound) {
@@ -188,7 +210,7 @@ TEST_F(RunMapPanelTest, LinesOfARunAndOfAnAreaAreToldFromWhatWasFound) {
     EXPECT_FALSE(figures::debrisSums(map).contains(QStringLiteral("fallen live structure")));
     map.ledger.liveMass = 1.547e6;
     map.ledger.liveFootprintArea = 120.0;
-    EXPECT_TRUE(figures::debrisSums(map).contains(QStringLiteral("fallen live structure beside them: 1")));
+    EXPECT_TRUE(figures::debrisSums(map).contains(QStringLiteral("fallen live structure beside them, moved farther than")));
 }
 
 TEST_F(RunMapPanelTest, WithoutAMapItSaysWhyAndOffersNothing) {

@@ -43,6 +43,7 @@ void MapView::paintEvent(QPaintEvent*) {
         m_style.pixels = pixels;
         m_style.dpi = dotsPerInch * devicePixelRatioF();
         m_style.theme = currentTheme();
+        m_style.shownUnits = true;
         m_picture = figures::mapPicture(*m_map, m_layer, m_style);
     }
     QPainter painter(this);

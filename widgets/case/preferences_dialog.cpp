@@ -99,7 +99,7 @@ void PreferencesDialog::buildLook(QFormLayout& form) {
     m_units->addItem(tr("US customary: ft, lb, s"), static_cast<int>(figures::UnitSet::UsCustomary));
     addRow(form, tr("Units on screen"), m_units,
            tr("Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so "
-              "do the comparisons of the Accuracy panel"));
+              "do the panels Accuracy and Evidence, coordinates of a system, and every file"));
     m_simplify->setObjectName(QStringLiteral("simplify"));
     addRow(form, tr("Simplify moving views"), m_simplify,
            tr("Draw large models with less detail while they move, where this machine draws fewer than 50 pictures a second; the "

@@ -275,7 +275,8 @@ void RunMapPanel::showLedger() {
     QStringList parts{tr("fragments: %1").arg(shownCount(ledger.fragments)), shownMass(ledger.mass, 4),
                       shownWith(ledger.volume, "m3", 4), tr("on %1").arg(shownWith(ledger.footprintArea, "m2", 4))};
     if (m_content.map->map.live && ledger.liveElements > 0) {
-        parts << tr("fallen live structure beside them: %1").arg(shownMass(ledger.liveMass, 4));
+        parts << tr("fallen live structure beside them, moved farther than %1: %2")
+                     .arg(shownLength(m_content.map->map.liveThreshold, 2), shownMass(ledger.liveMass, 4));
     }
     if (m_content.map->cellFrom > 0.0) {
         parts << tr("cells of %1 by a typical fragment of %2")

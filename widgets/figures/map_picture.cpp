@@ -231,16 +231,21 @@ private:
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(m_palette.muted, std::max(1.0, 0.06 * m_text)));
         painter.drawRect(m_frame);
-        const double step =
-            roundLength(m_map.cell / m_cellPixels, std::min({9.0 * m_text, 0.4 * m_frame.width(), 0.4 * m_frame.height()}));
+        const ShownUnit unit = coordinateUnit(m_style);
         const double metres = m_map.cell / m_cellPixels;
+        const double step =
+            coordinateStep(m_style, metres, std::min({9.0 * m_text, 0.4 * m_frame.width(), 0.4 * m_frame.height()}));
+        SiteFit place = m_style.place;
+        place.scale *= unit.perSi;
+        place.shift *= unit.perSi;
         const auto local = [&](const QPointF& pixel) {
             return Eigen::Vector2d(m_map.cell * (m_window.low.i + (pixel.x() - m_cells.left()) / m_cellPixels),
                                    m_map.cell * (m_window.low.j + (m_cells.bottom() - pixel.y()) / m_cellPixels));
         };
-        drawCoordinates(painter,
-                        {m_frame, local(m_frame.bottomLeft()), local(m_frame.topRight()), stepAcross(step, metres, m_small), step},
-                        m_style.place, m_small, m_palette.muted, m_palette.text);
+        drawCoordinates(
+            painter,
+            {m_frame, local(m_frame.bottomLeft()), local(m_frame.topRight()), stepAcross(step, unit.perSi * metres, m_small), step},
+            place, unit.name, m_small, m_palette.muted, m_palette.text);
     }
 
     bool showsContours() const {
@@ -398,7 +403,9 @@ private:
 
     /// Set smaller where it is long; what is longer still is cut with an ellipsis.
     void writeEntry(QPainter& painter, const QRectF& box, const QString& text) const {
-        const double size = m_text * std::clamp(box.width() / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text), 0.6, 1.0);
+        // A smaller font may be wider than its size says.
+        const double share = box.width() / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text);
+        const double size = m_text * (share >= 1.0 ? 1.0 : std::max(0.6, 0.96 * share));
         write(painter, box, QFontMetricsF(sheetFont(size)).elidedText(text, Qt::ElideRight, box.width()),
               static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), size);
     }
@@ -454,7 +461,7 @@ private:
         const int every = height < 1.1 * m_line * steps ? steps : 1;
         for (int k = 0; k <= steps; k += every) {
             const double share = static_cast<double>(k) / steps;
-            const QString number = legendNumber((m_range.low + k * m_range.step) / unitScale(m_layer));
+            const QString number = legendNumber((m_range.low + k * m_range.step) * shownScale(m_layer));
             write(painter, QRectF(bar.right() + 0.4 * m_line, bar.bottom() - share * height - 0.5 * m_line, 8.0 * m_line, m_line),
                   k == steps && m_range.cut ? QStringLiteral("≥ ") + number : number,
                   static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
@@ -500,12 +507,10 @@ private:
         painter.setPen(m_palette.muted);
         const double line = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
         const QRectF foot(0.0, line, m_style.pixels.width(), 2.0 * m_small);
-        const std::string placed = placedSystem(m_style.place, m_style.system);
-        const QString system = placed.empty() ? tr("local coordinates in metres") : QString::fromStdString(placed);
-        painter.drawText(
-            foot, static_cast<int>(Qt::AlignCenter),
-            painter.fontMetrics().elidedText(system + QStringLiteral(" · ") + QString::fromStdString(m_style.provenance),
-                                             Qt::ElideMiddle, static_cast<int>(foot.width())));
+        painter.drawText(foot, static_cast<int>(Qt::AlignCenter),
+                         painter.fontMetrics().elidedText(
+                             coordinatesWords(m_style) + QStringLiteral(" · ") + QString::fromStdString(m_style.provenance),
+                             Qt::ElideMiddle, static_cast<int>(foot.width())));
     }
 
     const DebrisMap& m_map;
@@ -543,8 +548,10 @@ void checkLayer(const DebrisMap& map, MapLayer layer) {
 }  // namespace
 
 QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style) {
-    // Its axes and bars count in SI, as its files do: so do all of its words.
-    const FileUnits inSi;
+    std::optional<FileUnits> inSi;
+    if (!style.shownUnits) {
+        inSi.emplace();
+    }
     constexpr int smallest = 100;
     constexpr int largest = 16384;
     const auto fits = [](int side) { return side >= smallest && side <= largest; };

@@ -47,6 +47,7 @@ struct MapPictureStyle {
     double contours = 0.0;               ///< m, between lines of equal height; 0: none. Of maps that have heights
     std::vector<MapOutline> outlines{};  ///< the picture reaches as far as those of the structure
     std::string subject{};               ///< what it is a map of, above it, with the sums of its debris; empty: neither
+    bool shownUnits = false;             ///< legend, scale bar and words count as the window does; a file counts in SI
     bool fitted = false;                 ///< the picture is made as low or as narrow as the map; `pixels` is the most
 };
 

@@ -37,6 +37,9 @@ constexpr std::array rows{
     Row{"N", "N", 1.0, "lbf", 1.0 / poundForce},
     Row{"Pa", "MPa", 1e-6, "psi", squareInch / poundForce},
     Row{"J", "mJ", 1e3, "ft·lbf", 1.0 / (footLength * poundForce)},
+    Row{"m3/m2", "mm³/mm²", 1e3, "ft³/ft²", 1.0 / footLength},
+    Row{"kg/m2", "t/mm²", 1e-9, "lb/ft²", footLength* footLength / pound},
+    Row{"J/m2", "mJ/mm²", 1e-3, "ft·lbf/ft²", footLength / poundForce},
 };
 
 std::atomic<UnitSet>& chosenUnits() {

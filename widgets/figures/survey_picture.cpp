@@ -303,8 +303,8 @@ private:
         const double metres = m_grid.cell / m_cellPixels;
         const double step = roundLength(metres, std::min({9.0 * m_text, 0.4 * m_cells.width(), 0.4 * m_cells.height()}));
         const SurveyField shown = field();
-        drawCoordinates(painter, {m_cells, shown.low, shown.high, stepAcross(step, metres, m_small), step}, m_style.place, m_small,
-                        m_palette.muted, m_palette.text);
+        drawCoordinates(painter, {m_cells, shown.low, shown.high, stepAcross(step, metres, m_small), step}, m_style.place,
+                        QStringLiteral("m"), m_small, m_palette.muted, m_palette.text);
     }
 
     void drawScaleBar(QPainter& painter) {

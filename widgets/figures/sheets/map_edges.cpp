@@ -43,8 +43,8 @@ double stepAcross(double step, double metres, double small) {
     return step;
 }
 
-void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, double small, const QColor& line,
-                     const QColor& text) {
+void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, const QString& unit, double small,
+                     const QColor& line, const QColor& text) {
     painter.setFont(sheetFont(small));
     const double tick = 0.4 * small;
     const QPen stroke(line, painter.pen().widthF());
@@ -67,7 +67,7 @@ void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& si
     }
     // The unit stands once, in the corner between both axes.
     painter.drawText(QRectF(0.0, frame.bottom() + tick, std::max(frame.left() - 2.6 * small, 2.0 * small), 1.6 * small),
-                     static_cast<int>(Qt::AlignRight | Qt::AlignTop | Qt::TextSingleLine), QStringLiteral("[m]"));
+                     static_cast<int>(Qt::AlignRight | Qt::AlignTop | Qt::TextSingleLine), u'[' + unit + u']');
 }
 
 }  // namespace rubble::figures

@@ -36,8 +36,9 @@ struct MapEdges {
 /// @param metres  m, that a pixel covers; @param small  px, of the text
 double stepAcross(double step, double metres, double small);
 
-/// Writes the coordinates below and to the left of a map. @param small  px, of the text
-void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, double small, const QColor& line,
-                     const QColor& text);
+/// Writes the coordinates below and to the left of a map. @param unit  that the site and the steps count in
+/// @param small  px, of the text
+void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, const QString& unit, double small,
+                     const QColor& line, const QColor& text);
 
 }  // namespace rubble::figures

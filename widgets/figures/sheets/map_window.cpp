@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "widgets/figures/sheets/map_words.h"
+
 namespace rubble::figures {
 namespace {
 
@@ -108,7 +110,10 @@ MapRange rangeOf(const std::vector<double>& values, MapLayer layer) {
     if (!(high > low)) {
         high = known.back() > low ? known.back() : low + 1.0;
     }
-    range = steppedRange(low, high);
+    // The steps are round where they are read.
+    const double scale = shownScale(layer);
+    range = steppedRange(scale * low, scale * high);
+    range = {range.low / scale, range.high / scale, false, range.step / scale};
     range.cut = known.back() > range.high;
     return range;
 }

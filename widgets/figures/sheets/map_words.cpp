@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/fe/north.h"
+#include "widgets/figures/draw.h"
 #include "widgets/figures/number_text.h"
-#include "widgets/figures/shown_units.h"
 
 namespace rubble::figures {
 namespace {
@@ -31,14 +33,47 @@ QString layerName(const DebrisMap& map, MapLayer layer) {
     return name;
 }
 
-double unitScale(MapLayer layer) {
-    return layer == MapLayer::ImpactEnergy ? 1e6 : 1.0;
+namespace {
+
+bool inMega(MapLayer layer) {
+    return layer == MapLayer::ImpactEnergy && unitSet() == UnitSet::Si;
+}
+
+/// Times are told in seconds, as they are along the timeline of a file.
+ShownUnit unitOf(MapLayer layer) {
+    const std::string_view row = mapLayerRow(layer).unit;
+    return row == "s" ? ShownUnit{QStringLiteral("s"), 1.0} : shownUnit(row);
+}
+
+}  // namespace
+
+double shownScale(MapLayer layer) {
+    return inMega(layer) ? 1e-6 : unitOf(layer).perSi;
 }
 
 QString unitText(MapLayer layer) {
-    const std::string_view row = mapLayerRow(layer).unit;
-    return (unitScale(layer) == 1e6 ? QStringLiteral("M") : QString()) +
-           raisedUnits(QString::fromUtf8(row.data(), static_cast<qsizetype>(row.size())));
+    return (inMega(layer) ? QStringLiteral("M") : QString()) + unitOf(layer).name;
+}
+
+ShownUnit coordinateUnit(const MapPictureStyle& style) {
+    return placedSystem(style.place, style.system).empty() ? shownUnit("m") : ShownUnit{QStringLiteral("m"), 1.0};
+}
+
+double coordinateStep(const MapPictureStyle& style, double metres, double pixels) {
+    const ShownUnit unit = coordinateUnit(style);
+    std::optional<FileUnits> ofSystem;
+    if (unit.perSi == 1.0) {
+        ofSystem.emplace();
+    }
+    return unit.perSi * roundLength(metres, pixels);
+}
+
+QString coordinatesWords(const MapPictureStyle& style) {
+    const std::string placed = placedSystem(style.place, style.system);
+    const QString unit = coordinateUnit(style).name;
+    return !placed.empty()               ? QString::fromStdString(placed)
+           : unit == QStringLiteral("m") ? MapWords::tr("local coordinates in metres")
+                                         : MapWords::tr("local coordinates in %1").arg(unit);
 }
 
 QString legendNumber(double value) {
@@ -59,12 +94,13 @@ QString debrisSums(const DebrisMap& map) {
     }
     if (highest > 0.0) {
         text += MapWords::tr("; highest cell, in the mean: %1").arg(lengthText(highest));
+        text += ledger.highestStands ? MapWords::tr(", on structure that stands") : QString();
     }
     // Debris too, to whoever stands before it: what fell and was not broken up.
     if (ledger.liveMass > 0.0) {
-        text += MapWords::tr("; fallen live structure beside them: %1 on %2")
+        text += MapWords::tr("; fallen live structure beside them, moved farther than %3: %1 on %2")
                     .arg(ledger.liveMass >= 1000.0 ? quantity(ledger.liveMass / 1000.0, "t") : quantity(ledger.liveMass, "kg"),
-                         quantity(ledger.liveFootprintArea, "m2"));
+                         quantity(ledger.liveFootprintArea, "m2"), lengthText(map.liveThreshold));
     }
     return text;
 }
@@ -100,7 +136,7 @@ QPen lineOf(MapOutline::Of of, const Palette& palette, double width) {
 QString legendTitle(const DebrisMap& map, MapLayer layer) {
     if (layer >= MapLayer::AboveFirst && layer <= MapLayer::AboveThird) {
         const auto which = static_cast<std::size_t>(layer) - static_cast<std::size_t>(MapLayer::AboveFirst);
-        return MapWords::tr("P(height > %1 m)").arg(map.thresholds[which]);
+        return MapWords::tr("P(height > %1)").arg(quantity(map.thresholds[which], "m"));
     }
     if (layer == MapLayer::Separation) {
         return MapWords::tr("log ratio");

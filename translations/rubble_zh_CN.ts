@@ -4559,8 +4559,8 @@
         <translation>请提高整个计算的 step_rate，或设置 auto_remedy = false</translation>
     </message>
     <message>
-        <source>raise step_rate or substeps; light bodies between far heavier ones ask for it</source>
-        <translation>请提高 step_rate 或 substeps；夹在重得多的刚体之间的轻刚体需要如此</translation>
+        <source>raise step_rate or substeps; light bodies between far heavier ones ask for it. Where as many are held back after that, what they did is less sure</source>
+        <translation>请提高 step_rate 或 substeps；夹在重得多的刚体之间的轻刚体需要如此。若此后仍有同样多的刚体受限，其去向较不确定</translation>
     </message>
     <message>
         <source>raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under solver = bullet deep piles squeeze together, take soft-step there</source>
@@ -10147,10 +10147,6 @@
         <translation>不完整：计算到 {0} 为止，其后的内容不在其中</translation>
     </message>
     <message>
-        <source>nothing of this collapse can be there: covered area and run-out hold debris that is none</source>
-        <translation>本次倒塌的任何东西都不可能在那里：覆盖面积和散落距离含有并非堆积物的东西</translation>
-    </message>
-    <message>
         <source>poor match of the camera: do not rest a conclusion on it</source>
         <translation>相机匹配差：不要据此下结论</translation>
     </message>
@@ -12459,10 +12455,6 @@
         <translation>{0} 的点用作控制：它们不表示堆积物</translation>
     </message>
     <message>
-        <source>These are measured points that sections are held against: no overlap</source>
-        <translation>这是供剖面比较的测点：不给出重合度</translation>
-    </message>
-    <message>
         <source>Thin it, or give it as polygons.</source>
         <translation>请将其抽稀，或以多边形给出。</translation>
     </message>
@@ -12577,10 +12569,6 @@
     <message>
         <source>Set birth_window to a hundredth of that, {0}, as the default is of ten seconds, or to 0 for each state by itself.</source>
         <translation>请将 birth_window 设为其百分之一，即 {0}，正如默认值之于十秒；或设为 0，使每个状态各自独立。</translation>
-    </message>
-    <message>
-        <source>look at the body&apos;s element and its birth velocity in the FE file; birth_velocity = rest lets all debris begin at rest; without ground bodies fall for ever (ground)</source>
-        <translation>请查看该刚体的单元及其在有限元文件中的产生速度；birth_velocity = rest 使全部堆积物从静止开始；没有地面时刚体会一直下落（ground）</translation>
     </message>
     <message>
         <source>read them as debris that the FE analysis did not delete, or set live_islands = released so that they go on as rigid bodies</source>
@@ -12775,10 +12763,6 @@
         <translation>{1} 个成员中有 {0} 个超过健康限值</translation>
     </message>
     <message>
-        <source>A drawing without areas has no surface to compare. It is held against the run in a section.</source>
-        <translation>没有闭合区域的图纸没有可比较的表面。它在剖面中与计算对照。</translation>
-    </message>
-    <message>
         <source>Give both ends of the line.</source>
         <translation>给出线的两端。</translation>
     </message>
@@ -12853,6 +12837,38 @@
     <message>
         <source>simulated, where each member ended: not all at rest</source>
         <translation>模拟，各成员结束之处：并非全部静止</translation>
+    </message>
+    <message>
+        <source>The points of {0} are held for sections: they have no overlap</source>
+        <translation>{0} 的点用于断面：没有重叠度</translation>
+    </message>
+    <message>
+        <source>all debris began at rest, not with the velocity that the FE result gave it</source>
+        <translation>全部堆积物从静止开始，而不是以有限元结果给出的速度开始</translation>
+    </message>
+    <message>
+        <source>look at the birth velocity of the body&apos;s element: where the FE result means it, vouch for the run, for it lies there; birth_velocity = rest takes that velocity from all debris; without ground bodies fall for ever (ground)</source>
+        <translation>请查看该刚体的单元的产生速度：若有限元结果确实如此，它就落在那里，可为该计算担保；birth_velocity = rest 会取消全部堆积物的产生速度；没有地面时刚体会一直下落（ground）</translation>
+    </message>
+    <message>
+        <source>masses are assumed: no density is known of {0} elements, and {1} was taken</source>
+        <translation>质量是假定的：{0} 个单元的密度未知，取 {1}</translation>
+    </message>
+    <message>
+        <source>masses are assumed: no section is known of {0} elements, and {1} was taken</source>
+        <translation>质量是假定的：{0} 个单元的截面未知，取 {1}</translation>
+    </message>
+    <message>
+        <source>masses are assumed: no thickness is known of {0} elements, and {1} was taken</source>
+        <translation>质量是假定的：{0} 个单元的厚度未知，取 {1}</translation>
+    </message>
+    <message>
+        <source>none, ground or debris</source>
+        <translation>none、ground 或 debris</translation>
+    </message>
+    <message>
+        <source>nothing of this collapse falls there: the FE result threw it, or it is an error; covered area and run-out hold it</source>
+        <translation>本次倒塌的任何东西都不会自行落到那里：要么是有限元结果将其抛出，要么是错误；覆盖面积和散落距离包含它</translation>
     </message>
 </context>
 <context>
@@ -14640,6 +14656,10 @@
         <source>Click points that the photograph and the model both show; once the camera is found, the simulation is seen from there.</source>
         <translation>单击照片和模型都能看到的点；求得相机后即可从该处看模拟。</translation>
     </message>
+    <message>
+        <source>how photographs are compared</source>
+        <translation>照片的比较方式</translation>
+    </message>
 </context>
 <context>
     <name>rubble::EvidenceListDisplay</name>
@@ -15836,8 +15856,8 @@
         <translation>%1 项等待中</translation>
     </message>
     <message>
-        <source>The amber boxes of all panels. Limits of health that a run passed are counted apart.</source>
-        <translation>所有面板中的琥珀色框。计算超过的健康限值另行计数。</translation>
+        <source>The amber boxes of all panels; of evidence those of the photograph and the survey that are chosen. Limits of health that a run passed are counted apart.</source>
+        <translation>所有面板中的琥珀色方框；证据只计所选照片和所选测量的方框。计算超过的健康限值另行计数。</translation>
     </message>
 </context>
 <context>
@@ -15974,8 +15994,12 @@
         <translation>用作控制的点不表示堆积物：它们为照片的点对给出有名称的位置。</translation>
     </message>
     <message>
-        <source>A drawing without areas has no surface to compare. It is held against the run in a section.</source>
-        <translation>没有闭合区域的图纸没有可比较的表面。它在剖面中与计算对照。</translation>
+        <source>Points that are held for sections have no surface to compare: cut a section along them, or hold them as the edge of the debris.</source>
+        <translation>用于断面的点没有可比较的表面：请沿这些点作断面，或将其作为堆积物的边缘。</translation>
+    </message>
+    <message>
+        <source>how surveys are compared</source>
+        <translation>测量的比较方式</translation>
     </message>
 </context>
 <context>
@@ -16550,10 +16574,6 @@
         <translation>方法</translation>
     </message>
     <message>
-        <source>A finite-element analysis of a collapse deactivates the elements that fail; from then on they are not part of it. Each deactivated element is turned into a rigid fragment with the place, shape and velocity it had when it was last active. A physics engine carries the fragments from there until they lie at rest. The procedure follows Xu, Lu, Guan and Ren, Automation in Construction 35 (2013) 471–481, with the departures that are named below.</source>
-        <translation>倒塌的有限元分析会停用失效的单元；此后它们不再属于分析。每个停用的单元被转化为刚性碎块，其位置、形状和速度取自最后一次有效时。物理引擎从那里开始推动碎块，直到静止。过程遵循 Xu、Lu、Guan 和 Ren,Automation in Construction 35 (2013) 471–481,不同之处在下文说明。</translation>
-    </message>
-    <message>
         <source>Fragments</source>
         <translation>碎块</translation>
     </message>
@@ -16672,10 +16692,6 @@
     <message>
         <source>volume of material</source>
         <translation>材料体积</translation>
-    </message>
-    <message>
-        <source>fallen live structure, apart from the fragments</source>
-        <translation>坠落的未失效结构，与碎块分开</translation>
     </message>
     <message>
         <source>Fragments by component</source>
@@ -17474,10 +17490,6 @@
         <translation>其中最高的单元平均高出地面 %1 m;%2 % 的刚体静止。</translation>
     </message>
     <message>
-        <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that.</source>
-        <translation>测绘按单元在其所在位置比较，不作移动；体积位于地面与顶面之间，包含空隙。陡峭的边缘使测得的面积偏大：两侧以同样方式测绘的数值不受此影响。</translation>
-    </message>
-    <message>
         <source>area, both surveyed alike</source>
         <translation>面积，两侧以同样方式测绘</translation>
     </message>
@@ -18134,6 +18146,62 @@
         <source>(first: %1)</source>
         <translation>（首个：%1）</translation>
     </message>
+    <message>
+        <source>%1: cells of %2.</source>
+        <translation>%1：单元格 %2。</translation>
+    </message>
+    <message>
+        <source>%1: cells of %2; heights count as debris from %3 above the ground on.</source>
+        <translation>%1：单元格 %2；地面以上 %3 起的高度计为堆积物。</translation>
+    </message>
+    <message>
+        <source>It was brought to the ground of the run first, by %1, %2 and %3 along x, y and up.</source>
+        <translation>先将其移至计算的地面，沿 x、y 和向上移动 %1、%2 和 %3。</translation>
+    </message>
+    <message>
+        <source>It was brought to the debris of the run first, by %1, %2 and %3 along x, y and up.</source>
+        <translation>先将其移至计算的堆积物，沿 x、y 和向上移动 %1、%2 和 %3。</translation>
+    </message>
+    <message>
+        <source>A survey is compared cell by cell, once it was brought to the run as is said below.</source>
+        <translation>测绘先按下文所述移至计算，再按单元比较。</translation>
+    </message>
+    <message>
+        <source>A survey is compared cell by cell where it was taken, without moving it.</source>
+        <translation>测绘按单元在其所在位置比较，不作移动。</translation>
+    </message>
+    <message>
+        <source>Volumes lie between ground and top and hold the voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that.</source>
+        <translation>体积位于地面与顶面之间，包含空隙。陡峭的边缘使测得的面积偏大：两侧以同样方式测绘的数值不受此影响。</translation>
+    </message>
+    <message>
+        <source>A finite-element analysis of a collapse deactivates the elements that fail; from then on they are not part of it. Each deactivated element is turned into a rigid fragment with the place and shape it had when it was last active, and with its velocity then, unless that is said otherwise below. A physics engine carries the fragments from there until they lie at rest. The procedure follows Xu, Lu, Guan and Ren, Automation in Construction 35 (2013) 471–481, with the departures that are named below.</source>
+        <translation>倒塌的有限元分析会停用失效的单元；此后它们不再属于分析。每个停用的单元被转化为刚性碎块，其位置和形状取自最后一次有效时，速度也取自那时，除非下文另有说明。物理引擎从那里开始推动碎块，直到静止。过程遵循 Xu、Lu、Guan 和 Ren，Automation in Construction 35 (2013) 471–481，不同之处在下文说明。</translation>
+    </message>
+    <message>
+        <source>In this run what died within %1 s of each other was handed over together, with the place and shape of the first state of that time.</source>
+        <translation>在本次计算中，相隔不超过 %1 s 的失效一起交接，取该时段首个状态的位置和形状。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;In this run all debris began at rest&lt;/b&gt;, not with the velocity that the FE result gave it: where it flew, it flies no longer.</source>
+        <translation>&lt;b&gt;在本次计算中全部堆积物从静止开始&lt;/b&gt;，而不是以有限元结果给出的速度开始：原本飞出的不再飞出。</translation>
+    </message>
+    <message>
+        <source>fallen live structure, moved farther than %1 m, apart from the fragments</source>
+        <translation>坠落的未失效结构，移动超过 %1 m，与碎块分开</translation>
+    </message>
+    <message>
+        <source>The debris is small for these cells: its core, in cells of 2 m, covers more than its footprint in cells of 1 m. The debris map has cells that fit the fragments.</source>
+        <translation>堆积物相对于这些单元格很小：其核心以 2 m 单元格计，大于以 1 m 单元格计的覆盖范围。堆积图的单元格与碎块相称。</translation>
+    </message>
+    <message>
+        <source>The highest debris lies on structure that still stands, not on the pile.</source>
+        <translation>最高的堆积物位于仍然站立的结构上，而不在堆积体上。</translation>
+    </message>
+    <message>
+        <source>as %1, its density assumed</source>
+        <translation>按%1处理，密度是假定的</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -18162,8 +18230,8 @@
         <translation>支持 %1</translation>
     </message>
     <message>
-        <source>P(height &gt; %1 m)</source>
-        <translation>P(高度 &gt; %1 m)</translation>
+        <source>P(height &gt; %1)</source>
+        <translation>P(高度 &gt; %1)</translation>
     </message>
     <message>
         <source>log ratio</source>
@@ -18202,10 +18270,6 @@
         <translation>；%1 个有碎块的单元在图外，最远超出 %2</translation>
     </message>
     <message>
-        <source>; fallen live structure beside them: %1 on %2</source>
-        <translation>；另有坍落的存活结构：%1，占 %2</translation>
-    </message>
-    <message>
         <source>of a run: no evidence</source>
         <translation>由计算生成：不是证据</translation>
     </message>
@@ -18216,6 +18280,18 @@
     <message>
         <source>fallen structure alone</source>
         <translation>仅有坍落的存活结构</translation>
+    </message>
+    <message>
+        <source>local coordinates in %1</source>
+        <translation>局部坐标，单位 %1</translation>
+    </message>
+    <message>
+        <source>, on structure that stands</source>
+        <translation>，位于站立的结构上</translation>
+    </message>
+    <message>
+        <source>; fallen live structure beside them, moved farther than %3: %1 on %2</source>
+        <translation>；另有移动超过 %3 的坍落存活结构：%1，占 %2</translation>
     </message>
 </context>
 <context>
@@ -20363,26 +20439,6 @@ What the file fits: %2.</source>
         <translation>未知</translation>
     </message>
     <message>
-        <source>Normal scale</source>
-        <translation>法向尺度</translation>
-    </message>
-    <message>
-        <source>Projection scale</source>
-        <translation>投影尺度</translation>
-    </message>
-    <message>
-        <source>Depth of the cylinder</source>
-        <translation>圆柱的深度</translation>
-    </message>
-    <message>
-        <source>Registration error</source>
-        <translation>配准误差</translation>
-    </message>
-    <message>
-        <source>Cells of the volumes</source>
-        <translation>体积的单元</translation>
-    </message>
-    <message>
         <source>Measure distances</source>
         <translation>量取距离</translation>
     </message>
@@ -20427,36 +20483,8 @@ What the file fits: %2.</source>
         <translation>第一个，较早</translation>
     </message>
     <message>
-        <source>Normal scale, m</source>
-        <translation>法向尺度，m</translation>
-    </message>
-    <message>
-        <source>Projection scale, m</source>
-        <translation>投影尺度，m</translation>
-    </message>
-    <message>
-        <source>Depth, m</source>
-        <translation>深度，m</translation>
-    </message>
-    <message>
         <source>By which one cloud may be out of place against the other, m</source>
         <translation>一个点云相对另一个可能错开的量，m</translation>
-    </message>
-    <message>
-        <source>Registration error, m</source>
-        <translation>配准误差，m</translation>
-    </message>
-    <message>
-        <source>no volumes</source>
-        <translation>不求体积</translation>
-    </message>
-    <message>
-        <source>Side of the square cells over which cut, fill and net are summed straight up, m</source>
-        <translation>竖直方向累计挖方、填方和净值所用的方形单元的边长，m</translation>
-    </message>
-    <message>
-        <source>Volume cells, m</source>
-        <translation>体积单元，m</translation>
     </message>
     <message>
         <source>Choose two clouds.</source>
@@ -20647,6 +20675,69 @@ What the file fits: %2.</source>
     <message>
         <source>“%1” is not a number from %2 to %3; %4 stays.</source>
         <translation>“%1”不是 %2 至 %3 之间的数值；仍为 %4。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::DistanceFields</name>
+    <message>
+        <source>Normal scale</source>
+        <translation>法向尺度</translation>
+    </message>
+    <message>
+        <source>Projection scale</source>
+        <translation>投影尺度</translation>
+    </message>
+    <message>
+        <source>Depth of the cylinder</source>
+        <translation>圆柱的深度</translation>
+    </message>
+    <message>
+        <source>Registration error</source>
+        <translation>配准误差</translation>
+    </message>
+    <message>
+        <source>Cells of the volumes</source>
+        <translation>体积的单元</translation>
+    </message>
+    <message>
+        <source>Radius within which points of the cloud give the local normal, m: several times their spacing</source>
+        <translation>点云各点给出局部法向的半径，m：点间距的数倍</translation>
+    </message>
+    <message>
+        <source>Radius of the cylinder along the normal in which both sides are averaged, m: 20 points or more should fall into it</source>
+        <translation>沿法向的圆柱的半径，m，两侧在其中取平均：其中应有 20 点以上</translation>
+    </message>
+    <message>
+        <source>Of the cylinder to each side, m: more than the largest distance</source>
+        <translation>圆柱向每一侧的长度，m：大于最大的距离</translation>
+    </message>
+    <message>
+        <source>no volumes</source>
+        <translation>不求体积</translation>
+    </message>
+    <message>
+        <source>Side of the square cells over which cut, fill and net are summed straight up, m; left empty none are. Where nobody stated the registration error, their systematic error is not known</source>
+        <translation>竖直方向累计挖方、填方和净值所用的方形单元的边长，m；留空则不求。无人给出配准误差时，其系统误差未知</translation>
+    </message>
+    <message>
+        <source>Normal scale, m</source>
+        <translation>法向尺度，m</translation>
+    </message>
+    <message>
+        <source>Projection scale, m</source>
+        <translation>投影尺度，m</translation>
+    </message>
+    <message>
+        <source>Depth, m</source>
+        <translation>深度，m</translation>
+    </message>
+    <message>
+        <source>Registration error, m</source>
+        <translation>配准误差，m</translation>
+    </message>
+    <message>
+        <source>Volume cells, m</source>
+        <translation>体积单元，m</translation>
     </message>
 </context>
 <context>
@@ -24163,22 +24254,6 @@ What the file fits: %2.</source>
         <translation>在视图中显示点</translation>
     </message>
     <message>
-        <source>Normal scale</source>
-        <translation>法向尺度</translation>
-    </message>
-    <message>
-        <source>Projection scale</source>
-        <translation>投影尺度</translation>
-    </message>
-    <message>
-        <source>Depth of the cylinder</source>
-        <translation>圆柱的深度</translation>
-    </message>
-    <message>
-        <source>Registration error</source>
-        <translation>配准误差</translation>
-    </message>
-    <message>
         <source>Measure distances</source>
         <translation>量取距离</translation>
     </message>
@@ -24223,36 +24298,8 @@ What the file fits: %2.</source>
         <translation>按已知</translation>
     </message>
     <message>
-        <source>Radius within which points of the cloud give the local normal, m: several times their spacing</source>
-        <translation>点云各点给出局部法向的半径，m：点间距的数倍</translation>
-    </message>
-    <message>
-        <source>Radius of the cylinder along the normal in which cloud and site are averaged, m: 20 points or more should fall into it</source>
-        <translation>沿法向的圆柱的半径，点云和现场在其中取平均，m：其中应有 20 个或更多的点</translation>
-    </message>
-    <message>
-        <source>Of the cylinder to each side, m: more than the largest distance</source>
-        <translation>圆柱向每一侧的长度，m：大于最大的距离</translation>
-    </message>
-    <message>
         <source>By which the cloud may be out of place, m. Left empty it is that of its registration or its offset error</source>
         <translation>点云可能错开的量，m。留空则取其配准误差或偏移误差</translation>
-    </message>
-    <message>
-        <source>Normal scale, m</source>
-        <translation>法向尺度，m</translation>
-    </message>
-    <message>
-        <source>Projection scale, m</source>
-        <translation>投影尺度，m</translation>
-    </message>
-    <message>
-        <source>Depth, m</source>
-        <translation>深度，m</translation>
-    </message>
-    <message>
-        <source>Registration error, m</source>
-        <translation>配准误差，m</translation>
     </message>
     <message>
         <source>Measures from points of the cloud to the simulated site along the local normal (M3C2) and colours those that differ by more than the level of detection at 95 %</source>
@@ -24261,10 +24308,6 @@ What the file fits: %2.</source>
     <message>
         <source>Add its photographs: %1</source>
         <translation>添加其中的照片：%1</translation>
-    </message>
-    <message>
-        <source>Cells of the volumes</source>
-        <translation>体积的单元</translation>
     </message>
     <message>
         <source>as the cloud says</source>
@@ -24281,18 +24324,6 @@ What the file fits: %2.</source>
     <message>
         <source>State the error</source>
         <translation>给出误差</translation>
-    </message>
-    <message>
-        <source>no volumes</source>
-        <translation>不求体积</translation>
-    </message>
-    <message>
-        <source>Side of the square cells over which cut, fill and net are summed straight up, m; left empty none are. Where nobody stated the registration error, their systematic error is not known</source>
-        <translation>竖直方向累计挖方、填方和净值所用的方形单元的边长，m；留空则不求。无人给出配准误差时，其系统误差未知</translation>
-    </message>
-    <message>
-        <source>Volume cells, m</source>
-        <translation>体积单元，m</translation>
     </message>
     <message>
         <source>Scanners</source>
@@ -24497,8 +24528,8 @@ What the file fits: %2.</source>
         <translation>屏幕单位</translation>
     </message>
     <message>
-        <source>Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so do the comparisons of the Accuracy panel</source>
-        <translation>面板、停靠窗和视图显示及接受的量的单位。案例、计算、表格和图保持 SI，“精度”面板的比较也是如此</translation>
+        <source>Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so do the panels Accuracy and Evidence, coordinates of a system, and every file</source>
+        <translation>面板、停靠窗和视图显示及接受的量的单位。案例、计算、表格和图保持 SI，“精度”和“证据”面板、坐标系的坐标以及所有文件也是如此</translation>
     </message>
     <message>
         <source>Simplify moving views</source>
@@ -25172,10 +25203,6 @@ Program: %3</source>
         <translation>占 %1</translation>
     </message>
     <message>
-        <source>fallen live structure beside them: %1</source>
-        <translation>另有坠落的未失效结构：%1</translation>
-    </message>
-    <message>
         <source>mapping anew …</source>
         <translation>正在重新绘制 …</translation>
     </message>
@@ -25194,6 +25221,10 @@ Program: %3</source>
     <message>
         <source>cells of %1 by a typical fragment of %2</source>
         <translation>单元 %1，依据典型碎块尺寸 %2</translation>
+    </message>
+    <message>
+        <source>fallen live structure beside them, moved farther than %1: %2</source>
+        <translation>另有移动超过 %1 的坠落未失效结构：%2</translation>
     </message>
 </context>
 <context>

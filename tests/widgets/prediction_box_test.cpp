@@ -90,6 +90,18 @@ TEST(PredictionBox, PutsMeasurementBesidePredictionAfterARun) {
     EXPECT_TRUE(box.text().contains(QStringLiteral("not measured"))) << box.text().toStdString();
 }
 
+TEST(PredictionBox, WhatReadsAsAnEndOfItsIntervalIsHeld) {
+    PredictionBox box;
+    PredictionContent after = content(State::Afterwards);
+    after.figures[0].measured = after.figures[0].prediction.high + 0.3;
+    after.figures.resize(1);
+    box.setContent(after);
+    EXPECT_TRUE(box.text().contains(QStringLiteral("– held"))) << box.text().toStdString();
+    after.figures[0].measured = after.figures[0].prediction.high + 1.2;
+    box.setContent(after);
+    EXPECT_TRUE(box.text().contains(QStringLiteral("– missed"))) << box.text().toStdString();
+}
+
 TEST(PredictionBox, FiguresDeserveTheirDigits) {
     EXPECT_EQ(shownPredicted(Predicted::FootprintIou, 0.93257, 0.021), QStringLiteral("0.93"));
     EXPECT_EQ(shownPredicted(Predicted::MassMap, 0.11712, 0.0042), QStringLiteral("0.117"));

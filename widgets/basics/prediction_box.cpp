@@ -157,7 +157,11 @@ void PredictionBox::showFigure(Line& line, const PredictedFigure& figure, Predic
     const QString range =
         tr("%1 to %2").arg(figureText(figure.what, prediction.low, width), shownPredicted(figure.what, prediction.high, width));
     if (afterwards) {
-        const bool held = figure.measured && *figure.measured >= prediction.low && *figure.measured <= prediction.high;
+        // As both are shown: what reads as an end of the interval lies in it.
+        const auto reads = [&](double value) { return figureText(figure.what, value, width); };
+        const bool held = figure.measured &&
+                          ((*figure.measured >= prediction.low && *figure.measured <= prediction.high) ||
+                           reads(*figure.measured) == reads(prediction.low) || reads(*figure.measured) == reads(prediction.high));
         line.interval->setText(!figure.measured ? tr("said: %1").arg(range)
                                : held           ? tr("said: %1 – held").arg(range)
                                                 : tr("said: %1 – missed").arg(range));

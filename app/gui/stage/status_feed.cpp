@@ -118,7 +118,8 @@ void StatusFeed::showFindings() {
     const std::int64_t found = m_deck.findings();
     m_line.setFigure(Figure::Findings, tr("Findings"), found > 0 ? widgets::shownCount(found) : QString());
     m_line.setFigureTip(Figure::Findings,
-                        tr("The amber boxes of all panels. Limits of health that a run passed are counted apart."));
+                        tr("The amber boxes of all panels; of evidence those of the photograph and the survey that are chosen. "
+                           "Limits of health that a run passed are counted apart."));
 }
 
 void StatusFeed::showHealth() {

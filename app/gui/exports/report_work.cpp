@@ -72,8 +72,9 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
             keepNotes();
         }
     });
-    for (const auto signal : {&Document::scenarioChanged, &Document::inputsChanged, &Document::inputsAccepted,
-                              &Document::photographsChanged, &Document::surveysChanged, &Document::ensembleChanged}) {
+    for (const auto signal :
+         {&Document::scenarioChanged, &Document::inputsChanged, &Document::inputsAccepted, &Document::photographsChanged,
+          &Document::surveysChanged, &Document::ensembleChanged, &Document::evidenceChanged}) {
         connect(&m_document, signal, this, &ReportWork::dropCheck);
     }
     showOutcome();
@@ -224,10 +225,6 @@ QString ReportWork::notesFile() const {
 }
 
 void ReportWork::takeNotes() {
-    // Another case asks for its own.
-    widgets::ReportWishes usual = m_deck.report().wishes();
-    usual.repeats = widgets::ReportWishes().repeats;
-    m_deck.report().setWishes(usual);
     m_kept.notes = notesFile();
     if (!m_kept.notes.isEmpty()) {
         try {
@@ -275,6 +272,7 @@ void ReportWork::changeCase() {
         widgets::ReportWishes wishes = panel.wishes();
         m_kept.others[m_kept.base] = wishes;
         wishes.question.clear();
+        wishes.repeats = widgets::ReportWishes().repeats;
         wishes.words = {};
         wishes.causes = widgets::ReportedCauses::None;
         wishes.causesFile.clear();

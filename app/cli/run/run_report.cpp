@@ -412,6 +412,8 @@ std::vector<Caution> RunReport::cautions() const {
     standing.unplaced = io::unplacedSystem(subject.inputs.frame, subject.theCase.site);
     standing.unsaidUnits = unsaidUnits(subject.inputs.fe->contents().findings);
     standing.placeDoubts = placeDoubts(subject.terrain.findings);
+    standing.assumed = assumedMasses(findings);
+    standing.bornAtRest = subject.scenario.fragments.birthVelocity == BirthVelocity::Rest;
     return runCautions(standing);
 }
 

@@ -233,6 +233,10 @@ TEST(Wording, NumbersShowWhatTheyDeserve) {
     EXPECT_EQ(shownShare(0.984), QStringLiteral("98.4 %"));
     EXPECT_LT(shownShare(3e200).size(), 16) << "no hundreds of digits";
     EXPECT_EQ(shownDuration(185.0), QStringLiteral("3 min 05 s"));
+    EXPECT_EQ(shownDuration(0.07), QStringLiteral("0.07 s"));
+    EXPECT_EQ(shownDuration(0.0042), QStringLiteral("0.004 s"));
+    EXPECT_EQ(shownDuration(0.13), QStringLiteral("0.1 s"));
+    EXPECT_EQ(shownDuration(0.0), QStringLiteral("0.0 s"));
     EXPECT_EQ(shownName("oriented_box"), QStringLiteral("oriented box"));
 }
 

@@ -170,6 +170,7 @@ void PredictionBox::showFigure(Line& line, const PredictedFigure& figure, Predic
     }
     const QString rests = prediction.fromSpeed ? tr("Crude: from bodies, their births and what this machine did within a second. "
                                                     "Settings that were compared make it better.")
+                          : prediction.fromRun ? tr("From a run of these very settings on this machine.")
                           : prediction.fromCalibration ? tr("From the calibration of this machine alone: piles of other collapses.")
                                                        : tr("From %1 earlier points of this collapse.").arg(prediction.points);
     line.value->setToolTip(tr("Four runs in five end in this interval.") + QLatin1Char(' ') + rests);

@@ -297,7 +297,8 @@ QString shownDuration(double seconds) {
         return QString(QChar(0x2013));
     }
     if (seconds < 10.0) {
-        return QLocale().toString(seconds, 'f', 1) + QStringLiteral(" s");
+        const int places = seconds <= 0.0 || seconds >= 0.0995 ? 1 : seconds >= 0.00995 ? 2 : 3;
+        return QLocale().toString(seconds, 'f', places) + QStringLiteral(" s");
     }
     const auto whole = static_cast<std::int64_t>(std::llround(seconds));
     const auto two = [](const char* form, std::int64_t large, std::int64_t small) {

@@ -411,7 +411,8 @@ std::vector<Caution> RunReport::cautions() const {
     RunStanding standing = standingOf(*results.simulation, results.fragments->size(), taint.acknowledgement.has_value());
     standing.unplaced = io::unplacedSystem(subject.inputs.frame, subject.theCase.site);
     standing.unsaidUnits = unsaidUnits(subject.inputs.fe->contents().findings);
-    standing.placeDoubts = placeDoubts(subject.terrain.findings);
+    const std::vector<Message> opened = placeDoubts(subject.terrain.findings);
+    standing.placeDoubts.insert(standing.placeDoubts.begin(), opened.begin(), opened.end());
     standing.assumed = assumedMasses(findings);
     standing.bornAtRest = subject.scenario.fragments.birthVelocity == BirthVelocity::Rest;
     return runCautions(standing);

@@ -40,7 +40,8 @@ Scenario settledBefore(const Forecast::Question& question) {
 
 }  // namespace
 
-Forecast::Forecast(std::string machine, QObject* parent) : QObject(parent), m_machine(std::move(machine)) {}
+Forecast::Forecast(std::string machine, Learnt& learnt, QObject* parent)
+    : QObject(parent), m_machine(std::move(machine)), m_learnt(learnt) {}
 
 void Forecast::forgetPoints() {
     // The worker may still use the older ones.
@@ -52,8 +53,8 @@ bool Forecast::Loose::of(const Inputs& inputs, const Scenario& scenario) const {
            groundHeight == scenario.simulation.groundHeight && switches == scenario.effects.switches;
 }
 
-Forecast::Answer Forecast::answer(const Question& question, const std::string& machine, const Calibration* calibration,
-                                  Earlier& earlier, Loose& loose, const Execution& execution) {
+Forecast::Answer Forecast::answer(const Question& question, const Learnt& learnt, const std::string& machine,
+                                  const Calibration* calibration, Earlier& earlier, Loose& loose, const Execution& execution) {
     const int threads = execution.threads();
     const WorldOrigin reference = originOf(question.inputs, referenceScenario(question.scenario), 0, 0.0, machine);
     const Digest scene = sceneDigest(reference, DebrisInstant::AtRest);
@@ -67,7 +68,8 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     const Scenario settled = settledBefore(question);
     open.carries = settled.effects.loose != LooseStructurePolicy::Fe;
     open.span = collapseSpan(*question.fragments, question.inputs.fe->times().back());
-    Answer answer{question.scenario, question.bodies, {}, std::nullopt, false};
+    Answer answer{
+        question.scenario, question.bodies, scene, stageKey(question.inputs, settled, Stage::Simulation), {}, std::nullopt, false};
     if (open.carries) {
         if (!loose.of(question.inputs, settled)) {
             loose = {question.inputs.fe,       question.inputs.terrain,
@@ -77,12 +79,17 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
         answer.beside = loose.most;
     }
     for (const Predicted what : shownFigures) {
-        Prediction prediction = predict(what, open, earlier.points, calibration);
+        const auto again = learnt.seconds.find(answer.setting);
+        Prediction prediction = what == Predicted::WallSeconds && again != learnt.seconds.end()
+                                    ? wallSecondsAgain(again->second)
+                                    : predict(what, open, earlier.points, calibration);
         if (what == Predicted::WallSeconds && !prediction.known) {
+            const auto ofScene = learnt.crudeOf.find(scene);
+            const double ratio = ofScene != learnt.crudeOf.end() ? ofScene->second : learnt.crude;
             prediction = crudeWallSeconds(*question.fragments, question.bodies, question.inputs.fe->times().back(), settled,
                                           machineSpeed(execution), answer.beside.has_value());
             for (double* seconds : {&prediction.value, &prediction.low, &prediction.high}) {
-                *seconds *= question.learnt;
+                *seconds *= ratio;
             }
         }
         answer.figures.push_back({what, std::move(prediction), std::nullopt});
@@ -90,27 +97,36 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     return answer;
 }
 
-void Forecast::learn(double predicted, double measured) {
+void Forecast::learn(const Answer& before, double measured) {
     constexpr double most = 10.0;  // beyond, something else was in the way
-    if (predicted > 0.0 && measured > 0.0) {
-        m_learnt = std::clamp(m_learnt * measured / predicted, 1.0 / most, most);
+    const auto wall = std::find_if(before.figures.begin(), before.figures.end(),
+                                   [](const widgets::PredictedFigure& each) { return each.what == Predicted::WallSeconds; });
+    if (!(measured > 0.0) || wall == before.figures.end()) {
+        return;
+    }
+    m_learnt.seconds[before.setting] = measured;
+    if (wall->prediction.fromSpeed && wall->prediction.value > 0.0) {
+        const auto ofScene = m_learnt.crudeOf.find(before.scene);
+        const double ratio = ofScene != m_learnt.crudeOf.end() ? ofScene->second : m_learnt.crude;
+        m_learnt.crude = std::clamp(ratio * measured / wall->prediction.value, 1.0 / most, most);
+        m_learnt.crudeOf[before.scene] = m_learnt.crude;
     }
 }
 
 void Forecast::ask(Question question) {
-    question.learnt = m_learnt;
     const int number = ++m_asked;
     auto made = std::make_shared<std::optional<Answer>>();
-    m_worker.startNext(
-        {Worker::Kind::Study,
-         [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, loose = m_loose,
-          made](const Execution& execution) { *made = answer(question, machine, calibration.get(), *earlier, *loose, execution); },
-         [this, number, made](const std::exception_ptr&) {
-             if (made->has_value()) {
-                 (*made)->newest = number == m_asked;
-                 emit said(**made);
-             }
-         }});
+    m_worker.startNext({Worker::Kind::Study,
+                        [question, learnt = m_learnt, machine = m_machine, calibration = m_calibration, earlier = m_earlier,
+                         loose = m_loose, made](const Execution& execution) {
+                            *made = answer(question, learnt, machine, calibration.get(), *earlier, *loose, execution);
+                        },
+                        [this, number, made](const std::exception_ptr&) {
+                            if (made->has_value()) {
+                                (*made)->newest = number == m_asked;
+                                emit said(**made);
+                            }
+                        }});
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -26,27 +27,36 @@ public:
         std::int64_t bodies = 0;
         std::shared_ptr<const Components> components;  ///< null: not known yet
         std::shared_ptr<const Clustering> clustering;  ///< likewise
-        double learnt = 1.0;                           ///< what runs took over what was foretold crudely; set by ask()
+    };
+    /// What runs told, since the program began.
+    struct Learnt {
+        double crude = 1.0;                  ///< what the last run took over what was foretold crudely
+        std::map<Digest, double> crudeOf{};  ///< the same, of the last run of each scene
+        std::map<Digest, double> seconds{};  ///< wall time of each setting that was run
     };
     /// The answer with what it was asked for.
     struct Answer {
         Scenario scenario;
         std::int64_t bodies = 0;
+        Digest scene;    ///< what collapses
+        Digest setting;  ///< stage key of its simulation
         std::vector<widgets::PredictedFigure> figures;
         std::optional<LooseAtOnce> beside;  ///< what the engine moves beside the fragments
         bool newest = false;                ///< nothing was asked since
     };
 
     /// @param machine  in words
-    explicit Forecast(std::string machine, QObject* parent = nullptr);
+    /// @param learnt  is added to by learn(); outlives this
+    Forecast(std::string machine, Learnt& learnt, QObject* parent = nullptr);
 
     void setCalibration(std::shared_ptr<const Calibration> calibration) { m_calibration = std::move(calibration); }
     /// Earlier points are read anew: there may be more now.
     void forgetPoints();
     /// Answers with said().
     void ask(Question question);
-    /// A run took so long that was predicted crudely: those that follow are foretold by it.
-    void learn(double predicted, double measured);
+    /// A run took so long: the same setting is foretold by it, and where it was predicted crudely, others are as well.
+    /// @param measured  s
+    void learn(const Answer& before, double measured);
 
 signals:
     void said(const rubble::Forecast::Answer& answer);
@@ -69,12 +79,12 @@ private:
 
         bool of(const Inputs& inputs, const Scenario& scenario) const;
     };
-    static Answer answer(const Question& question, const std::string& machine, const Calibration* calibration, Earlier& earlier,
-                         Loose& loose, const Execution& execution);
+    static Answer answer(const Question& question, const Learnt& learnt, const std::string& machine, const Calibration* calibration,
+                         Earlier& earlier, Loose& loose, const Execution& execution);
 
     std::string m_machine;
     int m_asked = 0;
-    double m_learnt = 1.0;
+    Learnt& m_learnt;
     std::shared_ptr<const Calibration> m_calibration;
     std::shared_ptr<Earlier> m_earlier = std::make_shared<Earlier>();
     std::shared_ptr<Loose> m_loose = std::make_shared<Loose>();

@@ -22,7 +22,7 @@ ForecastDisplay::ForecastDisplay(Session& session, GridDisplay& grid, Calibratio
       m_calibration(calibration),
       m_deck(deck),
       m_kept(session.part<Kept>()),
-      m_forecast(io::machineText()) {
+      m_forecast(io::machineText(), m_kept.learnt) {
     m_forecast.setCalibration(m_calibration.calibration());
     connect(&m_grid, &GridDisplay::changed, this, &ForecastDisplay::ask);
     connect(&m_document, &Document::scenarioChanged, this, &ForecastDisplay::ask);
@@ -81,8 +81,8 @@ void ForecastDisplay::runEnded(const Measured& measured) {
                              : figure.what == Predicted::Fps       ? measured.liveFps
                                                                    : std::nan("");
         figure.measured = std::isfinite(value) ? std::optional(value) : std::nullopt;
-        if (figure.what == Predicted::WallSeconds && figure.prediction.fromSpeed && figure.measured) {
-            m_forecast.learn(figure.prediction.value, value);
+        if (figure.what == Predicted::WallSeconds && figure.measured) {
+            m_forecast.learn(*m_kept.beforeRun, value);
             learnt = true;
         }
     }

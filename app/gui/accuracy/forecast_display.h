@@ -42,6 +42,7 @@ public:
 private:
     /// What outlives the window.
     struct Kept {
+        Forecast::Learnt learnt;
         std::optional<Forecast::Answer> answer;
         std::optional<Forecast::Answer> shown;      ///< the newest, maybe of another setting
         std::optional<Scenario> runScenario;        ///< of the run whose prediction is kept, or awaited

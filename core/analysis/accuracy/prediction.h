@@ -57,6 +57,7 @@ struct Prediction {
     double high = 0.0;
     bool fromCalibration = false;  ///< nothing but the curve of this machine stands behind it
     bool fromSpeed = false;        ///< nothing but bodies, births and the speed of this machine stand behind it: crude
+    bool fromRun = false;          ///< a run of the very same setting on this machine stands behind it
     std::size_t points = 0;        ///< earlier points it rests on
     Message reason;                ///< why it is not known
 
@@ -69,6 +70,10 @@ inline constexpr double predictionChance = 0.8;
 /// for numbers, along the bodies and those numbers. Where there are fewer than four of them, live FPS come from the calibration, if
 /// there is one. Nothing is said far outside what was measured, nor where the interval would be wider than the value.
 Prediction predict(Predicted what, const KnownPoint& open, std::span<const KnownPoint> known, const Calibration* calibration);
+
+/// What a run of the very same setting took on this machine is what it will take again, as far as machines are busy otherwise: two
+/// thirds to one and a half of it. @param seconds  wall time of that run, > 0
+Prediction wallSecondsAgain(double seconds);
 
 /// How well the intervals hold: each point predicted from those of other settings.
 struct PredictionCheck {

@@ -216,6 +216,8 @@ TEST_F(Terrain, DebrisSlidesDownALongSlopeAsFarAsTheRasterGoes) {
     // The same slope ends after 60 m: there it goes on level, and the run says what it takes.
     const nlohmann::json ended = slide(writeSlope(m_folder / "short.asc", 80));
     EXPECT_NE(ended["trajectory_hash"], far["trajectory_hash"]);
+    EXPECT_THAT(ended["cautions"].dump(), HasSubstr("ran beyond the end of the terrain"));
+    EXPECT_THAT(far["cautions"].dump(), Not(HasSubstr("ran beyond")));
     for (const nlohmann::json& finding : ended["warnings"]) {
         if (finding["id"] == "simulation.terrain_ended") {
             EXPECT_GE(finding["count"], smallDead);

@@ -126,6 +126,33 @@ TEST_F(CostsWorkbench, WithoutPointsEveryPanelSaysThatItDoesNotKnow) {
     EXPECT_EQ(window->rooms().deck->rail().current(), PanelDeck::Accuracy);
 }
 
+// The very setting that has run is foretold by its run, whatever was learnt elsewhere since, and another language takes nothing of
+// it.
+TEST_F(CostsWorkbench, ARunForetellsItsOwnSettings) {
+    openSmall();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered(); }, patience));
+    const auto wallTip = [&] {
+        QString tip;
+        for (const QLabel* label : window->rooms().deck->grid().prediction()->findChildren<QLabel*>()) {
+            tip += label->toolTip() + QLatin1Char(' ');
+        }
+        return tip;
+    };
+    const QString own = QStringLiteral("From a run of these very settings on this machine.");
+    EXPECT_FALSE(wallTip().contains(own));
+    simulateToEnd();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered() && wallTip().contains(own); }, patience));
+    EXPECT_FALSE(predictionOf(window->rooms().deck->grid()).contains(QStringLiteral("crude:")));
+    session->document().setParameter(QStringLiteral("friction"), 0.9);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered() && prepared(); }, patience));
+    EXPECT_FALSE(wallTip().contains(own)) << "another setting";
+    renewed->speak(QStringLiteral("zh_CN"));
+    QTest::qWait(50);
+    renewed->speak(QStringLiteral("en"));
+    session->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered() && wallTip().contains(own); }, patience));
+}
+
 TEST_F(CostsWorkbench, CalibratesAndSavesTheCurve) {
     openSmall();
     window->rooms().deck->choose(PanelDeck::Grid);

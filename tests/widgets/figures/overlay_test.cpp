@@ -318,6 +318,9 @@ TEST_F(Legends, InANarrowPaneTheInstantIsReadAndTheLegendStandsOverTheScaleBar) 
     overlay.caption = QStringLiteral("Conventional FE result · t = 5.50 s, state 69 of 122");
     const double oneLine = overlayRoom(overlay, 900, textHeight);
     EXPECT_GT(overlayRoom(overlay, 225, textHeight), 1.5 * oneLine) << "name and instant in a line each";
+    EXPECT_GT(overlayRoom(overlay, 140, textHeight), 2.5 * oneLine) << "nothing is cut off where that takes more lines";
+    overlay.caption = QStringLiteral("No run of another scenario is chosen");
+    EXPECT_GT(overlayRoom(overlay, 160, textHeight), 1.5 * oneLine);
     overlay.metresPerPixel = 1.0;
     for (int i = 0; i < 8; ++i) {
         overlay.legend.push_back({QColor(), QStringLiteral("arch ring %1 · 4,536").arg(i)});

@@ -1,6 +1,7 @@
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainter>
+#include <QTextLayout>
 
 #include <algorithm>
 #include <array>
@@ -52,27 +53,44 @@ void write(QPainter& painter, const Look& look, const QRectF& box, const QString
 }
 
 /// @return its box
-QRectF paintCaption(QPainter& painter, const Look& look, const QRectF& pane, const QPointF& corner, const QString& caption) {
+QRectF paintCaption(QPainter& painter, const Look& look, const QPointF& corner, const QString& text) {
     const double pad = 2.0 * look.unit;
-    const double room = pane.width() - 4.0 * pad;
-    const QString text = QFontMetricsF(look.font).elidedText(caption, Qt::ElideRight, room);
     const QRectF box(corner, QSizeF(widthOf(look, text) + 2.0 * pad, look.line + 1.5 * look.unit));
     chip(painter, look, box);
     write(painter, look, box, text, Qt::AlignHCenter);
     return box;
 }
 
-/// In one line, or name and instant in two where the pane is narrow: the instant must not be cut off.
+/// Words on as many lines as they take.
+QStringList wrapped(const Look& look, double room, const QString& words) {
+    QTextLayout layout(words, look.font);
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    QStringList lines;
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(room);
+        lines.push_back(words.mid(line.textStart(), line.textLength()).trimmed());
+    }
+    layout.endLayout();
+    return lines;
+}
+
+/// In one line, or name and instant in two where the pane is narrow, or more: nothing of it may be cut off.
 QStringList captionLines(const Look& look, double paneWidth, const QString& caption) {
     if (caption.isEmpty()) {
         return {};
     }
     const QString between = QStringLiteral(" · ");
+    const double room = std::max(paneWidth - 8.0 * look.unit, 8.0 * look.unit);
+    // The first line leaves the axes their corner.
+    const double first = std::max(room - axesRoom * look.unit, 8.0 * look.unit);
     const qsizetype end = caption.indexOf(between);
-    if (end < 0 || widthOf(look, caption) <= paneWidth - 8.0 * look.unit - axesRoom * look.unit) {
-        return {caption};
+    if (end < 0 || widthOf(look, caption) <= first) {
+        return wrapped(look, first, caption);
     }
-    return {caption.left(end), caption.mid(end + between.size())};
+    return wrapped(look, first, caption.left(end)) + wrapped(look, room, caption.mid(end + between.size()));
 }
 
 /// The caption, and what moving leaves out: beside it, or below where that is too long.
@@ -82,7 +100,7 @@ void paintCaptions(QPainter& painter, const Look& look, const QRectF& pane, cons
     QRectF box;
     for (const QString& line : captionLines(look, pane.width(), overlay.caption)) {
         corner = box.isNull() ? corner : QPointF(box.left(), box.bottom());
-        box = paintCaption(painter, look, pane, corner, line);
+        box = paintCaption(painter, look, corner, line);
     }
     if (!box.isNull()) {
         const double axes = axesRoom * look.unit;
@@ -90,7 +108,10 @@ void paintCaptions(QPainter& painter, const Look& look, const QRectF& pane, cons
         corner = beside ? QPointF(box.right() + look.unit, box.top()) : QPointF(box.left(), box.bottom() + look.unit);
     }
     if (!overlay.moving.isEmpty()) {
-        paintCaption(painter, look, pane, corner, overlay.moving);
+        for (const QString& line :
+             wrapped(look, std::max(pane.right() - corner.x() - 6.0 * look.unit, 8.0 * look.unit), overlay.moving)) {
+            corner = paintCaption(painter, look, corner, line).bottomLeft();
+        }
     }
 }
 

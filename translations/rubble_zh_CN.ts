@@ -24400,6 +24400,10 @@ What the file fits: %2.</source>
         <source>Crude: from bodies, their births and what this machine did within a second. Settings that were compared make it better.</source>
         <translation>粗略：由刚体数、其产生时刻和本机一秒内的表现得出。比较过的设置会使其更好。</translation>
     </message>
+    <message>
+        <source>From a run of these very settings on this machine.</source>
+        <translation>据本机上完全相同设置的一次运行。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::PreferencesDialog</name>

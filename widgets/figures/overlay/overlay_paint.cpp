@@ -84,9 +84,14 @@ QStringList captionLines(const Look& look, double paneWidth, const QString& capt
     }
     const QString between = QStringLiteral(" · ");
     const double room = std::max(paneWidth - 8.0 * look.unit, 8.0 * look.unit);
-    // The first line leaves the axes their corner.
-    const double first = std::max(room - axesRoom * look.unit, 8.0 * look.unit);
     const qsizetype end = caption.indexOf(between);
+    // The first line leaves the axes their corner, where its longest word does.
+    double longest = 0.0;
+    for (const QString& word : caption.left(end).split(QLatin1Char(' '))) {
+        longest = std::max(longest, widthOf(look, word));
+    }
+    const double besideAxes = room - axesRoom * look.unit;
+    const double first = besideAxes > longest ? besideAxes : room;
     if (end < 0 || widthOf(look, caption) <= first) {
         return wrapped(look, first, caption);
     }

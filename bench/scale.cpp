@@ -193,7 +193,7 @@ bool inChild(const std::function<void()>& act) {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-constexpr const char* usage =
+constexpr const char* scaleUsage =
     "rubble-bench scale [FOLDER [STATES]]\n"
     "Time and memory of every stage with the stone arch at 1, 3 and 10 times its elements.\n"
     "FOLDER  keeps the results between runs (about 2 GB; by itself in the temporary folder)\n"
@@ -243,13 +243,13 @@ std::vector<Measured> readStages(const std::string& folder) {
 
 int scaleTable(const std::vector<std::string>& words) {
     if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) {
-        std::printf("%s", usage);
+        std::printf("%s", scaleUsage);
         return 0;
     }
     std::string root = (fs::temp_directory_path() / "rubble-scale").string();
     std::size_t states = 1000;
     if (const std::string wrong = readWords(words, root, states); !wrong.empty()) {
-        std::fprintf(stderr, "scale: %s\n%s", wrong.c_str(), usage);
+        std::fprintf(stderr, "scale: %s\n%s", wrong.c_str(), scaleUsage);
         return 2;
     }
     const std::vector<std::pair<int, std::array<int, 3>>> sizes{{1, {1, 1, 1}}, {3, {3, 1, 1}}, {10, {5, 2, 1}}};

@@ -1,6 +1,6 @@
 # Several sources are compiled as one: it takes less than half the time. CMake's own unity builds name sources by where they lie, and a compiler
 # cache then knows nothing of a clone in another place; here they are named from the root of the tree.
-set(RUBBLE_UNITY 8 CACHE STRING "How many sources are compiled as one; 1: each by itself")
+set(RUBBLE_UNITY 16 CACHE STRING "How many sources are compiled as one; 1: each by itself")
 
 # rubble_unite_folder(TARGET FOLDER sources...): batches of about the same size.
 function(rubble_unite_folder target folder)

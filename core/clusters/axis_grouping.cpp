@@ -11,7 +11,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // relative; keeps fragments of one size together despite rounding
+constexpr double sizeTolerance = 1e-9;  // relative; keeps fragments of one size together despite rounding
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int32_t noRow = std::numeric_limits<std::int32_t>::min() / 2;  // additions never lift it to a count
@@ -64,7 +64,7 @@ std::uint32_t AxisGrouping::group(const AxisOrder& order, double size, std::span
 void AxisGrouping::start(const AxisOrder& order, double size) {
     const std::size_t n = order.size();
     m_order = &order;
-    m_limit = size * (1.0 + tolerance);
+    m_limit = size * (1.0 + sizeTolerance);
     m_leaves = std::bit_ceil(n);
     m_farthestLow.assign(2 * m_leaves, nowhere);
     m_leastRank.assign(2 * m_leaves, none);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double toRadians = std::numbers::pi / 180.0;
 constexpr double blockDensity = 2400.0;  // kg/m3
-constexpr double standingSeconds = 4.0;
+constexpr double wallStandsSeconds = 4.0;
 constexpr double finestAngle = 0.1;  // degrees
 constexpr double movedShare = 0.1;   // of the thickness
 
@@ -70,7 +70,7 @@ bool stands(const TiltedWall& wall, double degrees, const Execution& execution) 
         places.push_back(block.pose.position);
         world->addBody(block);
     }
-    return staysInPlace(*world, places, movedShare * wall.block.x(), standingSeconds, wall.stepRate, execution);
+    return staysInPlace(*world, places, movedShare * wall.block.x(), wallStandsSeconds, wall.stepRate, execution);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::string pathFrom(const fs::path& folder, const JsonCursor& entry) {
     return (folder / entry["path"].text()).lexically_normal().string();
 }
 
-EvidenceFile::Kind kindFrom(const JsonCursor& holds) {
+EvidenceFile::Kind fileKindFrom(const JsonCursor& holds) {
     using Kind = EvidenceFile::Kind;
     for (const Kind kind : {Kind::Footprint, Kind::Heights, Kind::Surface}) {
         if (holds.text() == evidenceKeyword(kind)) {
@@ -78,7 +78,7 @@ KeptCauses readKeptCauses(const std::string& file) {
         kept.causes.push_back({pathFrom(folder, entry), entry["used"].flag()});
     }
     for (const JsonCursor& entry : top["files"].elements()) {
-        kept.files.push_back({{kindFrom(entry["holds"]), pathFrom(folder, entry)}, entry["used"].flag()});
+        kept.files.push_back({{fileKindFrom(entry["holds"]), pathFrom(folder, entry)}, entry["used"].flag()});
     }
     for (const JsonCursor& entry : top["times"].elements()) {
         kept.times.push_back(timeFrom(entry));

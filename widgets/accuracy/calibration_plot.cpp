@@ -16,8 +16,8 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr double reach = 12.0;      // px, of the mouse
-constexpr double tickSpace = 64.0;  // px, that one tick of an axis takes at least
+constexpr double markReach = 12.0;      // px, of the mouse
+constexpr double wideTickSpace = 64.0;  // px, that one tick of an axis takes at least
 constexpr int placesOfCurve = 33;
 constexpr std::array<PileKind, 2> piles{PileKind::Typical, PileKind::Worst};
 constexpr std::array<LiveLoad, 3> loads{LiveLoad::Physics, LiveLoad::Drawing, LiveLoad::Both};
@@ -112,8 +112,8 @@ void CalibrationPlot::settleAxes() {
         fps = {roundOut(std::min(slowest.fps, m_content.target) / 1.2, false),
                roundOut(std::max(fastest.fps, m_content.target) * 1.2, true)};
     }
-    m_field.across = ChartAxis::logarithmicBetween(bodies.first, bodies.second, frame().width() / tickSpace);
-    m_field.up = ChartAxis::logarithmicBetween(fps.first, fps.second, frame().height() / (0.6 * tickSpace));
+    m_field.across = ChartAxis::logarithmicBetween(bodies.first, bodies.second, frame().width() / wideTickSpace);
+    m_field.up = ChartAxis::logarithmicBetween(fps.first, fps.second, frame().height() / (0.6 * wideTickSpace));
 }
 
 QPointF CalibrationPlot::place(double bodies, double fps) const {
@@ -125,7 +125,7 @@ std::optional<std::size_t> CalibrationPlot::pointAt(const QPointF& at) const {
     for (const RatePoint& point : m_content.points) {
         places.push_back(place(point.bodies, point.fps));
     }
-    return nearestPlace(places, at, reach);
+    return nearestPlace(places, at, markReach);
 }
 
 QColor CalibrationPlot::colourOf(LiveLoad load) const {

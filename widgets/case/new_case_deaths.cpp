@@ -18,8 +18,6 @@ namespace rubble::widgets {
 
 namespace {
 
-enum Column { Name, Dead, Share, First, Last, ColumnCount };
-
 QString instant(const std::optional<double>& time) {
     return time ? figures::timeText(*time) : QString(QChar(0x2013));
 }

@@ -41,6 +41,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    enum Column { Name, Dead, Share, First, Last, ColumnCount };
+
     void buildTable();
     void showTable();
     void showAnomalies();

@@ -13,7 +13,7 @@ namespace {
 
 // Raised when docks or bars are other ones, so that an older layout is not laid over them.
 constexpr int layoutVersion = 3;
-const QString group = QStringLiteral("layout");
+const QString layoutGroup = QStringLiteral("layout");
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void LayoutMemory::show(const Layout& layout) {
 
 void LayoutMemory::restore() {
     QSettings settings;
-    settings.beginGroup(group);
+    settings.beginGroup(layoutGroup);
     const auto kept = [&](const char* key) { return settings.value(QLatin1String(key)).toByteArray(); };
     show({kept("window"), kept("docks"), kept("inner_docks"), kept("splitter")});
 }
@@ -46,7 +46,7 @@ void LayoutMemory::restore() {
 void LayoutMemory::save() const {
     const Layout layout = now();
     QSettings settings;
-    settings.beginGroup(group);
+    settings.beginGroup(layoutGroup);
     settings.setValue(QStringLiteral("window"), layout.window);
     settings.setValue(QStringLiteral("docks"), layout.bars);
     settings.setValue(QStringLiteral("inner_docks"), layout.docks);
@@ -54,7 +54,7 @@ void LayoutMemory::save() const {
 }
 
 void LayoutMemory::reset() {
-    QSettings().remove(group);
+    QSettings().remove(layoutGroup);
     m_window.restoreState(m_firstState, layoutVersion);
     m_docks.restoreState(m_firstDocks, layoutVersion);
     m_splitter.restoreState(m_firstSplitter);

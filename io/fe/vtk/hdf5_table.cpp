@@ -16,7 +16,7 @@ namespace {
 // Deflate cannot do better: a table that needs more than this per byte of the file is damaged.
 constexpr std::uint64_t bestCompression = 1100;
 constexpr unsigned mostDimensions = 8;
-constexpr int deepest = 6;  // groups in groups
+constexpr int deepestGroup = 6;  // groups in groups
 // Values that the child reads to find out whether the library bears them.
 constexpr std::uint64_t mostTried = std::uint64_t{1} << 25;
 
@@ -142,7 +142,7 @@ void Hdf5Table::lookAtAll() const {
                 const bool whole = values <= budget;
                 budget -= whole ? values : 0;
                 reals(full, 0, whole ? size.rows : std::min<std::uint64_t>(size.rows, 1));
-            } else if (depth < deepest) {
+            } else if (depth < deepestGroup) {
                 open.emplace_back(full, depth + 1);
             }
         }

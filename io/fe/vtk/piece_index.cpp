@@ -9,7 +9,7 @@ namespace rubble::io {
 
 namespace {
 
-constexpr int deepest = 16;
+constexpr int deepestTree = 16;
 
 // Of files that are done already, as some writers name a piece twice, the cells would count twice.
 void collect(const std::string& path, int depth, StatePieces& pieces, std::set<std::filesystem::path>& done) {
@@ -22,7 +22,7 @@ void collect(const std::string& path, int depth, StatePieces& pieces, std::set<s
     const std::string head = headOfFile(path);
     const std::string type = vtkTypeOf(head);
     if (isPieceIndex(type)) {
-        if (depth == deepest) {
+        if (depth == deepestTree) {
             failIndex(path, "indices name each other");
         }
         pieces.indices.push_back(path);

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-constexpr const char* columns =
+constexpr const char* pointColumns =
     "setting,multiple_x,multiple_y,multiple_z,grid_l_m,grid_w_m,grid_h_m,fragments,bodies,accuracy_0_1m,accuracy_0_2m,"
     "accuracy_0_3m,mass_map_difference,core_iou,footprint_iou,runout95_error_m,height_rms_m,mean_height_error_m,"
     "centroid_shift_m,wall_s,ms_per_step_mean,ms_per_step_worst,fps";
@@ -116,7 +116,7 @@ TEST_F(AccuracyCommand, WritesExactlyTheColumnsWithReferenceFloorAndPaper) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const std::vector<std::string> table = lines(textOf(csv));
     ASSERT_EQ(table.size(), 6u);
-    EXPECT_EQ(table[0], columns);
+    EXPECT_EQ(table[0], pointColumns);
     std::vector<std::string> names;
     for (std::size_t i = 1; i < table.size(); ++i) {
         const std::vector<std::string> row = fields(table[i]);
@@ -155,7 +155,7 @@ TEST_F(AccuracyCommand, JsonHoldsPointsFloorTablesAndStandings) {
     for (const auto& [key, value] : ordered["points"][2].items()) {
         keys += (keys.empty() ? "" : ",") + key;
     }
-    EXPECT_EQ(keys, columns) << "the keys of a point are the columns";
+    EXPECT_EQ(keys, pointColumns) << "the keys of a point are the columns";
     EXPECT_TRUE(object["points"][2]["fps"].is_null());
     EXPECT_GT(object["points"][2]["wall_s"], 0.0);
     EXPECT_TRUE(object["points"][0]["multiple_x"].is_null());

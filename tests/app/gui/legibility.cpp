@@ -30,7 +30,7 @@ QString wayTo(const QWidget& widget, const QWidget& window) {
 }
 
 /// The text that a widget shows itself; empty for others.
-QString textOf(const QWidget& widget) {
+QString labelOf(const QWidget& widget) {
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
         return label->text();
     }
@@ -135,7 +135,7 @@ QStringList illegibleIn(const QWidget& window) {
             continue;
         }
         const QString way = wayTo(*widget, window);
-        const QString text = textOf(*widget);
+        const QString text = labelOf(*widget);
         if (!text.isEmpty()) {
             const QSize missing = missingOf(*widget);
             if ((missing.width() > rounding || missing.height() > rounding) && widget->toolTip().isEmpty()) {
@@ -155,12 +155,12 @@ QStringList illegibleIn(const QWidget& window) {
         }
         for (const QObject* child : parent->children()) {
             const auto* other = qobject_cast<const QWidget*>(child);
-            if (other == nullptr || other <= widget || !other->isVisible() || textOf(*other).isEmpty()) {
+            if (other == nullptr || other <= widget || !other->isVisible() || labelOf(*other).isEmpty()) {
                 continue;
             }
             const QRect common = widget->geometry().intersected(other->geometry());
             if (common.width() > rounding && common.height() > rounding) {
-                found << QStringLiteral("%1: \"%2\" lies over \"%3\"").arg(way, text, textOf(*other));
+                found << QStringLiteral("%1: \"%2\" lies over \"%3\"").arg(way, text, labelOf(*other));
             }
         }
     }

@@ -10,6 +10,7 @@ namespace rubble {
 namespace {
 
 using test::ElementScene;
+using test::fragmentsOf;
 
 const std::vector<Vec3> rightTetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -31,11 +32,6 @@ FragmentSettings windowOf(double seconds, Revival revival = Revival::Latch) {
     settings.birthWindow = seconds;
     settings.revival = revival;
     return settings;
-}
-
-FragmentSet fragmentsOf(const ElementScene& scene, const FragmentSettings& settings) {
-    const auto fe = scene.result();
-    return makeFragments(*fe, ElementScene::components(*fe), settings, Execution());
 }
 
 std::vector<std::uint32_t> handOvers(const FragmentSet& set) {

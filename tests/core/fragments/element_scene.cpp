@@ -51,4 +51,9 @@ Mat3 randomRotation(std::mt19937& random) {
     return Quat(w, x, y, z).normalized().toRotationMatrix();
 }
 
+FragmentSet fragmentsOf(const ElementScene& scene, const FragmentSettings& settings) {
+    const auto fe = scene.result();
+    return makeFragments(*fe, ElementScene::components(*fe), settings, Execution());
+}
+
 }  // namespace rubble::test

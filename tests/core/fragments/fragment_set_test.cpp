@@ -13,11 +13,7 @@ namespace rubble {
 namespace {
 
 using test::ElementScene;
-
-FragmentSet fragmentsOf(const ElementScene& scene, const FragmentSettings& settings = {}) {
-    const auto fe = scene.result();
-    return makeFragments(*fe, ElementScene::components(*fe), settings, Execution());
-}
+using test::fragmentsOf;
 
 Momenta momentaOf(const Fragment& f) {
     return rigidMomenta(f.mass, f.centre, f.inertia, f.velocity, f.angularVelocity);

@@ -21,7 +21,6 @@ namespace rubble::widgets {
 
 namespace {
 
-enum Column { Name, Alive, Dead, ColumnCount };
 constexpr int rowRole = Qt::UserRole;
 
 QIcon swatch(const QColor& colour, bool own) {
@@ -244,7 +243,12 @@ void ComponentTree::showEditors() {
         return;
     }
     auto* group = new PanelGroup(QString::fromStdString(names.front()));
-    for (const char* field : {"material", "reinforced", "structural", "density"}) {
+    std::vector<const char*> fields{"material", "reinforced", "structural", "density"};
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& each) { return each.name == names.front(); });
+    if (row != m_rows.end() && row->kind != "solid") {
+        fields.push_back("section");
+    }
+    for (const char* field : fields) {
         const auto [parameter, subject] = findParameter("component[" + names.front() + "]." + field);
         ParameterEditor* editor = group->addParameter(*parameter, subject);
         connect(editor, &ParameterEditor::edited, this, &ComponentTree::edited);

@@ -62,6 +62,8 @@ signals:
     void edited(const QString& key, const rubble::ParameterValue& value);
 
 private:
+    enum Column { Name, Alive, Dead, ColumnCount };
+
     void build();
     void ticked(QTreeWidgetItem* item);
     void chooseColour();

@@ -33,6 +33,7 @@ double roundedLowest(const Aabb& structure) {
 NewCaseGround::NewCaseGround(QWidget* parent)
     : Panel(tr("Ground"), tr("On what the debris falls."), parent),
       m_gap(new Notice),
+      m_terrainGap(new Notice),
       m_toLowest(new QPushButton(tr("Put it at the lowest point"))),
       m_drop(new QPushButton(tr("Without terrain"))),
       m_findings(new FindingList) {
@@ -58,6 +59,7 @@ NewCaseGround::NewCaseGround(QWidget* parent)
     row->addWidget(m_drop);
     row->addStretch();
     terrain->addWide(buttons);
+    terrain->addWide(m_terrainGap);
     PanelGroup* water = addGroup(tr("Water"));
     addParameter(water, "water_level");
     addWide(m_findings);
@@ -70,7 +72,7 @@ NewCaseGround::NewCaseGround(QWidget* parent)
         }
     });
     setStructure(Aabb());
-    setTerrain({}, {});
+    setTerrain({}, std::nullopt, {});
 }
 
 void NewCaseGround::setStructure(const Aabb& structure) {
@@ -92,10 +94,22 @@ void NewCaseGround::showGap() {
     m_gap->set(Notice::Kind::Finding, !told     ? QString()
                                       : gap > 0 ? tr("The structure ends %1 above this ground.").arg(shownLength(gap))
                                                 : tr("The structure reaches %1 below this ground.").arg(shownLength(-gap)));
+    const double above = m_hasTerrain ? m_clearance.value_or(0.0) : 0.0;
+    if (std::abs(above) <= worthAWord * heightOf(m_structure)) {
+        m_terrainGap->set(Notice::Kind::Note, {});
+    } else if (above > 0.0) {
+        m_terrainGap->set(Notice::Kind::Finding,
+                          tr("The structure ends %1 above this terrain, where it is nearest.").arg(shownLength(above)));
+    } else {
+        // As foundations do.
+        m_terrainGap->set(Notice::Kind::Note,
+                          tr("The structure reaches %1 below this terrain, where it is deepest.").arg(shownLength(-above)));
+    }
 }
 
-void NewCaseGround::setTerrain(const QString& path, const Findings& findings) {
+void NewCaseGround::setTerrain(const QString& path, const std::optional<double>& clearance, const Findings& findings) {
     m_hasTerrain = !path.isEmpty();
+    m_clearance = clearance;
     m_terrain->setText(path.isEmpty() ? tr("none") : QFileInfo(path).fileName());
     m_terrain->setToolTip(path);
     m_drop->setEnabled(!path.isEmpty());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "widgets/basics/panel.h"
 
 class QPushButton;
@@ -15,8 +17,9 @@ public:
 
     /// @param structure  box of the structure at rest, m; empty until a file is read
     void setStructure(const Aabb& structure);
-    /// @param path  of the raster of heights, empty without terrain
-    void setTerrain(const QString& path, const Findings& findings);
+    /// @param path       of the raster of heights, empty without terrain
+    /// @param clearance  m, of the node of the structure nearest to it, negative below it; unset: not known
+    void setTerrain(const QString& path, const std::optional<double>& clearance, const Findings& findings);
     void setScenario(const Scenario& scenario) override;
 
 signals:
@@ -28,6 +31,7 @@ private:
 
     QLabel* m_lowest;
     Notice* m_gap;
+    Notice* m_terrainGap;
     QPushButton* m_toLowest;
     QLabel* m_terrain;
     QPushButton* m_drop;
@@ -35,6 +39,7 @@ private:
     Aabb m_structure;
     double m_height = 0.0;
     bool m_hasTerrain = false;
+    std::optional<double> m_clearance;
 };
 
 }  // namespace rubble::widgets

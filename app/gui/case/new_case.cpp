@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/gui/case/cloud_reading.h"
@@ -12,6 +14,7 @@
 #include "app/gui/session/file_kinds.h"
 #include "app/gui/session/regrouping_edit.h"
 #include "core/fe/material.h"
+#include "core/fe/terrain_grid.h"
 #include "core/fe/units.h"
 #include "io/case/case_file.h"
 #include "widgets/basics/unit_label.h"
@@ -32,7 +35,18 @@ Aabb boxOf(const Mesh& mesh) {
     return box;
 }
 
-/// First and last death of each component, by the states that report them.
+/// m, of the node that is nearest to a terrain, or deepest below it; unset without nodes.
+std::optional<double> clearanceOf(const Mesh& mesh, const TerrainGrid& terrain) {
+    std::optional<double> least;
+    for (const Vec3& node : mesh.nodes) {
+        const double above = node.z() - terrain.height(node.x(), node.y());
+        if (!least || above < *least) {
+            least = above;
+        }
+    }
+    return least;
+}
+
 /// Components whose density no material has.
 QString oddDensities(const Components& components) {
     QStringList odd;
@@ -45,6 +59,7 @@ QString oddDensities(const Components& components) {
     return odd.join(QStringLiteral(", "));
 }
 
+/// First and last death of each component, by the states that report them.
 std::vector<widgets::NewCaseDeaths::Span> spansOf(const FeResult& fe, const Components& components, const Execution& execution) {
     std::vector<widgets::NewCaseDeaths::Span> spans(components.list.size());
     for (std::size_t k = 1; k < fe.stateCount(); ++k) {
@@ -222,7 +237,10 @@ void NewCase::showResults() {
     wizard.setOddDensities(std::isnan(mass) ? QString() : oddDensities(*results.components));
     wizard.units().setContent(fe.get(), mass);
     wizard.ground().setStructure(fe != nullptr ? boxOf(fe->mesh()) : Aabb());
-    wizard.ground().setTerrain(QString::fromStdString(m_computation.terrain().path), m_computation.terrain().findings);
+    const std::shared_ptr<const TerrainGrid>& terrain = m_computation.inputs().terrain;
+    wizard.ground().setTerrain(QString::fromStdString(m_computation.terrain().path),
+                               fe != nullptr && terrain ? clearanceOf(fe->mesh(), *terrain) : std::nullopt,
+                               m_computation.terrain().findings);
     render::SceneData scene;
     scene.fe = fe;
     scene.components = std::isnan(mass) ? nullptr : results.components;

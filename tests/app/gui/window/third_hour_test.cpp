@@ -19,6 +19,7 @@
 #include "app/gui/case/project_display.h"
 #include "io/run/run_history.h"
 #include "tests/app/gui/window/hour_of_use.h"
+#include "tests/support/ascii_grid.h"
 #include "widgets/basics/panel.h"
 #include "widgets/basics/parameter_editor.h"
 #include "widgets/basics/prediction_box.h"
@@ -126,6 +127,20 @@ TEST_F(ThirdHour, TheWizardTellsAGroundBelowASmallModelAndItsTimes) {
     QTest::mouseClick(buttonWith(wizard.ground(), QStringLiteral("lowest point")), Qt::LeftButton);
     EXPECT_NEAR(making.document().scenario().simulation.groundHeight, 0.0064, 1e-3);
     EXPECT_TRUE(noticeWith(wizard.ground(), QStringLiteral("above this ground")).isEmpty());
+    // A terrain is told as the level ground is.
+    const std::vector<CaseInput> before = making.document().theCase().inputs;
+    for (const auto& [height, words] : {std::pair(-1.5, "above this terrain"), std::pair(0.5, "below this terrain")}) {
+        io::AsciiGrid().writeLevel(folder.filePath(QStringLiteral("level.asc")).toStdString(), height);
+        std::vector<CaseInput> inputs = before;
+        inputs.push_back({"terrain-1", InputRole::Terrain, folder.filePath(QStringLiteral("level.asc")).toStdString(), {}});
+        making.document().setInputs(inputs, [] { return QStringLiteral("terrain level.asc"); });
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !noticeWith(wizard.ground(), QString::fromLatin1(words)).isEmpty(); }, patience))
+            << words;
+        EXPECT_TRUE(noticeWith(wizard.ground(), QStringLiteral("this ground")).isEmpty());
+        making.document().setInputs(before, [] { return QStringLiteral("terrain left out"); });
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return noticeWith(wizard.ground(), QStringLiteral("this terrain")).isEmpty(); }, patience));
+    }
     wizard.reject();
 }
 

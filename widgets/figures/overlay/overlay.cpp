@@ -219,10 +219,11 @@ QString captionText(render::PaneContent content, const render::PaneStatus& statu
     }
     QString how;
     if (fe) {
-        how = status.interpolated ? tr("interpolated after state %1 of %2")
-              : status.afterFeEnd ? tr("last state, %1 of %2")
-                                  : tr("state %1 of %2");
-        how = how.arg(status.state + 1).arg(status.states);
+        how = status.interpolated ? tr("interpolated after state %1 of 0–%2")
+              : status.afterFeEnd ? tr("last state, %1 of 0–%2")
+                                  : tr("state %1 of 0–%2");
+        // Counted from 0, as on the command line and in messages.
+        how = how.arg(status.state).arg(status.states - 1);
     } else if (!status.simulated) {
         how = tr("not simulated, at their birth places");
     } else if (status.waitsForRun) {

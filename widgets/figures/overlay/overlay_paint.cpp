@@ -138,22 +138,41 @@ double entryWidth(const Look& look, const LegendEntry& entry) {
     return (entry.colour.isValid() ? 4.0 * look.unit : 0.0) + widthOf(look, entry.text);
 }
 
-/// @param room  that it may take, device pixels
-void paintEntry(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double top, double room) {
+/// The lines of an entry of a legend. Where the room is narrow it is broken, or cut in its middle: its count is at its end.
+QStringList entryLines(const Look& look, const LegendEntry& entry, double room, bool broken) {
+    if (entryWidth(look, entry) <= room) {
+        return {entry.text};
+    }
+    room -= entryWidth(look, entry) - widthOf(look, entry.text);
+    return broken ? wrapped(look, room, entry.text)
+                  : QStringList{QFontMetricsF(look.font).elidedText(entry.text, Qt::ElideMiddle, room)};
+}
+
+void paintEntry(QPainter& painter, const Look& look, const LegendEntry& entry, const QStringList& lines, double x, double top) {
     if (entry.colour.isValid()) {
         swatch(painter, look, entry, x, top + 0.5 * look.line);
         x += 4.0 * look.unit;
-        room -= 4.0 * look.unit;
     }
-    const QString text = QFontMetricsF(look.font).elidedText(entry.text, Qt::ElideRight, room);
-    write(painter, look, QRectF(x, top, room, look.line), text, Qt::AlignLeft);
+    for (const QString& line : lines) {
+        write(painter, look, QRectF(x, top, widthOf(look, line) + look.unit, look.line), line, Qt::AlignLeft);
+        top += look.line;
+    }
 }
 
-double barWidth(const Look& look, const ColourBar& bar) {
-    return widthOf(look, bar.title) + widthOf(look, bar.low) + widthOf(look, bar.high) + 38.0 * look.unit;
+constexpr double rampWidth = 30.0;  // of a colour bar, in units of the look
+constexpr double leastRamp = 6.0;   // where the room is narrow
+
+/// @param ramp  of its colours alone, in units of the look
+double barWidth(const Look& look, const ColourBar& bar, double ramp = rampWidth) {
+    return widthOf(look, bar.title) + widthOf(look, bar.low) + widthOf(look, bar.high) + (ramp + 8.0) * look.unit;
 }
 
-void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double x, double top) {
+/// In units of the look: as long as there is room for.
+double rampIn(const Look& look, const ColourBar& bar, double room) {
+    return std::clamp((room - barWidth(look, bar, 0.0)) / look.unit, leastRamp, rampWidth);
+}
+
+void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double x, double top, double ramped = rampWidth) {
     const auto put = [&](const QString& text) {
         write(painter, look, QRectF(x, top, 4096.0, look.line), text, Qt::AlignLeft);
         x += widthOf(look, text) + 2.0 * look.unit;
@@ -161,48 +180,51 @@ void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double 
     put(bar.title);
     x += 1.0 * look.unit;
     put(bar.low);
-    QLinearGradient ramp(x, 0.0, x + 30.0 * look.unit, 0.0);
+    QLinearGradient ramp(x, 0.0, x + ramped * look.unit, 0.0);
     for (int i = 0; i <= 16; ++i) {
         ramp.setColorAt(i / 16.0, bar.birthTime ? birthColour(i / 16.0, bar.map) : speedColour(i / 16.0, bar.map));
     }
     painter.setPen(QPen(look.palette.muted, 0.0));
     painter.setBrush(ramp);
-    painter.drawRect(QRectF(x, top + 0.5 * look.line - 1.25 * look.unit, 30.0 * look.unit, 2.5 * look.unit));
-    x += 32.0 * look.unit;
+    painter.drawRect(QRectF(x, top + 0.5 * look.line - 1.25 * look.unit, ramped * look.unit, 2.5 * look.unit));
+    x += (ramped + 2.0) * look.unit;
     put(bar.high);
 }
 
 /// Where an entry of a legend stands: its line and its distance from the left of the first, device pixels.
 struct LegendPlace {
-    std::size_t line;
-    double x;
+    double width;       ///< device pixels
+    QStringList texts;  ///< its lines; of a bar none
+    std::size_t line = 0;
+    double x = 0.0;
+
+    std::size_t lines() const { return std::max<std::size_t>(1, static_cast<std::size_t>(texts.size())); }
 };
 
 /// Entries one after the other, in as many lines as they need.
-std::vector<LegendPlace> legendPlaces(const Look& look, const std::vector<double>& widths, double room) {
+std::vector<LegendPlace> legendPlaces(const Look& look, const Overlay& overlay, double room, bool broken) {
     std::vector<LegendPlace> places;
-    std::size_t line = 0;
-    double x = 0.0;
-    for (const double width : widths) {
-        if (x > 0.0 && x + width > room) {
-            ++line;
-            x = 0.0;
-        }
-        places.push_back({line, x});
-        x += width + 3.0 * look.unit;
-    }
-    return places;
-}
-
-std::vector<double> legendWidths(const Look& look, const Overlay& overlay, double room) {
-    std::vector<double> widths;
     for (const LegendEntry& entry : overlay.legend) {
-        widths.push_back(std::min(entryWidth(look, entry), room));
+        places.push_back({std::min(entryWidth(look, entry), room), entryLines(look, entry, room, broken)});
     }
     for (const ColourBar& bar : overlay.bars) {
-        widths.push_back(barWidth(look, bar));
+        places.push_back({barWidth(look, bar, rampIn(look, bar, room)), {}});
     }
-    return widths;
+    std::size_t line = 0;
+    std::size_t tallest = 1;
+    double x = 0.0;
+    for (LegendPlace& place : places) {
+        if (x > 0.0 && x + place.width > room) {
+            line += tallest;
+            tallest = 1;
+            x = 0.0;
+        }
+        place.line = line;
+        place.x = x;
+        tallest = std::max(tallest, place.lines());
+        x += place.width + 3.0 * look.unit;
+    }
+    return places;
 }
 
 double chipHeight(const Look& look, std::size_t lines) {
@@ -220,55 +242,66 @@ double legendRoom(const Look& look, double paneWidth, double reservedRight) {
 
 /// Where all entries stand, and how far above the foot of the strip, device pixels.
 struct LegendLayout {
-    std::vector<double> widths;
     std::vector<LegendPlace> places;
     double above = 0.0;
 
-    std::size_t lines() const { return places.empty() ? 0 : places.back().line + 1; }
+    std::size_t lines() const {
+        std::size_t count = 0;
+        for (const LegendPlace& place : places) {
+            count = std::max(count, place.line + place.lines());
+        }
+        return count;
+    }
+    bool wrapped() const {
+        return std::any_of(places.begin(), places.end(), [](const LegendPlace& place) { return place.lines() > 1; });
+    }
 };
+
+/// Long entries are broken, but not where a narrow pane would hold nothing but its legend.
+LegendLayout layoutIn(const Look& look, const Overlay& overlay, double room) {
+    constexpr std::size_t mostLines = 4;
+    LegendLayout broken{legendPlaces(look, overlay, room, true)};
+    return broken.wrapped() && broken.lines() > mostLines ? LegendLayout{legendPlaces(look, overlay, room, false)} : broken;
+}
 
 /// Beside the scale bar, or above it over the whole width where that takes less height.
 LegendLayout legendLayout(const Look& look, const Overlay& overlay, double paneWidth, double reservedRight) {
-    const auto layoutFor = [&](double reserved) {
-        const double room = legendRoom(look, paneWidth, reserved);
-        LegendLayout layout{legendWidths(look, overlay, room), {}};
-        layout.places = legendPlaces(look, layout.widths, room);
-        return layout;
-    };
-    LegendLayout beside = layoutFor(reservedRight);
-    // An entry that is cut off says less than one a line higher.
     const double room = legendRoom(look, paneWidth, reservedRight);
-    const bool cut = std::any_of(overlay.legend.begin(), overlay.legend.end(),
-                                 [&](const LegendEntry& entry) { return entryWidth(look, entry) > room; });
-    if (!(reservedRight > 0.0) || (beside.lines() < 3 && !cut)) {
+    LegendLayout beside = layoutIn(look, overlay, room);
+    // An entry that is broken or cut says less than one a line higher.
+    const bool narrow = std::any_of(overlay.legend.begin(), overlay.legend.end(),
+                                    [&](const LegendEntry& entry) { return entryWidth(look, entry) > room; });
+    if (!(reservedRight > 0.0) || (beside.lines() < 3 && !narrow)) {
         return beside;
     }
-    LegendLayout over = layoutFor(0.0);
+    LegendLayout over = layoutIn(look, overlay, legendRoom(look, paneWidth, 0.0));
     over.above = scaleBarHeight(look) + look.unit;
-    return cut || chipHeight(look, over.lines()) + over.above < chipHeight(look, beside.lines()) ? over : beside;
+    return narrow || chipHeight(look, over.lines()) + over.above < chipHeight(look, beside.lines()) ? over : beside;
 }
 
 /// Legend and colour bar share one chip in the free strip below the model, in as few lines as they fit.
 void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay, double reservedRight) {
-    const auto [widths, places, above] = legendLayout(look, overlay, pane.width(), reservedRight);
-    if (widths.empty()) {
+    const LegendLayout layout = legendLayout(look, overlay, pane.width(), reservedRight);
+    if (layout.places.empty()) {
         return;
     }
     const double pad = 2.0 * look.unit;
     double widest = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        widest = std::max(widest, places[i].x + widths[i]);
+    for (const LegendPlace& place : layout.places) {
+        widest = std::max(widest, place.x + place.width);
     }
-    const double height = chipHeight(look, places.back().line + 1);
-    const QRectF box(pane.left() + pad, pane.bottom() - pad - above - height, widest + 2.0 * pad, height);
+    const double height = chipHeight(look, layout.lines());
+    const QRectF box(pane.left() + pad, pane.bottom() - pad - layout.above - height, widest + 2.0 * pad, height);
     chip(painter, look, box);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const double x = box.left() + pad + places[i].x;
-        const double y = box.top() + 0.75 * look.unit + static_cast<double>(places[i].line) * (look.line + look.unit);
+    for (std::size_t i = 0; i < layout.places.size(); ++i) {
+        const LegendPlace& place = layout.places[i];
+        const double x = box.left() + pad + place.x;
+        const double y = box.top() + 0.75 * look.unit + static_cast<double>(place.line) * (look.line + look.unit);
         if (i < overlay.legend.size()) {
-            paintEntry(painter, look, overlay.legend[i], x, y, widths[i] + look.unit);
+            paintEntry(painter, look, overlay.legend[i], place.texts, x, y);
         } else {
-            paintBar(painter, look, overlay.bars[i - overlay.legend.size()], x, y);
+            const ColourBar& bar = overlay.bars[i - overlay.legend.size()];
+            paintBar(painter, look, bar, x, y, rampIn(look, bar, place.width));
         }
     }
 }
@@ -390,7 +423,7 @@ void paintLegendLine(QPainter& painter, const std::vector<LegendEntry>& legend, 
     double x = strip.x + 0.5 * (strip.width - width);
     const double top = strip.y + 0.5 * (strip.height - look.line);
     for (const LegendEntry& entry : legend) {
-        paintEntry(painter, look, entry, x, top, widthOf(look, entry.text) + 5.0 * look.unit);
+        paintEntry(painter, look, entry, {entry.text}, x, top);
         x += entryWidth(look, entry) + gap;
     }
     for (const ColourBar& bar : bars) {

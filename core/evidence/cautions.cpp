@@ -84,6 +84,16 @@ std::vector<Message> placeDoubts(const Findings& findings) {
     return doubts;
 }
 
+std::vector<Message> motionDoubts(const Findings& findings) {
+    std::vector<Message> doubts;
+    for (const Finding& finding : findings.list()) {
+        if (finding.what.id == "simulation.speed_held" || finding.what.id == "simulation.held_together") {
+            doubts.push_back(finding.what);
+        }
+    }
+    return doubts;
+}
+
 std::vector<Message> assumedMasses(const Findings& findings) {
     std::vector<Message> assumed;
     for (const Finding& finding : findings.list()) {
@@ -143,6 +153,7 @@ RunStanding standingOf(const SimulationResult& result, std::size_t fragments, bo
     standing.breaches = result.health.breaches;
     standing.acknowledged = acknowledged;
     standing.placeDoubts = placeDoubts(result.findings);
+    standing.motionDoubts = motionDoubts(result.findings);
     return standing;
 }
 
@@ -160,6 +171,9 @@ std::vector<Caution> runCautions(const RunStanding& run) {
             {"born_at_rest",
              HealthGrade::Finding,
              {"caution.born_at_rest", "all debris began at rest, not with the velocity that the FE result gave it", {}}});
+    }
+    for (const Message& doubt : run.motionDoubts) {
+        list.push_back({"motion_doubt", HealthGrade::Finding, doubt});
     }
     for (const Message& message : run.assumed) {
         list.push_back({"assumed", HealthGrade::Finding, message});

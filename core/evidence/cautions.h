@@ -16,8 +16,8 @@ namespace rubble {
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
     std::string_view key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
-                           ///< "no_place", "place_doubt", "born_at_rest", "assumed", "single_run", "bodies", "poor_camera",
-                           ///< "not_at_rest", "stated_camera", "ensemble", "members"
+                           ///< "no_place", "place_doubt", "motion_doubt", "born_at_rest", "assumed", "single_run", "bodies",
+                           ///< "poor_camera", "not_at_rest", "stated_camera", "ensemble", "members"
     HealthGrade grade{};
     Message what;
 
@@ -45,19 +45,24 @@ struct RunStanding {
     std::int64_t bodies = 0;     ///< that carry them
     std::int64_t moving = 0;     ///< of these, awake at `reached`
     std::vector<HealthBreach> breaches;
-    bool acknowledged = false;           ///< someone vouches for it in spite of its breaches
-    std::string unplaced{};              ///< coordinate system that the case names without a place of the model in it; empty: none
-    std::string unsaidUnits{};           ///< systems of units that the FE result would fit as well; empty: its units are known
-    std::vector<Message> placeDoubts{};  ///< what makes places and heights uncertain
-    std::vector<Message> assumed{};      ///< what masses rest on that nobody said
-    bool bornAtRest = false;             ///< debris began without the velocity that the FE result gave it
-    bool outgrown = false;               ///< the case that it is shown in has other settings by now
-    std::optional<double> earlier{};     ///< s, instant that `bodies` and `moving` are of; unset: the last one
+    bool acknowledged = false;            ///< someone vouches for it in spite of its breaches
+    std::string unplaced{};               ///< coordinate system that the case names without a place of the model in it; empty: none
+    std::string unsaidUnits{};            ///< systems of units that the FE result would fit as well; empty: its units are known
+    std::vector<Message> placeDoubts{};   ///< what makes places and heights uncertain
+    std::vector<Message> motionDoubts{};  ///< what the engine did to bodies that nothing in the collapse did
+    std::vector<Message> assumed{};       ///< what masses rest on that nobody said
+    bool bornAtRest = false;              ///< debris began without the velocity that the FE result gave it
+    bool outgrown = false;                ///< the case that it is shown in has other settings by now
+    std::optional<double> earlier{};      ///< s, instant that `bodies` and `moving` are of; unset: the last one
 };
 
 /// What of the findings of opened inputs makes every place or height of a run uncertain: the way between coordinate systems,
 /// control points, the unit of heights, a terrain that was filled by more than a tenth, ends short of the structure or of debris.
 std::vector<Message> placeDoubts(const Findings& findings);
+
+/// What of the findings of a run says that the engine kept bodies from what they would have done: held back at an impossible
+/// speed, or left whole for want of room.
+std::vector<Message> motionDoubts(const Findings& findings);
 
 /// What of the findings of a run says that its masses rest on assumptions: densities, thicknesses, sections, each with its
 /// elements.

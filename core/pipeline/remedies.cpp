@@ -79,6 +79,8 @@ std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const R
     const SimulationSettings& ran = grounds.ran.simulation;
     switch (breach.check) {
         case HealthCheck::Energy:
+            // Halving comes after the step that gained: it seldom helps.
+            return firstOther(grounds, {moreSteps(grounds), RemedySetting{"auto_remedy", true}});
         case HealthCheck::Penetration:
             return firstOther(grounds, {RemedySetting{"auto_remedy", true}, moreSteps(grounds)});
         case HealthCheck::Speed:

@@ -188,8 +188,8 @@ void GridPanel::buildResult() {
     }
     m_ours = published->addValue(tr("As set"));
     published->addNote(
-        tr("Few fragments share a birth time in a result with many states: the same number of bodies may need a larger "
-           "multiple than the two to three of the published method."));
+        tr("In a result with many states few fragments share a birth time. The multiple for the bodies allowed may then lie "
+           "outside the two to three of the published method, on either side."));
 }
 
 bool GridPanel::dragging() const {

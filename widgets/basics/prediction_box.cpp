@@ -173,7 +173,11 @@ void PredictionBox::showFigure(Line& line, const PredictedFigure& figure, Predic
                           : prediction.fromRun ? tr("From a run of these very settings on this machine.")
                           : prediction.fromCalibration ? tr("From the calibration of this machine alone: piles of other collapses.")
                                                        : tr("From %1 earlier points of this collapse.").arg(prediction.points);
-    line.value->setToolTip(tr("Four runs in five end in this interval.") + QLatin1Char(' ') + rests);
+    const QString meant = prediction.fromRun
+                              ? tr("Two thirds to one and a half of its wall time: room for a busier or idler machine, not a "
+                                   "measured probability.")
+                              : tr("Four runs in five end in this interval.");
+    line.value->setToolTip(prediction.fromRun ? rests + QLatin1Char(' ') + meant : meant + QLatin1Char(' ') + rests);
     line.interval->setToolTip(line.value->toolTip());
 }
 

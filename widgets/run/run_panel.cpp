@@ -8,6 +8,7 @@
 
 #include "core/evidence/cautions.h"
 #include "core/simulation/effects/held_islands.h"
+#include "core/simulation/health/passed_limits.h"
 #include "widgets/basics/unit_label.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/number_text.h"
@@ -19,8 +20,12 @@ namespace {
 
 /// The solver with its cost and its effect on the pile.
 QString solverLine(SolverKind solver, const SimulationResult& result) {
-    const QString cost = RunPanel::tr("mean %1 ms per step").arg(shownNumber(result.stepTimes.meanMs, 2));
-    const QString pile = RunPanel::tr("bulking of the pile %1").arg(shownNumber(result.bulkingFactor));
+    const QString cost =
+        RunPanel::tr("mean %1 ms per step from the first to the last birth").arg(shownNumber(result.stepTimes.meanMs, 2));
+    const std::optional<Message> thin = thinPile(result.bulkingFactor, result.health.breaches);
+    const QString factor = shownNumber(result.bulkingFactor);
+    const QString pile = thin ? RunPanel::tr("bulking of the pile %1 (%2)").arg(factor, worded(*thin))
+                              : RunPanel::tr("bulking of the pile %1").arg(factor);
     if (solver == SolverKind::Bullet) {
         return RunPanel::tr("Solver: bullet, %1, %2").arg(cost, pile);
     }
@@ -148,6 +153,7 @@ void RunPanel::buildOutcome() {
     m_step = m_outcome->addValue(tr("Step, mean and worst"), tr("ms"), tr("From the first to the last birth"));
     m_factor =
         m_outcome->addValue(tr("Real-time factor"), {}, tr("Simulated over wall time, first to last birth, recording included"));
+    m_outcome->addNote(tr("Step and factor: from the first to the last birth, settling left out."));
     m_liveFps = m_outcome->addValue(tr("Live rate, mean and worst second"), tr("FPS"), tr("Measured in live mode"));
     m_energy =
         m_outcome->addValue(tr("Energy drift"), {}, tr("Largest gain beyond gravity, births and pieces, over gravity's work"));

@@ -158,9 +158,9 @@ void Inspector::showElement(const ElementFacts& facts) {
         restart(tr("Element %1").arg(element), component);
     }
     PanelGroup* solid = addGroup(tr("Element"));
-    addRow(solid, tr("mass"), facts.mass < 0.1 ? shownMass(facts.mass) : shownIn(facts.mass, "kg"),
+    addRow(solid, tr("mass"), facts.mass < 0.1 ? shownMass(facts.mass) : shownIn(facts.mass, "kg", 4),
            facts.mass < 0.1 ? QString() : tr("kg"), tr("Volume at rest times the density of its component"));
-    addRow(solid, tr("volume"), shownIn(facts.volume, "m3"), tr("m³"), tr("At rest"));
+    addRow(solid, tr("volume"), shownIn(facts.volume, "m3", 4), tr("m³"), tr("At rest"));
     addRow(solid, tr("shape"), shownName(facts.shape), {}, tr("Shape of the finite element"));
     addMaterial(*solid, facts);
     if (facts.carriedSince) {

@@ -9,6 +9,7 @@
 #include "core/analysis/accuracy/loose_beside.h"
 #include "core/base/message.h"
 #include "core/fe/unit_evidence.h"
+#include "core/simulation/health/passed_limits.h"
 #include "io/run/run_cautions.h"
 
 namespace rubble::cli {
@@ -255,7 +256,9 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
                             englishInteger(run.births.piecesYielded) + " times");
     facts.add("deepest penetration", withUnit(run.penetrationMax, "m"));
     facts.add("fastest body", withUnit(run.maxSpeed, "m/s"));
-    facts.add("bulking factor", std::isfinite(run.bulkingFactor) ? englishNumber(run.bulkingFactor) : "-");
+    const std::optional<Message> thin = thinPile(run.bulkingFactor, run.health.breaches);
+    facts.add("bulking factor",
+              std::isfinite(run.bulkingFactor) ? englishNumber(run.bulkingFactor) + (thin ? ", " + englishText(*thin) : "") : "-");
     addIslands(facts, run.islands);
     addCarried(facts, run.carried);
     facts.add("trajectory hash", run.trajectoryHash.hex());

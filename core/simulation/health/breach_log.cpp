@@ -56,7 +56,8 @@ Message whatOf(const HealthObservation& o) {
                     {bodyText(o), Argument(o.measured, "m"), bodiesText(o.bodies)}};
         case HealthCheck::OutsideSite:
             return {"health.outside_site",
-                    "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3})",
+                    "{0} was {1} from the structure; 10 times its height (taken as 1 m at least) and the drop of the terrain are "
+                    "{2} ({3})",
                     {bodyText(o), Argument(o.measured, "m"), Argument(o.limit, "m"), bodiesText(o.bodies)}};
         case HealthCheck::NotANumber:
             return {"health.not_a_number",
@@ -80,6 +81,10 @@ Message whatOf(const HealthObservation& o) {
 
 }  // namespace
 
+HealthSettings healthSettings(const SimulationSettings& settings) {
+    return {settings.autoRemedy, settings.solver == SolverKind::SoftStep};
+}
+
 void BreachLog::hold(const HealthObservation& observation, double since, double time) {
     std::vector<Span>& spans = m_spans[static_cast<std::size_t>(observation.check)];
     if (spans.empty() || since - spans.back().to > m_interval + 1e-9) {
@@ -95,7 +100,7 @@ void BreachLog::hold(const HealthObservation& observation, double since, double 
     }
 }
 
-HealthBreach BreachLog::breachOf(const Span& span) {
+HealthBreach BreachLog::breachOf(const Span& span) const {
     const HealthObservation& o = span.worst;
     return {o.check,
             span.from,
@@ -107,7 +112,7 @@ HealthBreach BreachLog::breachOf(const Span& span) {
             o.limit,
             o.bodies,
             whatOf(o),
-            healthRemedy(o.check, o.measured, o.limit)};
+            healthRemedy(o.check, o.measured, o.limit, m_settings)};
 }
 
 std::vector<HealthBreach> BreachLog::news(double time) {
@@ -135,17 +140,49 @@ std::vector<HealthBreach> BreachLog::breaches() const {
     return list;
 }
 
-Message healthRemedy(HealthCheck check, double measured, double limit) {
+namespace {
+
+Message energyRemedy(const HealthSettings& ran) {
+    if (!ran.softStep) {
+        return ran.autoRemedy ? Message{"health.energy.remedy.halved_bullet",
+                                        "raise step_rate (auto_remedy is on and was not enough), or set solver = soft-step, which "
+                                        "gains less",
+                                        {}}
+                              : Message{"health.energy.remedy.bullet",
+                                        "raise step_rate, set auto_remedy = true, or set solver = soft-step, which gains less",
+                                        {}};
+    }
+    return ran.autoRemedy ? Message{"health.energy.remedy.halved", "raise step_rate: auto_remedy is on and was not enough", {}}
+                          : Message{"health.energy.remedy", "raise step_rate, or set auto_remedy = true", {}};
+}
+
+Message penetrationRemedy(const HealthSettings& ran) {
+    if (!ran.softStep) {
+        return ran.autoRemedy ? Message{"health.penetration.remedy.halved_bullet",
+                                        "set solver = soft-step: under bullet deep piles squeeze together; or raise step_rate, or "
+                                        "bodies_max for smaller clusters (auto_remedy is on and was not enough)",
+                                        {}}
+                              : Message{"health.penetration.remedy.bullet",
+                                        "set solver = soft-step: under bullet deep piles squeeze together; or raise step_rate, set "
+                                        "auto_remedy = true, or raise bodies_max for smaller clusters",
+                                        {}};
+    }
+    return ran.autoRemedy ? Message{"health.penetration.remedy.halved",
+                                    "raise step_rate, or bodies_max for smaller clusters: auto_remedy is on and was not enough",
+                                    {}}
+                          : Message{"health.penetration.remedy",
+                                    "raise step_rate, set auto_remedy = true, or raise bodies_max for smaller clusters",
+                                    {}};
+}
+
+}  // namespace
+
+Message healthRemedy(HealthCheck check, double measured, double limit, const HealthSettings& ran) {
     switch (check) {
         case HealthCheck::Energy:
-            return {"health.energy.remedy",
-                    "raise step_rate, or set auto_remedy = true; solver = bullet gains more than soft-step",
-                    {}};
+            return energyRemedy(ran);
         case HealthCheck::Penetration:
-            return {"health.penetration.remedy",
-                    "raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under solver = bullet "
-                    "deep piles squeeze together, take soft-step there",
-                    {}};
+            return penetrationRemedy(ran);
         case HealthCheck::Speed:
             return {"health.speed.remedy",
                     "raise step_rate; look for births inside other bodies (overlap_speed) and for restitution above 1",
@@ -170,9 +207,10 @@ Message healthRemedy(HealthCheck check, double measured, double limit) {
             break;
     }
     return measured < limit
-               ? Message{"health.bulking_low.remedy",
-                         "raise step_rate; under solver = bullet piles squeeze together, take soft-step there",
-                         {}}
+               ? (ran.softStep ? Message{"health.bulking_low.remedy", "raise step_rate", {}}
+                               : Message{"health.bulking_low.remedy.bullet",
+                                         "set solver = soft-step: under bullet piles squeeze together; or raise step_rate",
+                                         {}})
                : Message{"health.bulking_high.remedy",
                          "lower box_bulking, choose cluster_shape = hull or compound, or raise bodies_max for smaller clusters",
                          {}};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/archive.h"
+#include "core/scenario/scenario.h"
 #include "core/simulation/health/health.h"
 
 namespace rubble {
@@ -23,10 +24,18 @@ struct HealthObservation {
     void keep(Archive& archive) { archive(check, measured, limit, severity, body, place, depth, bodies); }
 };
 
+/// What of the settings of a run decides which remedies are left.
+struct HealthSettings {
+    bool autoRemedy = false;  ///< steps are halved after a breach
+    bool softStep = true;     ///< the solver
+};
+
+HealthSettings healthSettings(const SimulationSettings& settings);
+
 /// Makes breaches of observations: those of one check that follow each other closely are one, with the worst of them.
 class BreachLog {
 public:
-    explicit BreachLog(double interval) : m_interval(interval) {}
+    explicit BreachLog(double interval, const HealthSettings& settings = {}) : m_interval(interval), m_settings(settings) {}
 
     /// A limit is passed at `time`, and has been since `since` [s].
     void hold(const HealthObservation& observation, double since, double time);
@@ -49,13 +58,14 @@ private:
 
         void keep(Archive& archive) { archive(from, to, worstAt, worst, toldAt, changed); }
     };
-    static HealthBreach breachOf(const Span& span);
+    HealthBreach breachOf(const Span& span) const;
 
     double m_interval;
+    HealthSettings m_settings;
     std::array<std::vector<Span>, healthCheckCount> m_spans;
 };
 
-/// What the user can do about a check, naming the settings.
-Message healthRemedy(HealthCheck check, double measured, double limit);
+/// What the user can do about a check, naming the settings. What was set already is not advised.
+Message healthRemedy(HealthCheck check, double measured, double limit, const HealthSettings& ran);
 
 }  // namespace rubble

@@ -19,7 +19,7 @@ constexpr double speedFloor = 1.0;
 }  // namespace
 
 HealthMonitor::HealthMonitor(const HealthSite& site, const HealthLimits& limits)
-    : m_site(site), m_limits(limits), m_log(limits.interval) {
+    : m_site(site), m_limits(limits), m_log(limits.interval, site.settings) {
     if (!site.structure.isEmpty()) {
         m_reach = limits.siteHeights * std::max(1.0, site.structure.sizes().z());
     }
@@ -321,7 +321,8 @@ constexpr std::array<FindingText, healthCheckCount> findingTexts{
      {"simulation.penetration", "in the course of the run {0} lay inside others for over 0.5 s"},
      {"simulation.too_fast", "faster than gravity and their birth allow, in the course of the run: {0}"},
      {"simulation.below_ground", "below the ground, in the course of the run: {0}"},
-     {"simulation.outside_site", "{0} went further from the structure than 10 times its height and the drop of the terrain"},
+     {"simulation.outside_site",
+      "{0} went further from the structure than 10 times its height (taken as 1 m at least) and the drop of the terrain"},
      {"simulation.not_a_number", "{0} became no number and left the simulation"},
      {"simulation.pile_woke", "a pile at rest woke again, {0}"},
      {"simulation.bulking", "the pile has not the volume that rubble has"}}};

@@ -20,6 +20,7 @@ struct HealthSite {
     Aabb structure;                    ///< m, at rest; empty: no body counts as outside
     std::optional<double> waterLevel;  ///< m; unset: no water acts
     double current = 0.0;              ///< m/s, of the water
+    HealthSettings settings{};
 };
 
 /// What a step looks like from outside the world.

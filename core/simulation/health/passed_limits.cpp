@@ -183,6 +183,17 @@ Message healthMeasure(HealthCheck check, double value) {
     return {"health.measure.no_number", "no number", {}};
 }
 
+std::optional<Message> thinPile(double bulking, std::span<const HealthBreach> breaches, const HealthLimits& limits) {
+    const bool outside = bulking < limits.bulkingLow || bulking > limits.bulkingHigh;
+    if (!outside ||
+        std::any_of(breaches.begin(), breaches.end(), [](const HealthBreach& b) { return b.check == HealthCheck::Bulking; })) {
+        return std::nullopt;
+    }
+    return Message{"health.thin_pile",
+                   "outside the {0} to {1} of a pile, yet no pile to judge: the debris lies less than {2} fragments deep",
+                   {limits.bulkingLow, limits.bulkingHigh, limits.bulkingLayers}};
+}
+
 std::string bodiesText(std::int64_t count) {
     return count == 1 ? std::string("1 body") : englishInteger(count) + " bodies";
 }

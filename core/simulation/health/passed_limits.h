@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,9 @@ double heldFor(const PassedLimit& limit, std::span<const HealthBreach> breaches)
 
 /// A value of a check for people, with its unit: "31 %", "4.7 times", "2.5 m".
 Message healthMeasure(HealthCheck check, double value);
+/// Why a bulking factor outside its limits is no breach: the debris is too thin to be a pile. Unset where it lies within them, was
+/// told as a breach, or is not a number.
+std::optional<Message> thinPile(double bulking, std::span<const HealthBreach> breaches, const HealthLimits& limits = {});
 /// "1 body", "17 bodies", as a text that the window translates.
 std::string bodiesText(std::int64_t count);
 

@@ -61,6 +61,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
 
 HealthSite healthSite(const RunDescription& description, const EffectDecisions& decisions, const WorldSettings& world) {
     HealthSite site{world.gravity, {world.ground, world.groundHeight, world.terrain}, world.reach, std::nullopt, 0.0};
+    site.settings = healthSettings(description.scenario.simulation);
     const EffectSettings& effects = description.scenario.effects;
     if (isOn(decisions, EffectKind::Water)) {
         site.waterLevel = effects.waterLevel;

@@ -106,6 +106,17 @@ TEST(Cautions, WhatMakesEveryPlaceUncertainIsToldOnce) {
     EXPECT_EQ(placeDoubts(much).size(), 1u);
 }
 
+TEST(Cautions, WhatHeldBodiesBackIsToldBesideEveryFigure) {
+    SimulationResult result;
+    result.findings.add({"simulation.speed_held", "{0} times in {1} steps a body was held back", {14'088, 623}}, {}, "", 14'088);
+    result.findings.add({"simulation.auto_remedy", "{0} steps were halved", {3}}, {});
+    const std::vector<Caution> list = runCautions(standingOf(result, 40, false));
+    EXPECT_EQ(std::ranges::count(list, std::string_view("motion_doubt"), &Caution::key), 1);
+    ASSERT_NE(find(list, "motion_doubt"), nullptr);
+    EXPECT_EQ(englishText(find(list, "motion_doubt")->what), "14,088 times in 623 steps a body was held back");
+    EXPECT_NE(pictureCautions(list).find("held back"), std::string::npos);
+}
+
 TEST(Cautions, OtherSettingsAndUnitsThatNobodySaidAreToldInPictures) {
     RunStanding run = rested();
     EXPECT_EQ(find(runCautions(run), "other_settings"), nullptr);

@@ -43,6 +43,10 @@ TEST(Remedies, OfPassedLimitsAreSettingsThatDifferFromWhatRan) {
     setParameterText(grounds.ran, "solver", "bullet");
     EXPECT_EQ(next(breachOf(HealthCheck::Bulking, 1.0, 1.15)), "solver=soft-step");
     EXPECT_EQ(next(breachOf(HealthCheck::NotANumber)), "");
+    EXPECT_EQ(next(breachOf(HealthCheck::Energy)), "") << "twice the steps were set above";
+    grounds.ran = Scenario();
+    EXPECT_EQ(next(breachOf(HealthCheck::Energy)), "step_rate=120") << "halving comes after the step that gained";
+    EXPECT_EQ(next(breachOf(HealthCheck::Energy)), "auto_remedy=true");
     grounds.stepRate = 10'000.0;
     EXPECT_EQ(next(breachOf(HealthCheck::Speed)), "") << "no more steps can be set";
 }

@@ -52,5 +52,22 @@ TEST(BreachLog, TellsOfABreachAtOnceAndOfItsGrowthOnceASecond) {
     EXPECT_EQ(second[0].from, 10.0);
 }
 
+// "Set auto_remedy = true" stood beside runs that had it on already.
+TEST(HealthRemedy, AdvisesNothingThatWasSetAlready) {
+    for (const HealthCheck check : {HealthCheck::Energy, HealthCheck::Penetration, HealthCheck::Bulking}) {
+        for (const bool halved : {false, true}) {
+            for (const bool softStep : {false, true}) {
+                const std::string text = englishText(healthRemedy(check, 1.0, 1.15, {halved, softStep}));
+                EXPECT_EQ(text.find("auto_remedy = true") != std::string::npos, !halved && check != HealthCheck::Bulking) << text;
+                EXPECT_EQ(text.find("solver = soft-step") != std::string::npos, !softStep) << text;
+                EXPECT_NE(text.find("step_rate"), std::string::npos) << text;
+            }
+        }
+    }
+    BreachLog log(0.5, {true, true});
+    log.hold(gain(0.002), 1.0, 1.0);
+    EXPECT_EQ(englishText(log.breaches().at(0).remedy), "raise step_rate: auto_remedy is on and was not enough");
+}
+
 }  // namespace
 }  // namespace rubble

@@ -92,6 +92,19 @@ TEST(HealthMeasure, SaysAShareAboveOneInTimes) {
     EXPECT_EQ(englishText(healthMeasure(HealthCheck::NotANumber, 0.0)), "no number");
 }
 
+TEST(ThinPile, SaysWhyAFactorOutsideItsLimitsIsNoBreach) {
+    for (const double bulking : {0.741, 2.68}) {
+        const auto why = thinPile(bulking, {});
+        ASSERT_TRUE(why.has_value());
+        EXPECT_EQ(englishText(*why),
+                  "outside the 1.15 to 2 of a pile, yet no pile to judge: the debris lies less than 2 fragments deep");
+        const std::vector<HealthBreach> breaches{breachOf(HealthCheck::Bulking, bulking, bulking < 1.0 ? 1.15 : 2.0, 9.0, 9.0)};
+        EXPECT_FALSE(thinPile(bulking, breaches).has_value()) << "it is told as a breach";
+    }
+    EXPECT_FALSE(thinPile(1.4, {}).has_value());
+    EXPECT_FALSE(thinPile(std::nan(""), {}).has_value());
+}
+
 std::string told(std::int64_t bodies, double measured, double limit) {
     HealthObservation seen;
     seen.check = HealthCheck::Penetration;

@@ -203,7 +203,9 @@ void ReportSections::addConservation() {
     energyRow(tr("kinetic energy left at the end"), energy.kineticNow);
     row(tr("gain beyond all sources, share of the work of gravity"), energy.drift, {});
     row(tr("deepest overlap that lasted over 0.5 s"), m_facts.result->health.penetrationSustained, QStringLiteral("m"));
-    row(tr("bulking factor of the pile"), m_facts.result->bulkingFactor, {});
+    const double bulking = m_facts.result->bulkingFactor;
+    const std::optional<Message> thin = thinPile(bulking, m_facts.result->health.breaches);
+    row(thin ? tr("bulking factor of the pile; %1").arg(said(*thin)) : tr("bulking factor of the pile"), bulking, {});
     table.source = source();
     m_blocks.push_back(std::move(table));
     addCarried();

@@ -32,7 +32,9 @@ constexpr std::array madeTexts = {
                       "{1} ({2} gained most)"),
     QT_TRANSLATE_NOOP("messages", "{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3})"),
     QT_TRANSLATE_NOOP("messages", "the centre of {0} was {1} below the ground ({2})"),
-    QT_TRANSLATE_NOOP("messages", "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3})"),
+    QT_TRANSLATE_NOOP(
+        "messages",
+        "{0} was {1} from the structure; 10 times its height (taken as 1 m at least) and the drop of the terrain are {2} ({3})"),
     QT_TRANSLATE_NOOP("messages", "{0} at x = {1} m, y = {2} m"),
     QT_TRANSLATE_NOOP("messages", "place or velocity of {0} was no number: it was taken out ({1})"),
     QT_TRANSLATE_NOOP("messages", "the share of bodies at rest fell to {0} after it had reached {1}"),

@@ -4563,24 +4563,12 @@
         <translation>请提高 step_rate 或 substeps；夹在重得多的刚体之间的轻刚体需要如此。若此后仍有同样多的刚体受限，其去向较不确定</translation>
     </message>
     <message>
-        <source>raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under solver = bullet deep piles squeeze together, take soft-step there</source>
-        <translation>请提高 step_rate，或设置 auto_remedy = true，或提高 bodies_max 以减小聚类；solver = bullet 时深堆积体会压缩，请改用软步法</translation>
-    </message>
-    <message>
-        <source>raise step_rate, or set auto_remedy = true; solver = bullet gains more than soft-step</source>
-        <translation>请提高 step_rate，或设置 auto_remedy = true；solver = bullet 的增量大于软步法</translation>
-    </message>
-    <message>
         <source>raise step_rate, or set ground_height (or the terrain) to its real height</source>
         <translation>请提高 step_rate，或将 ground_height（或地形）设为实际高程</translation>
     </message>
     <message>
         <source>raise step_rate; look for births inside other bodies (overlap_speed) and for restitution above 1</source>
         <translation>请提高 step_rate；检查是否在其他刚体内部产生（overlap_speed），以及恢复系数是否大于 1</translation>
-    </message>
-    <message>
-        <source>raise step_rate; under solver = bullet piles squeeze together, take soft-step there</source>
-        <translation>请提高 step_rate；solver = bullet 时堆积体会压缩，请改用软步法</translation>
     </message>
     <message>
         <source>read them as debris that the FE analysis did not delete</source>
@@ -10047,10 +10035,6 @@
         <translation>{0} 的形心在地面以下 {1}（{2}）</translation>
     </message>
     <message>
-        <source>{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3})</source>
-        <translation>{0} 距结构 {1}；其高度与地形落差的 10 倍为 {2}（{3}）</translation>
-    </message>
-    <message>
         <source>place or velocity of {0} was no number: it was taken out ({1})</source>
         <translation>{0} 的位置或速度不是数值：已移出（{1}）</translation>
     </message>
@@ -10201,10 +10185,6 @@
     <message>
         <source>{0} passed, acknowledged</source>
         <translation>超过 {0}，已确认</translation>
-    </message>
-    <message>
-        <source>{0} went further from the structure than 10 times its height and the drop of the terrain</source>
-        <translation>{0} 离结构的距离超过其高度与地形落差的 10 倍</translation>
     </message>
     <message>
         <source>A page shows at most {0} fragments or elements; the run has {1} fragments of {2} elements</source>
@@ -12869,6 +12849,58 @@
     <message>
         <source>nothing of this collapse falls there: the FE result threw it, or it is an error; covered area and run-out hold it</source>
         <translation>本次倒塌的任何东西都不会自行落到那里：要么是有限元结果将其抛出，要么是错误；覆盖面积和散落距离包含它</translation>
+    </message>
+    <message>
+        <source>{0} was {1} from the structure; 10 times its height (taken as 1 m at least) and the drop of the terrain are {2} ({3})</source>
+        <translation>{0} 距结构 {1}；结构高度（至少按 1 m 计）的 10 倍加上地形落差为 {2}（{3}）</translation>
+    </message>
+    <message>
+        <source>outside the {0} to {1} of a pile, yet no pile to judge: the debris lies less than {2} fragments deep</source>
+        <translation>在堆积体的 {0} 至 {1} 之外，但不成可判断的堆积体：堆积物深度不到 {2} 个碎块</translation>
+    </message>
+    <message>
+        <source>raise step_rate</source>
+        <translation>提高 step_rate</translation>
+    </message>
+    <message>
+        <source>raise step_rate (auto_remedy is on and was not enough), or set solver = soft-step, which gains less</source>
+        <translation>提高 step_rate（auto_remedy 已启用，但不够），或设 solver = soft-step，其能量增加较少</translation>
+    </message>
+    <message>
+        <source>raise step_rate, or bodies_max for smaller clusters: auto_remedy is on and was not enough</source>
+        <translation>提高 step_rate，或提高 bodies_max 以缩小聚类：auto_remedy 已启用，但不够</translation>
+    </message>
+    <message>
+        <source>raise step_rate, or set auto_remedy = true</source>
+        <translation>提高 step_rate，或设 auto_remedy = true</translation>
+    </message>
+    <message>
+        <source>raise step_rate, set auto_remedy = true, or raise bodies_max for smaller clusters</source>
+        <translation>提高 step_rate，设 auto_remedy = true，或提高 bodies_max 以缩小聚类</translation>
+    </message>
+    <message>
+        <source>raise step_rate, set auto_remedy = true, or set solver = soft-step, which gains less</source>
+        <translation>提高 step_rate，设 auto_remedy = true，或设 solver = soft-step，其能量增加较少</translation>
+    </message>
+    <message>
+        <source>raise step_rate: auto_remedy is on and was not enough</source>
+        <translation>提高 step_rate：auto_remedy 已启用，但不够</translation>
+    </message>
+    <message>
+        <source>set solver = soft-step: under bullet deep piles squeeze together; or raise step_rate, or bodies_max for smaller clusters (auto_remedy is on and was not enough)</source>
+        <translation>设 solver = soft-step（solver = bullet 时深的堆积体会压缩），或提高 step_rate，或提高 bodies_max 以缩小聚类（auto_remedy 已启用，但不够）</translation>
+    </message>
+    <message>
+        <source>set solver = soft-step: under bullet deep piles squeeze together; or raise step_rate, set auto_remedy = true, or raise bodies_max for smaller clusters</source>
+        <translation>设 solver = soft-step（solver = bullet 时深的堆积体会压缩），或提高 step_rate，设 auto_remedy = true，或提高 bodies_max 以缩小聚类</translation>
+    </message>
+    <message>
+        <source>set solver = soft-step: under bullet piles squeeze together; or raise step_rate</source>
+        <translation>设 solver = soft-step（solver = bullet 时堆积体会压缩），或提高 step_rate</translation>
+    </message>
+    <message>
+        <source>{0} went further from the structure than 10 times its height (taken as 1 m at least) and the drop of the terrain</source>
+        <translation>{0} 距结构超过结构高度（至少按 1 m 计）的 10 倍加上地形落差</translation>
     </message>
 </context>
 <context>
@@ -16150,18 +16182,6 @@
         <translation>碎块</translation>
     </message>
     <message>
-        <source>interpolated after state %1 of %2</source>
-        <translation>在状态 %1（共 %2）之后插值</translation>
-    </message>
-    <message>
-        <source>last state, %1 of %2</source>
-        <translation>最后状态 %1（共 %2）</translation>
-    </message>
-    <message>
-        <source>state %1 of %2</source>
-        <translation>状态 %1（共 %2）</translation>
-    </message>
-    <message>
         <source>not simulated, at their birth places</source>
         <translation>未模拟，位于产生位置</translation>
     </message>
@@ -16524,6 +16544,18 @@
     <message>
         <source>simulated: debris, structure or ground</source>
         <translation>模拟：碎堆、结构或地面</translation>
+    </message>
+    <message>
+        <source>interpolated after state %1 of 0–%2</source>
+        <translation>在状态 %1（共 0–%2）之后插值</translation>
+    </message>
+    <message>
+        <source>last state, %1 of 0–%2</source>
+        <translation>最后状态 %1（共 0–%2）</translation>
+    </message>
+    <message>
+        <source>state %1 of 0–%2</source>
+        <translation>状态 %1（共 0–%2）</translation>
     </message>
 </context>
 <context>
@@ -18201,6 +18233,10 @@
     <message>
         <source>as %1, its density assumed</source>
         <translation>按%1处理，密度是假定的</translation>
+    </message>
+    <message>
+        <source>bulking factor of the pile; %1</source>
+        <translation>堆积体的松散系数；%1</translation>
     </message>
 </context>
 <context>
@@ -22356,10 +22392,6 @@ What the file fits: %2.</source>
         <translation>当前设置</translation>
     </message>
     <message>
-        <source>Few fragments share a birth time in a result with many states: the same number of bodies may need a larger multiple than the two to three of the published method.</source>
-        <translation>状态较多的结果中，同一产生时刻的碎块很少：同样的刚体数可能需要比论文的二至三更大的倍数。</translation>
-    </message>
-    <message>
         <source>This machine is not calibrated: 4,500 bodies at 24 FPS is the published figure.</source>
         <translation>本机尚未标定：24 FPS 下 4,500 个刚体为论文数据。</translation>
     </message>
@@ -22426,6 +22458,10 @@ What the file fits: %2.</source>
     <message>
         <source>Most of them that move at the same time, each from its birth on for the time set above; bodies at rest cost next to nothing, so this is what the bodies allowed are held against</source>
         <translation>其中同时运动的最多个数，每个自产生起按上面设定的时间计；静止的刚体几乎不耗时，因此以此与允许的刚体数比较</translation>
+    </message>
+    <message>
+        <source>In a result with many states few fragments share a birth time. The multiple for the bodies allowed may then lie outside the two to three of the published method, on either side.</source>
+        <translation>在状态很多的结果中，很少有碎块同时产生。达到允许刚体数的倍数因而可能大于或小于已发表方法的二至三。</translation>
     </message>
 </context>
 <context>
@@ -23504,6 +23540,14 @@ What the file fits: %2.</source>
         <source>none</source>
         <translation>无</translation>
     </message>
+    <message>
+        <source>The structure ends %1 above this terrain, where it is nearest.</source>
+        <translation>结构止于此地形之上 %1（最近处）。</translation>
+    </message>
+    <message>
+        <source>The structure reaches %1 below this terrain, where it is deepest.</source>
+        <translation>结构伸入此地形之下 %1（最深处）。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::NewCaseSummary</name>
@@ -24404,6 +24448,10 @@ What the file fits: %2.</source>
         <source>From a run of these very settings on this machine.</source>
         <translation>据本机上完全相同设置的一次运行。</translation>
     </message>
+    <message>
+        <source>Two thirds to one and a half of its wall time: room for a busier or idler machine, not a measured probability.</source>
+        <translation>其实际耗时的三分之二至一倍半：为机器的忙闲留出余地，并非测得的概率。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::PreferencesDialog</name>
@@ -25234,10 +25282,6 @@ Program: %3</source>
 <context>
     <name>rubble::widgets::RunPanel</name>
     <message>
-        <source>mean %1 ms per step</source>
-        <translation>平均每步 %1 ms</translation>
-    </message>
-    <message>
         <source>bulking of the pile %1</source>
         <translation>堆积体松散系数 %1</translation>
     </message>
@@ -25496,6 +25540,18 @@ Program: %3</source>
     <message>
         <source>Loose structure, carried</source>
         <translation>松脱结构，由引擎带动</translation>
+    </message>
+    <message>
+        <source>mean %1 ms per step from the first to the last birth</source>
+        <translation>首次到末次产生期间平均每步 %1 ms</translation>
+    </message>
+    <message>
+        <source>Step and factor: from the first to the last birth, settling left out.</source>
+        <translation>步耗时与系数：首次到末次产生期间，不含静止过程。</translation>
+    </message>
+    <message>
+        <source>bulking of the pile %1 (%2)</source>
+        <translation>堆积体松散系数 %1（%2）</translation>
     </message>
 </context>
 <context>

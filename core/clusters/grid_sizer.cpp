@@ -134,7 +134,9 @@ void GridSizer::reportManyBirths(const GridSettings& settings, const Execution& 
          "time, {4} clusters are counted. The published \"two to three\" mean distances do not carry over where few fragments "
          "share a birth",
          {sizing.fragments, m_partitioner.births(), multiple, sizing.bodiesMax, clusters}},
-        {"sizing.many_births.remedy", "Take the grid that was searched by counting; the guide is shown for comparison only", {}});
+        {"sizing.many_births.remedy",
+         "Nothing to do: an automatic multiple is searched by counting. The guide is shown for comparison only",
+         {}});
 }
 
 }  // namespace rubble

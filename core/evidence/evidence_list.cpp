@@ -162,6 +162,19 @@ Findings sameEvidence(const Case& theCase, std::string_view which) {
             }
         }
     }
+    for (const CaseInput& survey : theCase.inputs) {
+        const bool asked = survey.role == InputRole::Survey && !survey.sha256.empty() && (which.empty() || which == survey.id);
+        const bool ground = asked && std::any_of(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) {
+                                return input.role == InputRole::Terrain && input.sha256 == survey.sha256;
+                            });
+        if (ground) {
+            findings.add({"evidence.is_terrain",
+                          "\"{0}\" is the terrain that the debris of this case falls on: it shows no debris",
+                          {evidenceFileName(survey.path)}},
+                         {"evidence.is_terrain.remedy", "Take the heights that were measured after the collapse.", {}},
+                         survey.path);
+        }
+    }
     return findings;
 }
 

@@ -8,8 +8,8 @@ namespace rubble {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> noEvidenceIds{"evidence.of_this_run", "evidence.of_run", "evidence.ours",
-                                                        "evidence.same"};
+constexpr std::array<std::string_view, 5> noEvidenceIds{"evidence.of_this_run", "evidence.of_run", "evidence.ours", "evidence.same",
+                                                        "evidence.is_terrain"};
 
 Findings thoseOfNoEvidence(const Findings& findings, bool wanted) {
     Findings chosen;

@@ -13,6 +13,8 @@ namespace {
 
 /// 1/s, the most that can be set.
 constexpr double mostSteps = 10'000.0;
+/// s, the most that can be set.
+constexpr double longestSettling = 10'000.0;
 /// The most that can be set.
 constexpr std::int64_t mostBodies = 10'000'000;
 
@@ -25,6 +27,7 @@ constexpr std::string_view looseBeside = "sizing.loose_beside";
 constexpr std::string_view looseBesideRun = "sizing.loose_beside.run";
 constexpr std::string_view speedHeld = "simulation.speed_held";
 constexpr std::string_view stepsRaised = "simulation.auto_remedy";
+constexpr std::string_view stillMoving = "simulation.still_moving";
 constexpr std::string_view heldTogether = "simulation.held_together";
 constexpr std::string_view islandsLive = "simulation.live_islands";
 constexpr std::string_view waterMissed = "simulation.water_missed";
@@ -79,10 +82,9 @@ std::optional<RemedySetting> remedySettingOf(const HealthBreach& breach, const R
     const SimulationSettings& ran = grounds.ran.simulation;
     switch (breach.check) {
         case HealthCheck::Energy:
-            // Halving comes after the step that gained: it seldom helps.
-            return firstOther(grounds, {moreSteps(grounds), RemedySetting{"auto_remedy", true}});
         case HealthCheck::Penetration:
-            return firstOther(grounds, {RemedySetting{"auto_remedy", true}, moreSteps(grounds)});
+            // Halving comes after the step that gained or pressed: it seldom helps.
+            return firstOther(grounds, {moreSteps(grounds), RemedySetting{"auto_remedy", true}});
         case HealthCheck::Speed:
         case HealthCheck::BelowGround:
             return firstOther(grounds, {moreSteps(grounds)});
@@ -116,6 +118,10 @@ std::optional<RemedySetting> remedySettingOf(const Finding& finding, const Remed
     }
     if (id == speedHeld || id == stepsRaised) {
         return firstOther(grounds, {moreSteps(grounds)});
+    }
+    if (id == stillMoving) {
+        return firstOther(grounds,
+                          {RemedySetting{"settle_time", std::min(longestSettling, 2.0 * grounds.ran.simulation.settleTime)}});
     }
     if (id == heldTogether) {
         return moreBodies(grounds);

@@ -152,20 +152,23 @@ TEST(HealthList, ARemedyIsSetByItsButtonUntilItIsSet) {
                      [&](const QString& key, const ParameterValue& value) { set.emplace_back(key, value); });
     const auto buttons = list.findChildren<QPushButton*>(QStringLiteral("applyRemedy"));
     ASSERT_EQ(buttons.size(), 2);
-    EXPECT_EQ(buttons[0]->text(), QStringLiteral("Set “Smaller steps when unhealthy” to on"));
+    EXPECT_EQ(buttons[0]->text(), QStringLiteral("Set “Steps per second” to 120"));
     QTest::mouseClick(buttons[0], Qt::LeftButton);
     ASSERT_EQ(set.size(), 1U);
-    EXPECT_EQ(set[0].first, QStringLiteral("auto_remedy"));
-    EXPECT_EQ(set[0].second, ParameterValue(true));
-    // Set already: told, not offered. In the run already: twice the steps.
-    content.scenario.simulation.autoRemedy = true;
+    EXPECT_EQ(set[0].first, QStringLiteral("step_rate"));
+    EXPECT_EQ(set[0].second, ParameterValue(120.0));
+    // Set already: told, not offered. In the run already: the next one.
+    content.scenario.simulation.stepRate = 120.0;
     list.setContent(content);
     EXPECT_FALSE(list.findChild<QPushButton*>(QStringLiteral("applyRemedy"))->isEnabled());
-    content.grounds.ran.simulation.autoRemedy = true;
+    content.grounds.ran.simulation.stepRate = 120.0;
     const auto next = remedySettingOf(content.health.breaches[0], content.grounds);
     ASSERT_TRUE(next.has_value());
-    EXPECT_EQ(next->key, "step_rate");
-    EXPECT_EQ(next->value, ParameterValue(120.0));
+    EXPECT_EQ(next->key, "auto_remedy");
+    EXPECT_EQ(next->value, ParameterValue(true));
+    // What was measured says limit and bodies: they stand there once.
+    EXPECT_FALSE(allText(list).contains(QStringLiteral(", limit "))) << qPrintable(allText(list));
+    EXPECT_FALSE(allText(list).contains(QStringLiteral("at worst"))) << qPrintable(allText(list));
 }
 
 TEST(HealthList, ALimitThatWasPassedTwiceCountsOnce) {

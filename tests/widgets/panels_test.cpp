@@ -370,13 +370,18 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
     };
     outcome.solver = SolverKind::SoftStep;
     panel.setOutcome(outcome);
-    EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step, bulking of the pile 1.62")));
+    EXPECT_TRUE(
+        told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step while debris is born, bulking of the pile 1.62")));
     result->substeps = 0;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("soft-step, mean 2.3 ms per step")));
     outcome.solver = SolverKind::Bullet;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));
+    EXPECT_FALSE(told(QStringLiteral("fragments deep")));
+    result->bulkingFactor = 0.741;
+    panel.setOutcome(outcome);
+    EXPECT_TRUE(told(QStringLiteral("bulking of the pile 0.741 (outside the 1.15 to 2 of a pile")));
 }
 
 TEST(GridPanel, SaysWhatTheBodiesAllowedLeaveOut) {

@@ -28,7 +28,8 @@ const RunEntry taintedRun = runOf(true, 2, HealthGrade::Tainted);
 
 TEST(RunVerdict, SaysWhatTheFiguresAreWorth) {
     EXPECT_EQ(runVerdict(runOf(true, 0, HealthGrade::Notice)), QStringLiteral("sound"));
-    EXPECT_EQ(runVerdict(runOf(true, 1, HealthGrade::Finding)), QStringLiteral("1 limit passed"));
+    EXPECT_EQ(runVerdict(runOf(true, 1, HealthGrade::Finding)), QStringLiteral("finding: 1 limit passed"));
+    EXPECT_EQ(runVerdict(runOf(true, 1, HealthGrade::Notice)), QStringLiteral("notice: 1 limit passed"));
     EXPECT_EQ(runVerdict(taintedRun), QStringLiteral("tainted: 2 limits passed"));
     EXPECT_EQ(runVerdict(runOf(true, 2, HealthGrade::Tainted, true)), QStringLiteral("2 limits passed, acknowledged"));
     EXPECT_EQ(runVerdict(runOf(true, 2, std::nullopt)), QStringLiteral("2 limits passed")) << "of a history without grades";

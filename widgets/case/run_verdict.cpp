@@ -7,12 +7,25 @@
 
 namespace rubble::widgets {
 
+QString gradeWords(HealthGrade grade) {
+    switch (grade) {
+        case HealthGrade::Notice:
+            return QCoreApplication::translate("HealthGrade", "notice");
+        case HealthGrade::Finding:
+            return QCoreApplication::translate("HealthGrade", "finding");
+        case HealthGrade::Tainted:
+            break;
+    }
+    return QCoreApplication::translate("HealthGrade", "tainted");
+}
+
 namespace {
 
 QString verdictOfHealth(const RunEntry& run) {
     const QString passed = limitsPassed(run.breaches);
     return run.tainted()      ? QCoreApplication::translate("RunVerdict", "tainted: %1").arg(passed)
            : run.acknowledged ? QCoreApplication::translate("RunVerdict", "%1, acknowledged").arg(passed)
+           : run.grade        ? QStringLiteral("%1: %2").arg(gradeWords(*run.grade), passed)
                               : passed;
 }
 

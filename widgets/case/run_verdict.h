@@ -7,6 +7,8 @@
 
 namespace rubble::widgets {
 
+/// A passed limit's grade in the language of the window.
+QString gradeWords(HealthGrade grade);
 /// "2 limits passed"
 QString limitsPassed(std::int64_t count);
 /// What came of a run, wherever runs are listed: "sound", "tainted: 2 limits passed", "cancelled at 3.20 s",

@@ -7,18 +7,6 @@
 
 namespace rubble::widgets {
 
-QString gradeWords(HealthGrade grade) {
-    switch (grade) {
-        case HealthGrade::Notice:
-            return QCoreApplication::translate("HealthGrade", "notice");
-        case HealthGrade::Finding:
-            return QCoreApplication::translate("HealthGrade", "finding");
-        case HealthGrade::Tainted:
-            break;
-    }
-    return QCoreApplication::translate("HealthGrade", "tainted");
-}
-
 QString cautionWords(const std::vector<Caution>& cautions) {
     QStringList parts;
     for (const Caution& caution : cautions) {

@@ -54,7 +54,7 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
                      .arg(shownCount(static_cast<std::int64_t>(at(*breach.body))), metres(p.x()), metres(p.y()), metres(p.z()),
                           figures::shownUnit("m").name);
     }
-    if (breach.bodies > 1) {
+    if (breach.bodies > 1 && breach.check == HealthCheck::AsleepShare) {
         parts << HealthList::tr("%1 bodies at worst").arg(shownCount(breach.bodies));
     }
     return inOneLine(parts);
@@ -63,8 +63,8 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
 QString against(const HealthBreach& breach) {
     const QString when =
         std::isfinite(breach.worstAt) ? HealthList::tr(" at %1").arg(figures::timeText(breach.worstAt)) : QString();
-    return HealthList::tr("worst %1%2, limit %3")
-        .arg(worded(healthMeasure(breach.check, breach.worst)), when, worded(healthMeasure(breach.check, breach.limit)));
+    // What was measured says its limit already.
+    return HealthList::tr("worst %1%2").arg(worded(healthMeasure(breach.check, breach.worst)), when);
 }
 
 /// When a limit was passed: the first intervals, and how many more there are.

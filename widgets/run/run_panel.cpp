@@ -20,8 +20,7 @@ namespace {
 
 /// The solver with its cost and its effect on the pile.
 QString solverLine(SolverKind solver, const SimulationResult& result) {
-    const QString cost =
-        RunPanel::tr("mean %1 ms per step from the first to the last birth").arg(shownNumber(result.stepTimes.meanMs, 2));
+    const QString cost = RunPanel::tr("mean %1 ms per step while debris is born").arg(shownNumber(result.stepTimes.meanMs, 2));
     const std::optional<Message> thin = thinPile(result.bulkingFactor, result.health.breaches);
     const QString factor = shownNumber(result.bulkingFactor);
     const QString pile = thin ? RunPanel::tr("bulking of the pile %1 (%2)").arg(factor, worded(*thin))

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "core/base/unknown.h"
 #include "core/evidence/maps/map_cell.h"
@@ -135,23 +137,40 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
 
 namespace {
 
-/// Whether live structure stands where the height of a map is the largest.
-bool highestOn(const DebrisMap& map, std::span<const PlanBox> standing) {
-    const std::vector<double>& heights = map.layer(MapLayer::Height);
-    std::size_t highest = heights.size();
-    for (std::size_t k = 0; k < heights.size(); ++k) {
-        if (std::isfinite(heights[k]) && (highest == heights.size() || heights[k] > heights[highest])) {
-            highest = k;
+/// Cells of a map that live structure stands in, sorted.
+std::vector<MapCell> cellsOf(std::span<const PlanBox> standing, double side) {
+    std::vector<MapCell> cells;
+    const auto at = [side](float place) { return static_cast<std::int32_t>(std::floor(static_cast<double>(place) / side)); };
+    for (const PlanBox& box : standing) {
+        for (std::int32_t j = at(box.min().y()); j <= at(box.max().y()); ++j) {
+            for (std::int32_t i = at(box.min().x()); i <= at(box.max().x()); ++i) {
+                cells.push_back({j, i});
+            }
         }
     }
-    if (highest == heights.size()) {
-        return false;
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+}
+
+/// The highest debris, and whether structure stands there.
+void measureHeights(DebrisMap& map, std::span<const PlanBox> standing) {
+    const std::vector<double>& heights = map.layer(MapLayer::Height);
+    const std::vector<MapCell> taken = cellsOf(standing, map.cell);
+    double highest = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+        if (!std::isfinite(heights[k])) {
+            continue;
+        }
+        const bool stands = std::binary_search(taken.begin(), taken.end(), map.cells[k]);
+        if (heights[k] > highest) {
+            highest = heights[k];
+            map.ledger.highestStands = stands;
+        }
+        if (!stands && !(heights[k] <= map.ledger.pileHeight)) {
+            map.ledger.pileHeight = heights[k];
+        }
     }
-    const MapCell& cell = map.cells[highest];
-    const auto side = static_cast<float>(map.cell);
-    const Eigen::Vector2f low(side * static_cast<float>(cell.i), side * static_cast<float>(cell.j));
-    const PlanBox reached(low, low + Eigen::Vector2f(side, side));
-    return std::any_of(standing.begin(), standing.end(), [&](const PlanBox& box) { return box.intersects(reached); });
 }
 
 }  // namespace
@@ -197,7 +216,7 @@ DebrisMap makeDebrisMap(double time, std::span<const MapPiece> pieces, bool impa
     }
     map.ledger.fragments = static_cast<std::int64_t>(pieces.size());
     map.ledger.footprintArea = areaOf(debris, cell);
-    map.ledger.highestStands = live != nullptr && highestOn(map, live->standing);
+    measureHeights(map, live != nullptr ? std::span<const PlanBox>(live->standing) : std::span<const PlanBox>());
     for (const MapPiece& piece : pieces) {
         map.ledger.mass += piece.mass;
         map.ledger.volume += piece.volume;

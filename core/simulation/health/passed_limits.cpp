@@ -191,7 +191,7 @@ std::optional<Message> thinPile(double bulking, std::span<const HealthBreach> br
     }
     return Message{"health.thin_pile",
                    "outside the {0} to {1} of a pile, yet no pile to judge: the debris lies less than {2} fragments deep",
-                   {limits.bulkingLow, limits.bulkingHigh, limits.bulkingLayers}};
+                   {englishNumber(limits.bulkingLow), englishNumber(limits.bulkingHigh), englishNumber(limits.bulkingLayers)}};
 }
 
 std::string bodiesText(std::int64_t count) {

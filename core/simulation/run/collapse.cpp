@@ -10,6 +10,7 @@
 #include "core/fragments/birth_windows.h"
 #include "core/simulation/effects/held_islands.h"
 #include "core/simulation/effects/stopwatch.h"
+#include "core/simulation/run/motion_findings.h"
 #include "core/simulation/run/step_rate.h"
 #include "core/simulation/run/terrain_ends.h"
 
@@ -490,26 +491,9 @@ void Collapse::warn() {
     m_health.addFindings(m_result.findings);
     warnOfTerrain();
     addTerrainRoughness(m_surface.terrain.get(), m_description.scenario.effects, m_result.findings);
-    const std::int64_t held = m_effects.heldTogether();
-    if (held > 0) {
-        m_result.findings.add(
-            {"simulation.held_together",
-             "{0} clusters were hit hard enough to break up and were left whole: no room for more bodies",
-             {held}},
-            {"simulation.held_together.remedy", "raise bodies_max, or read the debris there as coarser than it is", {}}, "", held);
-    }
-    const std::int64_t slowed = m_world->contacts().speedLimits;
-    if (slowed > 0) {
-        m_result.findings.add(
-            {"simulation.speed_held",
-             "{0} times in {1} steps a body was held back: nothing that it touched could have made it that fast",
-             {slowed, m_result.steps}},
-            {"simulation.speed_held.remedy",
-             "raise step_rate or substeps; light bodies between far heavier ones ask for it. Where as many are held back after "
-             "that, what they did is less sure",
-             {}},
-            "", slowed);
-    }
+    addMotionFindings({m_effects.heldTogether(), m_world->contacts().speedLimits, m_result.steps, m_result.bodiesPeak,
+                       m_result.stillMoving, m_result.asleepAtEnd >= asleepShare, m_result.endTime},
+                      m_result.findings);
 }
 
 void Collapse::reportCosts() {

@@ -176,6 +176,30 @@ TEST_F(MapOfARun, StandingStructureWithinTheSurveyedDebrisIsTold) {
         << "a debris map tells debris from what stands";
 }
 
+// Of a bridge only the height of what lay on its abutments was told.
+TEST(MapLedger, TellsTheHighestOfThePileFromWhatLiesOnStructure) {
+    const auto boxAt = [](const Vec3& centre) {
+        MapPiece piece;
+        piece.box.centre = piece.centre = centre;
+        piece.box.halfExtents = Vec3(0.5, 0.5, 0.5);
+        piece.mass = 2400.0;
+        piece.volume = 1.0;
+        return piece;
+    };
+    const std::vector<MapPiece> pieces{boxAt({0.5, 0.5, 41.5}), boxAt({10.5, -7.5, 4.5}), boxAt({20.5, 3.5, 0.5})};
+    LiveStructure live;
+    live.standing.push_back(PlanBox(Eigen::Vector2f(-2.0F, -2.0F), Eigen::Vector2f(2.0F, 2.0F)));
+    const auto ledgerWith = [&](const LiveStructure* structure) {
+        return makeDebrisMap(9.0, pieces, false, structure, {"all"}, SiteSurface{}, {}, Execution()).ledger;
+    };
+    EXPECT_TRUE(ledgerWith(&live).highestStands);
+    EXPECT_NEAR(ledgerWith(&live).pileHeight, 5.0, 1e-6);
+    EXPECT_FALSE(ledgerWith(nullptr).highestStands);
+    EXPECT_NEAR(ledgerWith(nullptr).pileHeight, 42.0, 1e-6);
+    live.standing.push_back(PlanBox(Eigen::Vector2f(9.0F, -9.0F), Eigen::Vector2f(12.0F, -6.0F)));
+    EXPECT_NEAR(ledgerWith(&live).pileHeight, 1.0, 1e-6);
+}
+
 TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {
     scenario.effects.loose = LooseStructurePolicy::Fe;
     results = rubble::run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution());

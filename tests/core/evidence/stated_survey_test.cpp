@@ -118,6 +118,10 @@ TEST(EvidenceList, FilesOfOneContentAreOnePieceOfEvidence) {
     EXPECT_EQ(sameEvidence(theCase, "survey-1").count("evidence.same"), 1) << "either one says so";
     EXPECT_EQ(sameEvidence(theCase, "survey-3").count("evidence.same"), 1);
     EXPECT_TRUE(sameEvidence(theCase, "survey-2").empty());
+    theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "valley.asc", "cc"});
+    EXPECT_EQ(sameEvidence(theCase, "survey-2").count("evidence.is_terrain"), 1) << "the ground that debris falls on shows none";
+    EXPECT_EQ(noEvidenceOf(sameEvidence(theCase)).count("evidence.is_terrain"), 1);
+    EXPECT_EQ(sameEvidence(theCase, "survey-1").count("evidence.is_terrain"), 0);
 }
 
 TEST(EvidenceList, WhatSaysThatEvidenceIsNoneStandsFirst) {

@@ -33,8 +33,8 @@ TEST(Remedies, OfPassedLimitsAreSettingsThatDifferFromWhatRan) {
         }
         return textOf(setting);
     };
+    EXPECT_EQ(next(breachOf(HealthCheck::Penetration)), "step_rate=120") << "halving comes after bodies were pressed in";
     EXPECT_EQ(next(breachOf(HealthCheck::Penetration)), "auto_remedy=true");
-    EXPECT_EQ(next(breachOf(HealthCheck::Penetration)), "step_rate=120");
     EXPECT_EQ(next(breachOf(HealthCheck::Bulking)), "cluster_shape=hull");
     EXPECT_EQ(next(breachOf(HealthCheck::Bulking)), "bodies_max=9000");
     EXPECT_EQ(next(breachOf(HealthCheck::OutsideSite)), "") << "the sentence says where to look";
@@ -58,6 +58,7 @@ TEST(Remedies, OfFindingsAreSettingsWhereOneHelps) {
     EXPECT_EQ(of(findingOf("effect.not_held")), "loose_structure=fe");
     EXPECT_EQ(of(findingOf("sizing.loose_beside.run")), "loose_structure=fe");
     EXPECT_EQ(of(findingOf("simulation.speed_held")), "step_rate=120");
+    EXPECT_EQ(of(findingOf("simulation.still_moving")), "settle_time=20");
     EXPECT_EQ(of(findingOf("simulation.held_together")), "bodies_max=9000");
     EXPECT_EQ(of(findingOf("simulation.water_missed")), "water=on");
     EXPECT_EQ(of(findingOf("simulation.live_islands")), "") << "they are released already";

@@ -159,7 +159,10 @@ void ReportSections::addSummary() {
                  .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
                       reportNumber(100.0 * run.asleepAtEnd)) +
              (m_facts.map.map.ledger.highestStands
-                  ? u' ' + tr("The highest debris lies on structure that still stands, not on the pile.")
+                  ? u' ' + tr("The highest debris lies on structure that still stands; where none stands, the highest cell of %1 m "
+                              "lies "
+                              "%2 m above the ground.")
+                               .arg(reportNumber(m_facts.map.map.cell), reportNumber(m_facts.map.map.ledger.pileHeight))
                   : QString()),
          spread, unknowns}});
     text(source());
@@ -348,9 +351,8 @@ void ReportSections::addHealth() {
     const HealthReport& health = m_facts.result->health;
     if (health.breaches.empty()) {
         text(
-            tr("No limit of health was passed: energy, overlap, speeds, places and the share at rest stayed within their limits at "
-               "every "
-               "step."));
+            tr("No limit of health was passed: energy, overlap, speeds and places stayed within their limits at every step, and no "
+               "pile woke that had come to rest."));
         return;
     }
     ReportTable table;

@@ -95,6 +95,9 @@ QString debrisSums(const DebrisMap& map) {
     if (highest > 0.0) {
         text += MapWords::tr("; highest cell, in the mean: %1").arg(lengthText(highest));
         text += ledger.highestStands ? MapWords::tr(", on structure that stands") : QString();
+        text += ledger.highestStands && std::isfinite(ledger.pileHeight)
+                    ? MapWords::tr("; where none stands: %1").arg(lengthText(ledger.pileHeight))
+                    : QString();
     }
     // Debris too, to whoever stands before it: what fell and was not broken up.
     if (ledger.liveMass > 0.0) {

@@ -3067,10 +3067,6 @@
         <translation>表格 (*.csv)</translation>
     </message>
     <message>
-        <source>Take the grid that was searched by counting; the guide is shown for comparison only</source>
-        <translation>请采用通过计数搜索得到的网格；参考值仅供比较</translation>
-    </message>
-    <message>
         <source>Taking the digest of the files</source>
         <translation>正在计算文件摘要</translation>
     </message>
@@ -12902,6 +12898,22 @@
         <source>{0} went further from the structure than 10 times its height (taken as 1 m at least) and the drop of the terrain</source>
         <translation>{0} 距结构超过结构高度（至少按 1 m 计）的 10 倍加上地形落差</translation>
     </message>
+    <message>
+        <source>&quot;{0}&quot; is the terrain that the debris of this case falls on: it shows no debris</source>
+        <translation>“{0}”就是本案例堆积物所落的地形：其中没有堆积物</translation>
+    </message>
+    <message>
+        <source>Nothing to do: an automatic multiple is searched by counting. The guide is shown for comparison only</source>
+        <translation>无需处理：自动倍数按计数搜索得到。参考值仅供比较</translation>
+    </message>
+    <message>
+        <source>Take the heights that were measured after the collapse.</source>
+        <translation>请采用倒塌之后测得的高度。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} bodies still moved at {2}, when the settle time was over: the debris is not yet what it comes to</source>
+        <translation>{2} 时稳定时间已过，{1} 个刚体中仍有 {0} 个在运动：堆积物尚未达到最终状态</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -17086,10 +17098,6 @@
         <translation>运行健康状况</translation>
     </message>
     <message>
-        <source>No limit of health was passed: energy, overlap, speeds, places and the share at rest stayed within their limits at every step.</source>
-        <translation>没有超过任何健康限值：能量、重叠、速度、位置和静止份额在每一步都在限值内。</translation>
-    </message>
-    <message>
         <source>Limits of health that were passed</source>
         <translation>超过的健康限值</translation>
     </message>
@@ -18227,16 +18235,20 @@
         <translation>堆积物相对于这些单元格很小：其核心以 2 m 单元格计，大于以 1 m 单元格计的覆盖范围。堆积图的单元格与碎块相称。</translation>
     </message>
     <message>
-        <source>The highest debris lies on structure that still stands, not on the pile.</source>
-        <translation>最高的堆积物位于仍然站立的结构上，而不在堆积体上。</translation>
-    </message>
-    <message>
         <source>as %1, its density assumed</source>
         <translation>按%1处理，密度是假定的</translation>
     </message>
     <message>
         <source>bulking factor of the pile; %1</source>
         <translation>堆积体的松散系数；%1</translation>
+    </message>
+    <message>
+        <source>The highest debris lies on structure that still stands; where none stands, the highest cell of %1 m lies %2 m above the ground.</source>
+        <translation>最高的堆积物位于仍立着的结构上；在无结构立着之处，%1 m 单元的最高者高出地面 %2 m。</translation>
+    </message>
+    <message>
+        <source>No limit of health was passed: energy, overlap, speeds and places stayed within their limits at every step, and no pile woke that had come to rest.</source>
+        <translation>未超过任何健康限值：能量、重叠、速度和位置在每一步都在限值之内，静止后的堆积体也没有再次活动。</translation>
     </message>
 </context>
 <context>
@@ -18328,6 +18340,10 @@
     <message>
         <source>; fallen live structure beside them, moved farther than %3: %1 on %2</source>
         <translation>；另有移动超过 %3 的坍落存活结构：%1，占 %2</translation>
+    </message>
+    <message>
+        <source>; where none stands: %1</source>
+        <translation>；无结构立着之处：%1</translation>
     </message>
 </context>
 <context>
@@ -22471,10 +22487,6 @@ What the file fits: %2.</source>
         <translation>最差时 %1 个刚体</translation>
     </message>
     <message>
-        <source>worst %1%2, limit %3</source>
-        <translation>最差 %1%2，限值 %3</translation>
-    </message>
-    <message>
         <source>acknowledged</source>
         <translation>已确认</translation>
     </message>
@@ -22561,6 +22573,10 @@ What the file fits: %2.</source>
     <message>
         <source>Show %1</source>
         <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>worst %1%2</source>
+        <translation>最差 %1%2</translation>
     </message>
 </context>
 <context>
@@ -25542,8 +25558,8 @@ Program: %3</source>
         <translation>松脱结构，由引擎带动</translation>
     </message>
     <message>
-        <source>mean %1 ms per step from the first to the last birth</source>
-        <translation>首次到末次产生期间平均每步 %1 ms</translation>
+        <source>mean %1 ms per step while debris is born</source>
+        <translation>碎块产生期间平均每步 %1 ms</translation>
     </message>
     <message>
         <source>Step and factor: from the first to the last birth, settling left out.</source>

@@ -137,37 +137,36 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
 
 namespace {
 
-/// Cells of a map that live structure stands in, sorted.
-std::vector<MapCell> cellsOf(std::span<const PlanBox> standing, double side) {
-    std::vector<MapCell> cells;
-    const auto at = [side](float place) { return static_cast<std::int32_t>(std::floor(static_cast<double>(place) / side)); };
+/// Which cells of a map live structure stands in [cells].
+std::vector<bool> standingCells(const DebrisMap& map, std::span<const PlanBox> standing) {
+    std::vector<bool> stands(map.cells.size(), false);
+    const auto at = [side = map.cell](float place) {
+        return static_cast<std::int32_t>(std::floor(static_cast<double>(place) / side));
+    };
     for (const PlanBox& box : standing) {
         for (std::int32_t j = at(box.min().y()); j <= at(box.max().y()); ++j) {
-            for (std::int32_t i = at(box.min().x()); i <= at(box.max().x()); ++i) {
-                cells.push_back({j, i});
-            }
+            const auto first = std::lower_bound(map.cells.begin(), map.cells.end(), MapCell{j, at(box.min().x())});
+            const auto end = std::upper_bound(first, map.cells.end(), MapCell{j, at(box.max().x())});
+            std::fill(stands.begin() + (first - map.cells.begin()), stands.begin() + (end - map.cells.begin()), true);
         }
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
+    return stands;
 }
 
 /// The highest debris, and whether structure stands there.
 void measureHeights(DebrisMap& map, std::span<const PlanBox> standing) {
     const std::vector<double>& heights = map.layer(MapLayer::Height);
-    const std::vector<MapCell> taken = cellsOf(standing, map.cell);
+    const std::vector<bool> stands = standingCells(map, standing);
     double highest = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < heights.size(); ++k) {
         if (!std::isfinite(heights[k])) {
             continue;
         }
-        const bool stands = std::binary_search(taken.begin(), taken.end(), map.cells[k]);
         if (heights[k] > highest) {
             highest = heights[k];
-            map.ledger.highestStands = stands;
+            map.ledger.highestStands = stands[k];
         }
-        if (!stands && !(heights[k] <= map.ledger.pileHeight)) {
+        if (!stands[k] && !(heights[k] <= map.ledger.pileHeight)) {
             map.ledger.pileHeight = heights[k];
         }
     }

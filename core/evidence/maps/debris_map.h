@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,7 +12,6 @@
 
 #include "core/analysis/debris/cell_map.h"
 #include "core/base/execution.h"
-#include "core/base/unknown.h"
 #include "core/evidence/maps/live_structure.h"
 #include "core/evidence/maps/map_piece.h"
 #include "core/fe/site_surface.h"
@@ -75,7 +75,8 @@ struct MapLedger {
     double liveVolume = 0.0;         ///< m3
     double liveFootprintArea = 0.0;  ///< m2
     bool highestStands = false;      ///< the highest debris lies where live structure of the run still stands
-    double pileHeight = unknown;     ///< m, of the highest cell where no structure stands, in the mean; not a number: there is none
+    /// m, of the highest cell where no structure stands, in the mean; not a number: there is none
+    double pileHeight = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Debris by cells at one instant. Cells that neither fragments nor fallen live structure reach into are left out.

@@ -4,11 +4,11 @@ namespace rubble {
 
 void addMotionFindings(const MotionAccount& account, Findings& findings) {
     if (account.heldTogether > 0) {
-        findings.add(
-            {"simulation.held_together",
-             "{0} clusters were hit hard enough to break up and were left whole: no room for more bodies",
-             {account.heldTogether}},
-            {"simulation.held_together.remedy", "raise bodies_max, or read the debris there as coarser than it is", {}}, "", account.heldTogether);
+        findings.add({"simulation.held_together",
+                      "{0} clusters were hit hard enough to break up and were left whole: no room for more bodies",
+                      {account.heldTogether}},
+                     {"simulation.held_together.remedy", "raise bodies_max, or read the debris there as coarser than it is", {}},
+                     "", account.heldTogether);
     }
     if (account.heldBack > 0) {
         findings.add(
@@ -22,11 +22,10 @@ void addMotionFindings(const MotionAccount& account, Findings& findings) {
             "", account.heldBack);
     }
     if (account.moving > 0 && !account.atRest) {
-        findings.add(
-            {"simulation.still_moving",
-             "{0} of {1} bodies still moved at {2}, when the settle time was over: the debris is not yet what it comes to",
-             {account.moving, account.bodies, {account.end, "s"}}},
-            {"simulation.still_moving.remedy", "raise settle_time", {}}, "", account.moving);
+        findings.add({"simulation.still_moving",
+                      "{0} of {1} bodies still moved at {2}, when the settle time was over: the debris is not yet what it comes to",
+                      {account.moving, account.bodies, {account.end, "s"}}},
+                     {"simulation.still_moving.remedy", "raise settle_time", {}}, "", account.moving);
     }
 }
 

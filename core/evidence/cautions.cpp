@@ -15,19 +15,41 @@ std::string limitsText(std::size_t count) {
     return count == 1 ? std::string("1 limit of health") : englishInteger(static_cast<std::int64_t>(count)) + " limits of health";
 }
 
+/// The limit that was passed, or the gravest of them.
+std::string gravestText(const std::vector<PassedLimit>& passed) {
+    const auto gravest = std::max_element(passed.begin(), passed.end(),
+                                          [](const PassedLimit& a, const PassedLimit& b) { return a.grade < b.grade; });
+    return englishText(healthCheckTitle(gravest->check));
+}
+
+Message limitsPassed(const std::vector<PassedLimit>& passed, HealthGrade grade, bool acknowledged) {
+    const std::vector<Argument> told{limitsText(passed.size()), gravestText(passed)};
+    if (acknowledged) {
+        return {"caution.acknowledged", "{0} passed, acknowledged: {1}", told};
+    }
+    if (grade == HealthGrade::Notice) {
+        return passed.size() == 1 ? Message{"caution.limits_passed", "{0} passed, a notice: {1}", told}
+                                  : Message{"caution.limits_passed", "{0} passed, all notices; the first: {1}", told};
+    }
+    return passed.size() == 1 ? Message{"caution.limits_passed", "{0} passed, a finding: {1}", told}
+                              : Message{"caution.limits_passed", "{0} passed, the gravest a finding: {1}", told};
+}
+
 void addLimits(std::vector<Caution>& list, const RunStanding& run) {
-    const std::size_t passed = passedLimits(run.breaches).size();
+    const std::vector<PassedLimit> passed = passedLimits(run.breaches);
     const HealthGrade grade = gravestGrade(run.breaches);
-    if (passed == 0) {
+    if (passed.empty()) {
         return;
     }
     if (grade == HealthGrade::Tainted && !run.acknowledged) {
+        const std::vector<Argument> told{limitsText(passed.size()), gravestText(passed)};
         list.push_back(
-            {"tainted", grade, {"caution.tainted", "tainted: {0} passed, and nobody vouches for the run", {limitsText(passed)}}});
+            {"tainted", grade,
+             passed.size() == 1
+                 ? Message{"caution.tainted", "tainted: {0} passed, {1}, and nobody vouches for the run", told}
+                 : Message{"caution.tainted", "tainted: {0} passed, the gravest {1}, and nobody vouches for the run", told}});
     } else {
-        list.push_back({"limits_passed", std::min(grade, HealthGrade::Finding),
-                        run.acknowledged ? Message{"caution.acknowledged", "{0} passed, acknowledged", {limitsText(passed)}}
-                                         : Message{"caution.limits_passed", "{0} passed", {limitsText(passed)}}});
+        list.push_back({"limits_passed", std::min(grade, HealthGrade::Finding), limitsPassed(passed, grade, run.acknowledged)});
     }
 }
 
@@ -44,10 +66,11 @@ Caution noPlaceCaution(const std::string& system) {
 }
 
 Caution singleRunCaution() {
-    return {
-        "single_run",
-        HealthGrade::Notice,
-        {"caution.single_run", "a single run: what is not known of friction, restitution and births is not in its figures", {}}};
+    return {"single_run",
+            HealthGrade::Notice,
+            {"caution.single_run",
+             "one set of assumptions: what is not known of friction, restitution and births is not in these figures",
+             {}}};
 }
 
 Caution ensembleCaution(std::size_t members, double mean, double worst) {
@@ -65,8 +88,9 @@ Caution ensembleCaution(std::size_t members, double mean, double worst) {
 }
 
 std::vector<Message> placeDoubts(const Findings& findings) {
-    constexpr std::array<std::string_view, 5> others{"cloud.height_unit_assumed", "terrain.height_unit_unknown", "terrain.short",
-                                                     "simulation.terrain_ended", "simulation.terrain_unread"};
+    constexpr std::array<std::string_view, 6> others{"cloud.height_unit_assumed",   "terrain.height_unit",
+                                                     "terrain.height_unit_unknown", "terrain.short",
+                                                     "simulation.terrain_ended",    "simulation.terrain_unread"};
     constexpr double filledMuch = 0.1;
     std::vector<Message> doubts;
     for (const Finding& finding : findings.list()) {

@@ -15,13 +15,14 @@ namespace rubble {
 
 /// What a reader must know beside the figures of a run. Said here once: window, report, figures, maps and JSON show it.
 struct Caution {
-    std::string_view key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
-                           ///< "no_place", "place_doubt", "motion_doubt", "born_at_rest", "assumed", "single_run", "bodies",
-                           ///< "poor_camera", "not_at_rest", "stated_camera", "ensemble", "members"
+    std::string_view
+        key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
+              ///< "no_place", "place_doubt", "motion_doubt", "born_at_rest", "assumed", "single_run", "bodies",
+              ///< "poor_camera", "not_at_rest", "stated_camera", "ensemble", "members", "no_evidence", "evidence_doubt"
     HealthGrade grade{};
     Message what;
 
-    /// Pictures show what is graver than a notice, that limits were passed at all, and that they are of a single run.
+    /// Pictures show what is graver than a notice, that limits were passed at all, and that they are of one set of assumptions.
     bool inPictures() const { return grade != HealthGrade::Notice || key == "single_run" || key == "limits_passed"; }
 };
 

@@ -14,7 +14,8 @@ Findings otherThanNoEvidence(const Findings& findings);
 /// All, with that in front.
 Findings noEvidenceFirst(const Findings& findings);
 
-/// The same as cautions, for what is made of a comparison.
+/// The same as cautions ("no_evidence"), then what makes the figures of a comparison doubtful ("evidence_doubt"): an assumed unit
+/// or system of the survey, a place that does not fit, what one side holds and the other does not.
 std::vector<Caution> evidenceCautions(const Findings& findings);
 
 }  // namespace rubble

@@ -23,14 +23,15 @@ struct RunEntry {
     bool interrupted = false;  ///< its program ended before the run did
     double wallSeconds = 0.0;
     std::int64_t fragments = 0;
-    std::int64_t bodies = 0;   ///< most at one time
-    double endTime = 0.0;      ///< s, of the collapse
-    double asleepAtEnd = 0.0;  ///< share of the bodies
-    double msPerStep = 0.0;    ///< mean
-    double maxSpeed = 0.0;     ///< m/s
+    std::int64_t bodies = 0;  ///< most at one time
+    double endTime = 0.0;     ///< s, of the collapse
+    // Not a number: not known of a run that is not complete.
+    double asleepAtEnd = std::numeric_limits<double>::quiet_NaN();  ///< share of the bodies
+    double msPerStep = std::numeric_limits<double>::quiet_NaN();    ///< mean
+    double maxSpeed = std::numeric_limits<double>::quiet_NaN();     ///< m/s
     double bulkingFactor = std::numeric_limits<double>::quiet_NaN();
-    double energyDrift = 0.0;               ///< share of the work of gravity
-    std::int64_t breaches = 0;              ///< limits of health that were passed
+    double energyDrift = std::numeric_limits<double>::quiet_NaN();  ///< share of the work of gravity
+    std::int64_t breaches = 0;                                      ///< limits of health that were passed
     std::optional<HealthGrade> grade = {};  ///< the gravest of them; unset: a history of an earlier version does not say
     bool acknowledged = false;              ///< someone vouches for it in spite of them
     Digest trajectoryHash;                  ///< of a complete run

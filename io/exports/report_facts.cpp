@@ -157,7 +157,9 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
             takeStated(settings, *request.theCase, input, facts.findings);
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
             survey.comparison = compareRunWithSurvey(mapped, input.instant, read.survey, settings, execution);
-            survey.cautions = evidenceCautions(read.findings);
+            Findings told = read.findings;
+            told.append(survey.comparison->findings);
+            survey.cautions = evidenceCautions(told);
             // That it is no evidence stands beside it by its name.
             facts.findings.append(otherThanNoEvidence(read.findings));
             facts.findings.append(survey.comparison->findings);
@@ -402,7 +404,7 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
         facts.validation = keptValidations(request.studyFolder, facts.findings);
     }
     if (request.repeats > 0) {
-        execution.report({"report.repeating", "Simulating the run again, and its repeats", {}}, 0.2);
+        execution.report({"report.repeating", "Simulating the run again, and its repeats", {}}, 0.0);
         StudySettings settings;
         settings.repeats = request.repeats;
         facts.floor = repeatFloor(request.inputs, facts.scenario, settings, execution);

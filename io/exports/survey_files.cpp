@@ -85,8 +85,10 @@ std::vector<Caution> besideEvidence(const Findings& findings, const RunReader& r
 
 }  // namespace
 
-std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, double time) {
-    return besideEvidence(survey.findings, run, time);
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, const SurveyComparison& made) {
+    Findings all = survey.findings;
+    all.append(made.findings);
+    return besideEvidence(all, run, made.time);
 }
 
 std::vector<Caution> sectionCautions(const RunReader& run, const RunSection& made) {
@@ -95,7 +97,7 @@ std::vector<Caution> sectionCautions(const RunReader& run, const RunSection& mad
 
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath) {
     const RunOrigin& from = run.origin();
-    const std::vector<Caution> known = surveyCautions(run, survey, made.time);
+    const std::vector<Caution> known = surveyCautions(run, survey, made);
     const std::string name = std::filesystem::path(survey.path).filename().string();
     MapOrigin origin;
     origin.subject = name + " · " + mapSubject(from, casePath);

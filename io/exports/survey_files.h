@@ -20,7 +20,7 @@ namespace rubble::io {
 SurveyRequest surveyRequest(const RunOrigin& origin, const CaseInput& stated, const std::string& terrain = {});
 
 /// What must be known beside a comparison: what speaks against the survey as evidence, then the cautions of the run.
-std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, double time);
+std::vector<Caution> surveyCautions(const RunReader& run, const SurveyInput& survey, const SurveyComparison& made);
 
 /// What a comparison with a survey was made from, as every file of it says. @param casePath  empty: no case is known
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey, const std::string& casePath);

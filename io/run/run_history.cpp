@@ -33,7 +33,13 @@ std::optional<HealthGrade> gradeFrom(const JsonCursor& grade) {
     grade.fail("notice, finding or tainted");
 }
 
-nlohmann::json entryJson(const RunEntry& run) {
+/// A run that lies in the folder of its case is named from there, so that the folder may be moved.
+std::string fileFrom(const fs::path& folder, const std::string& file) {
+    const fs::path from = fs::path(file).lexically_relative(folder);
+    return file.empty() || from.empty() || *from.begin() == ".." ? file : from.string();
+}
+
+nlohmann::json entryJson(const RunEntry& run, const fs::path& folder) {
     return {{"when", run.when},
             {"scenario", run.scenarioId},
             {"scenario_name", run.scenarioName},
@@ -56,10 +62,10 @@ nlohmann::json entryJson(const RunEntry& run) {
             {"grade", run.breaches > 0 && run.grade ? nlohmann::json(std::string(healthGradeName(*run.grade))) : nlohmann::json()},
             {"acknowledged", run.acknowledged},
             {"trajectory_hash", run.trajectoryHash.hex()},
-            {"file", run.file}};
+            {"file", fileFrom(folder, run.file)}};
 }
 
-RunEntry entryFrom(const JsonCursor& entry) {
+RunEntry entryFrom(const JsonCursor& entry, const fs::path& folder) {
     RunEntry run;
     run.when = entry["when"].text();
     run.scenarioId = entry["scenario"].text();
@@ -85,6 +91,9 @@ RunEntry entryFrom(const JsonCursor& entry) {
     run.acknowledged = entry.has("acknowledged") && entry["acknowledged"].flag();
     run.trajectoryHash = digestFromJson(entry["trajectory_hash"]);
     run.file = entry["file"].text();
+    if (!run.file.empty() && fs::path(run.file).is_relative()) {
+        run.file = (folder / run.file).lexically_normal().string();
+    }
     return run;
 }
 
@@ -102,16 +111,18 @@ std::vector<RunEntry> readRunHistory(const std::string& file) {
     const nlohmann::json document = readJsonDocument(file, historyKind);
     const JsonCursor top(document, file);
     std::vector<RunEntry> runs;
+    const fs::path folder = fs::absolute(file).parent_path();
     for (const JsonCursor& entry : top["runs"].elements()) {
-        runs.push_back(entryFrom(entry));
+        runs.push_back(entryFrom(entry, folder));
     }
     return runs;
 }
 
 void writeRunHistory(const std::string& file, const std::vector<RunEntry>& runs) {
     nlohmann::json document = {{"format", historyKind.format}, {"version", historyKind.version}, {"runs", nlohmann::json::array()}};
+    const fs::path folder = fs::absolute(file).parent_path();
     for (const RunEntry& run : runs) {
-        document["runs"].push_back(entryJson(run));
+        document["runs"].push_back(entryJson(run, folder));
     }
     std::error_code failed;
     fs::create_directories(fs::path(file).parent_path(), failed);

@@ -60,6 +60,22 @@ TEST(RunHistory, ComesBackAsItWas) {
     EXPECT_TRUE(std::isnan(readRunHistory(file)[0].bulkingFactor));
 }
 
+TEST(RunHistory, RunsBesideTheCaseMoveWithItsFolder) {
+    const TemporaryFolder folder;
+    RunEntry beside = someRun(1);
+    beside.file = folder / "then/runs/first.run.h5";
+    RunEntry stopped;
+    stopped.when = beside.when;
+    stopped.file = "/somewhere/else.run.h5";
+    writeRunHistory(folder / "then/case.rubble.runs.json", {beside, stopped});
+    std::filesystem::rename(folder / "then", folder / "now");
+    const std::vector<RunEntry> runs = readRunHistory(folder / "now/case.rubble.runs.json");
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0].file, folder / "now/runs/first.run.h5");
+    EXPECT_EQ(runs[1].file, stopped.file);
+    EXPECT_TRUE(std::isnan(runs[1].maxSpeed) && std::isnan(runs[1].msPerStep) && std::isnan(runs[1].asleepAtEnd));
+}
+
 TEST(RunHistory, OfEarlierVersionsSaysNoGrade) {
     const TemporaryFolder folder;
     const std::string file = folder / "case.rubble.runs.json";

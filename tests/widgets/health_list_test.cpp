@@ -100,8 +100,20 @@ TEST(HealthList, WhatIsLongHasTheRoomThatItNeedsInThePanel) {
 TEST(HealthList, ASoundRunSaysSoAndAsksForNothing) {
     HealthList list;
     list.setContent({});
-    EXPECT_TRUE(allText(list).contains(QStringLiteral("Sound")));
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("No limit of health was passed")));
     EXPECT_FALSE(offersToAcknowledge(list));
+}
+
+TEST(HealthList, AStoppedRunSaysHowFarItWasLookedAt) {
+    HealthList list;
+    HealthList::Content content;
+    content.upTo = 2.5;
+    list.setContent(content);
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("up to 2.50\u00A0s"))) << allText(list).toStdString();
+    content.health = twoBreaches();
+    list.setContent(content);
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("it is tainted"))) << allText(list).toStdString();
+    EXPECT_FALSE(offersToAcknowledge(list)) << "nobody vouches for a part of a run";
 }
 
 TEST(HealthList, ABreachSaysWhatWhereWhenAndTheRemedy) {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/theme.h"
 #include "widgets/figures/map_picture.h"
+#include "widgets/figures/sheets/map_contours.h"
 #include "widgets/figures/sheets/map_window.h"
 #include "widgets/figures/sheets/map_words.h"
 #include "widgets/figures/shown_units.h"
@@ -164,6 +166,53 @@ TEST_F(RunMapPanelTest, CautionsStandOnAmberBelowTheMap) {
     cautioned.place.cautions = "12 of 40 bodies still move";
     panel.setContent(cautioned);
     EXPECT_NE(drawn(panel), without);
+    EXPECT_TRUE(child<QFrame>("mapCautions")->isVisibleTo(&panel));
+}
+
+TEST_F(RunMapPanelTest, BesideThePointerStandThePlaceAndItsValue) {
+    auto* map = panel.findChild<MapView*>();
+    drawn(panel);
+    figures::MapPlacing placing;
+    figures::MapPictureStyle style = panel.style();
+    style.cautions.clear();
+    style.pixels = map->size();
+    style.dpi = 96.0;
+    style.theme = render::Theme::Light;
+    style.shownUnits = true;
+    figures::mapPicture(heap()->map, MapLayer::Height, style, &placing);
+    EXPECT_LT((placing.at(placing.cells.bottomLeft()) - Eigen::Vector2d(0, 0)).norm(), 1.5) << "outlines may reach farther";
+    const Eigen::Vector2d middle = placing.at(placing.cells.center());
+    EXPECT_NEAR(middle.x(), 5.0, 1.0);
+    QTest::mouseMove(map, placing.cells.center().toPoint());
+    ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::isVisible(); }, 5000));
+    EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("Height: "))) << QToolTip::text().toStdString();
+    const QString there = figures::placeWords(heap()->map, MapLayer::Mass, style, Eigen::Vector2d(4.8, 2.3));
+    EXPECT_TRUE(there.startsWith(QStringLiteral("x 4.80, y 2.30 m"))) << there.toStdString();
+    EXPECT_EQ(there.count(u'\n'), 2) << "mass and height: " << there.toStdString();
+    EXPECT_TRUE(
+        figures::placeWords(heap()->map, MapLayer::Mass, style, Eigen::Vector2d(40, 2)).contains(QStringLiteral("no debris")));
+}
+
+TEST_F(RunMapPanelTest, ContoursHaveNumbers) {
+    EXPECT_EQ(figures::numberedEvery(0.25, 1.0), 1) << "few levels: each";
+    EXPECT_EQ(figures::numberedEvery(0.25, 3.0), 4) << "whole metres";
+    EXPECT_EQ(figures::numberedEvery(0.1, 3.0), 5);
+    EXPECT_EQ(figures::numberedEvery(1.0, 12.0), 5);
+    figures::MapPictureStyle style = content().place;
+    const QImage plain = figures::mapPicture(heap()->map, MapLayer::Height, style);
+    style.contours = 1.0;
+    const QImage lines = figures::mapPicture(heap()->map, MapLayer::Height, style);
+    // White behind numbers is nowhere else within the map.
+    figures::MapPlacing placing;
+    figures::mapPicture(heap()->map, MapLayer::Height, style, &placing);
+    int white = 0;
+    const QRect inside = placing.cells.toRect().adjusted(20, 20, -20, -20);
+    for (int y = inside.top(); y < inside.bottom(); ++y) {
+        for (int x = inside.left(); x < inside.right(); ++x) {
+            white += qGray(lines.pixel(x, y)) > qGray(plain.pixel(x, y)) + 10 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(white, 100);
 }
 
 TEST_F(RunMapPanelTest, APictureCountsInMetresInAllOfItWhateverIsShown) {

@@ -8,7 +8,7 @@
 
 namespace rubble::widgets {
 
-/// A layer of a map at the size of the widget, in the colours of the window.
+/// A layer of a map at the size of the widget, in the colours of the window. Beside the pointer stand the place and its value.
 class MapView : public QWidget {
     Q_OBJECT
 
@@ -24,12 +24,14 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
     std::shared_ptr<const DebrisMap> m_map;
     MapLayer m_layer = MapLayer::Probability;
     figures::MapPictureStyle m_style;
     QImage m_picture;  // as last drawn; null: draw it anew
+    figures::MapPlacing m_placing;
 };
 
 }  // namespace rubble::widgets

@@ -123,6 +123,9 @@ QWidget* NewCaseWizard::buildButtons() {
     for (QWidget* each : std::initializer_list<QWidget*>{m_undo, m_redo, m_activity, m_progress, m_stop}) {
         row->addWidget(each);
     }
+    // All of the room between the buttons, on two lines where one is too short.
+    m_activity->setWordWrap(true);
+    row->setStretchFactor(m_activity, 1);
     row->addStretch();
     for (QPushButton* each : {m_cancel, m_back, m_next, m_create}) {
         row->addWidget(each);
@@ -224,6 +227,7 @@ bool NewCaseWizard::mayGoOn() {
 void NewCaseWizard::setProgress(const QString& what, double fraction) {
     const bool runs = !what.isEmpty();
     m_activity->setText(runs ? what + QStringLiteral(" …") : QString());
+    m_activity->setToolTip(what);
     m_activity->setVisible(runs);
     m_progress->setValue(static_cast<int>(1000.0 * fraction));
     m_progress->setVisible(runs);

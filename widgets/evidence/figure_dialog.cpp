@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -57,6 +58,9 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
     m_preset->setCurrentIndex(choice.preset ? m_preset->findData(static_cast<int>(*choice.preset)) : 0);
     auto* column = dialogColumn(*this);
     m_preview->setMinimumSize(previewPixels);
+    // The picture follows the room that there is; it asks for none.
+    m_preview->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    m_preview->installEventFilter(this);
     m_preview->setAlignment(Qt::AlignCenter);
     m_preview->setWordWrap(true);
     m_preview->setAccessibleName(tr("Preview of the figure"));
@@ -125,12 +129,30 @@ FigureChoice FigureDialog::choice() const {
 }
 
 void FigureDialog::setPreview(const QImage& picture, const QString& problem) {
+    m_picture = picture;
     if (picture.isNull()) {
         m_preview->setPixmap({});
         m_preview->setText(problem);
         return;
     }
-    m_preview->setPixmap(QPixmap::fromImage(picture.scaled(m_preview->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+    fitPreview();
+}
+
+void FigureDialog::fitPreview() {
+    if (m_picture.isNull() || m_preview->width() < 1 || m_preview->height() < 1) {
+        return;
+    }
+    const double ratio = devicePixelRatioF();
+    QImage fitted = m_picture.scaled((QSizeF(m_preview->size()) * ratio).toSize(), Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    fitted.setDevicePixelRatio(ratio);
+    m_preview->setPixmap(QPixmap::fromImage(fitted));
+}
+
+bool FigureDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_preview && event->type() == QEvent::Resize) {
+        fitPreview();
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 void FigureDialog::showEvent(QShowEvent* event) {

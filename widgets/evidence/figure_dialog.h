@@ -46,8 +46,10 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void fitPreview();
     void showSize();
 
     QComboBox* m_preset;
@@ -58,6 +60,7 @@ private:
     QLabel* m_print;
     Notice* m_cautions;
     QLabel* m_preview;
+    QImage m_picture;  // that is previewed; null: none
     QTimer m_rest;
 };
 

@@ -66,6 +66,9 @@ ReportPanel::ReportPanel(QWidget* parent)
     addMade();
     addGaps();
     PanelGroup* written = addGroup(tr("Report"));
+    // What a click costs stands beside the button.
+    m_cost = written->addNote({});
+    m_cost->setObjectName(QStringLiteral("reportCost"));
     m_write->setObjectName(QStringLiteral("writeReport"));
     connect(m_write, &QPushButton::clicked, this, [this] { m_writing ? emit cancelRequested() : emit writeRequested(); });
     written->addWide(m_write);
@@ -137,8 +140,6 @@ void ReportPanel::addMade() {
         tr("Repeats"), m_repeats, {},
         tr("How often the run is simulated again with births shifted by a micrometre, 0 to 20: the spread of every result. "
            "Each takes as long as the run"));
-    m_cost = made->addNote({});
-    m_cost->setObjectName(QStringLiteral("reportCost"));
     connect(m_repeats, &QSpinBox::valueChanged, this, [this] {
         showCost();
         emit wishesChanged();
@@ -265,7 +266,8 @@ void ReportPanel::showCost() {
         m_cost->setText(tr("Without repeats the report cannot say how far the run repeats itself."));
     } else if (m_runSeconds) {
         // The run itself is simulated again, too.
-        m_cost->setText(tr("Simulates the run and its repeats again: up to about %1.")
+        m_cost->setText(tr("Simulates %1 times, the run and its repeats: up to about %2.")
+                            .arg(m_repeats->value() + 1)
                             .arg(shownDuration(*m_runSeconds * (m_repeats->value() + 1))));
     } else {
         m_cost->setText(tr("Simulates the run and its repeats again, each as long as the run took."));

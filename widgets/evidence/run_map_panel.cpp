@@ -67,6 +67,7 @@ RunMapPanel::RunMapPanel(QWidget* parent)
       m_contours(new QComboBox),
       m_notice(new Notice),
       m_map(new MapView),
+      m_cautions(new Notice),
       m_ledger(new QLabel) {
     setObjectName(QStringLiteral("panelBody"));
     setAttribute(Qt::WA_StyledBackground);
@@ -79,6 +80,8 @@ RunMapPanel::RunMapPanel(QWidget* parent)
     column->addWidget(m_notice);
     m_map->setObjectName(QStringLiteral("runMap"));
     column->addWidget(m_map, 1);
+    m_cautions->setObjectName(QStringLiteral("mapCautions"));
+    column->addWidget(m_cautions);
     m_ledger->setObjectName(QStringLiteral("muted"));
     m_ledger->setWordWrap(true);
     column->addWidget(m_ledger);
@@ -184,8 +187,8 @@ QWidget* RunMapPanel::buildOverlayRow() {
     QHBoxLayout* row = groupOf(*widget);
     m_live =
         overlay(tr("Fallen live structure"), tr("Live elements that fell, in layers of their own"), "mapLive", &RunMapChoice::live);
-    m_structure =
-        overlay(tr("Structure"), tr("Outline in plan of what collapsed, as it stood"), "mapStructure", &RunMapChoice::structure);
+    m_structure = overlay(tr("Structure"), tr("Outlines in plan: of what collapsed, as it stood, and of what still stands"),
+                          "mapStructure", &RunMapChoice::structure);
     m_evidence = overlay(tr("Evidence"), tr("Outlines that were surveyed, and the areas in which surveys are compared"),
                          "mapEvidence", &RunMapChoice::evidence);
     row->addWidget(m_live);
@@ -221,6 +224,7 @@ void RunMapPanel::setContent(const Content& content) {
     }
     m_map->setVisible(mapped);
     m_notice->set(Notice::Kind::Note, content.making && !mapped ? tr("Mapping the debris …") : content.why);
+    m_cautions->set(Notice::Kind::Finding, mapped ? QString::fromStdString(content.place.cautions) : QString());
     const bool usual = mapped && content.map->cellFrom > 0.0;
     m_cell->setEmptyMeans(usual ? tr("auto: %1").arg(shownNumber(content.map->map.cell * figures::shownUnit("m").perSi, 2))
                                 : tr("auto"));
@@ -256,14 +260,18 @@ figures::MapPictureStyle RunMapPanel::style() const {
     figures::MapPictureStyle style = m_content.place;
     style.contours = m_choice.contours;
     std::erase_if(style.outlines, [this](const figures::MapOutline& outline) {
-        return outline.of == figures::MapOutline::Of::Structure ? !m_choice.structure : !m_choice.evidence;
+        const bool ofStructure =
+            outline.of == figures::MapOutline::Of::Structure || outline.of == figures::MapOutline::Of::Standing;
+        return ofStructure ? !m_choice.structure : !m_choice.evidence;
     });
     return style;
 }
 
 void RunMapPanel::draw() {
     const std::shared_ptr<const RunMap>& made = m_content.map;
-    m_map->setMap(made != nullptr ? std::shared_ptr<const DebrisMap>(made, &made->map) : nullptr, m_choice.layer, style());
+    figures::MapPictureStyle drawn = style();
+    drawn.cautions.clear();  // they stand below, in words of their own size
+    m_map->setMap(made != nullptr ? std::shared_ptr<const DebrisMap>(made, &made->map) : nullptr, m_choice.layer, drawn);
 }
 
 void RunMapPanel::showLedger() {
@@ -272,8 +280,10 @@ void RunMapPanel::showLedger() {
         return;
     }
     const MapLedger& ledger = m_content.map->map.ledger;
-    QStringList parts{tr("fragments: %1").arg(shownCount(ledger.fragments)), shownMass(ledger.mass, 4),
-                      shownWith(ledger.volume, "m3", 4), tr("on %1").arg(shownWith(ledger.footprintArea, "m2", 4))};
+    QStringList parts{
+        tr("fragments: %1").arg(shownCount(ledger.fragments)), shownMass(ledger.mass, 4),
+        tr("%1 of solid material").arg(shownWith(ledger.volume, "m3", 4)),
+        tr("on %1 by cells of %2").arg(shownWith(ledger.footprintArea, "m2", 4), shownLength(m_content.map->map.cell, 2))};
     if (m_content.map->map.live && ledger.liveElements > 0) {
         parts << tr("fallen live structure beside them, moved farther than %1: %2")
                      .arg(shownLength(m_content.map->map.liveThreshold, 2), shownMass(ledger.liveMass, 4));

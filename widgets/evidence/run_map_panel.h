@@ -85,6 +85,7 @@ private:
     QCheckBox* m_evidence = nullptr;
     Notice* m_notice;
     MapView* m_map;
+    Notice* m_cautions;
     QLabel* m_ledger;
     bool m_showing = false;
 };

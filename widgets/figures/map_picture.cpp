@@ -15,12 +15,12 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/evidence/maps/height_contours.h"
 #include "core/fe/north.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/sheets/map_contours.h"
 #include "widgets/figures/sheets/map_edges.h"
 #include "widgets/figures/sheets/map_window.h"
 #include "widgets/figures/sheets/map_words.h"
@@ -88,7 +88,10 @@ public:
             write(painter, m_field, tr("No debris at this time"), Qt::AlignCenter, m_text);
         } else {
             drawCells(painter);
-            drawContours(painter);
+            figures::drawContours(
+                painter, m_map,
+                {m_style.contours, m_frame, [this](const Eigen::Vector2d& at) { return QPointF(pixelX(at.x()), pixelY(at.y())); },
+                 contourPen(), m_small});
             drawOutlines(painter);
             drawEdges(painter);
             drawRing(painter);
@@ -105,6 +108,10 @@ public:
         setResolution(m_image, m_style.dpi);
         m_image.setText(QStringLiteral("Description"), QString::fromStdString(m_style.provenance));
         return m_image;
+    }
+
+    MapPlacing placing() const {
+        return {m_cells, m_map.cell * Eigen::Vector2d(m_window.low.i, m_window.low.j), m_map.cell / m_cellPixels};
     }
 
 private:
@@ -248,9 +255,7 @@ private:
             place, unit.name, m_small, m_palette.muted, m_palette.text);
     }
 
-    bool showsContours() const {
-        return m_style.contours > 0.0 && m_map.has(MapLayer::Height) && !m_map.layer(MapLayer::Height).empty();
-    }
+    bool showsContours() const { return hasContours(m_map, m_style.contours); }
     QPen contourPen() const { return {QColor(0x20, 0x22, 0x26, 170), std::max(0.7, 0.06 * m_text)}; }
     QPen outlinePen(MapOutline::Of of) const { return lineOf(of, m_palette, std::max(1.5, 0.15 * m_text)); }
 
@@ -262,22 +267,6 @@ private:
             }
             painter.drawPolygon(line);
         }
-    }
-
-    void drawContours(QPainter& painter) {
-        if (!showsContours()) {
-            return;
-        }
-        std::vector<OutlineRing> rings;
-        for (HeightContour& line : heightContours(m_map.cells, m_map.layer(MapLayer::Height), m_map.cell, m_style.contours)) {
-            rings.push_back(std::move(line.corners));
-        }
-        painter.save();
-        painter.setClipRect(m_frame);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(contourPen());
-        drawRings(painter, rings);
-        painter.restore();
     }
 
     void drawOutlines(QPainter& painter) {
@@ -374,8 +363,9 @@ private:
         double y = m_legend.top() + (m_low ? 0.0 : aboveTitle * m_line);
         const double room = m_legend.width() - (m_low ? 2.0 * m_line : 0.0);
         const QString title = legendTitle(m_map, m_layer);
+        const double share = room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(title);
         write(painter, QRectF(m_legend.left(), y, room, m_line), title, static_cast<int>(Qt::AlignLeft),
-              m_text * std::min(1.0, room / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(title)));
+              m_text * (share >= 1.0 ? 1.0 : 0.94 * share));
         y += 1.5 * m_line;
         if (namesCauses()) {
             drawEntry(painter, y, colourAt(m_layer, 1.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[0])));
@@ -547,7 +537,11 @@ void checkLayer(const DebrisMap& map, MapLayer layer) {
 
 }  // namespace
 
-QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style) {
+Eigen::Vector2d MapPlacing::at(const QPointF& pixel) const {
+    return low + metres * Eigen::Vector2d(pixel.x() - cells.left(), cells.bottom() - pixel.y());
+}
+
+QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style, MapPlacing* placing) {
     std::optional<FileUnits> inSi;
     if (!style.shownUnits) {
         inSi.emplace();
@@ -562,7 +556,11 @@ QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& s
                          {"figure.map_size.remedy", "Ask for {0} to {1} pixels a side and 20 to 2400 dpi.", {smallest, largest}});
     }
     checkLayer(map, layer);
-    return MapSheet(map, layer, style).draw();
+    MapSheet sheet(map, layer, style);
+    if (placing != nullptr) {
+        *placing = sheet.placing();
+    }
+    return sheet.draw();
 }
 
 Orthophoto groundPicture(const DebrisMap& map, MapLayer layer) {

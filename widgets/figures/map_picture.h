@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QImage>
+#include <QPointF>
+#include <QRectF>
 #include <QSize>
 #include <array>
 
@@ -26,9 +28,9 @@ struct MapRing {
 
 /// A line around something on a map: the structure that stood there, or what was found.
 struct MapOutline {
-    /// What stood there, what was found, what looks like evidence and was simulated, and the area that is compared.
-    enum class Of : std::uint8_t { Structure, Evidence, Simulated, Area };
-    static constexpr std::array<Of, 4> all{Of::Structure, Of::Evidence, Of::Simulated, Of::Area};
+    /// What stood there, what still stands, what was found, what looks like evidence and was simulated, the area that is compared.
+    enum class Of : std::uint8_t { Structure, Standing, Evidence, Simulated, Area };
+    static constexpr std::array<Of, 5> all{Of::Structure, Of::Standing, Of::Evidence, Of::Simulated, Of::Area};
     Of of = Of::Structure;
     std::vector<OutlineRing> rings;  ///< m, local
 };
@@ -51,11 +53,21 @@ struct MapPictureStyle {
     bool fitted = false;                 ///< the picture is made as low or as narrow as the map; `pixels` is the most
 };
 
+/// Where the cells of a map lie in its picture.
+struct MapPlacing {
+    QRectF cells;                                   ///< px, of the cells shown
+    Eigen::Vector2d low = Eigen::Vector2d::Zero();  ///< m, local, of their lower left corner
+    double metres = 1.0;                            ///< m, that a pixel covers
+
+    Eigen::Vector2d at(const QPointF& pixel) const;  ///< m, local
+};
+
 /// One layer of a map, on white for print, with scale bar, arrow to the north, coordinates along the edges, legend with unit, and a
 /// caption below; fallen live structure is drawn in grey where no fragments lie, if the map has it. Shown is what holds 99.9 % of
 /// the mass, if the rest lies far from it; the caption then counts the cells left out. Colours end at the 99th percentile. Call
 /// ensureGuiApplication() first. Throws UsageError for a size out of range or a layer that the map does not have.
-QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style);
+/// @param placing  where its cells lie in the picture; null: not asked for
+QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style, MapPlacing* placing = nullptr);
 
 /// One layer of a map to be laid on the ground of the views: a pixel for each cell in the colours of mapPicture(), nothing where
 /// there is no value. Throws UsageError for a layer that the map does not have.

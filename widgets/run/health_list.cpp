@@ -197,7 +197,14 @@ void HealthList::setContent(const Content& content) {
     const bool waits = content.health.tainted() && !content.acknowledged;
     const QString passed = limitsPassed(count);
     if (count == 0) {
-        m_verdict->set(Notice::Kind::Note, tr("Sound: no limit was passed."));
+        m_verdict->set(
+            Notice::Kind::Note,
+            content.upTo
+                ? tr("No limit of health was passed up to %1, where the run was stopped.").arg(figures::timeText(*content.upTo))
+                : tr("No limit of health was passed."));
+    } else if (waits && content.upTo) {
+        m_verdict->set(Notice::Kind::Finding,
+                       tr("%1 up to %2, where the run was stopped: it is tainted.").arg(passed, figures::timeText(*content.upTo)));
     } else if (waits) {
         m_verdict->set(Notice::Kind::Finding, tr("%1: this run is tainted until someone acknowledges it.").arg(passed));
     } else if (gravestGrade(content.health.breaches) == HealthGrade::Finding) {
@@ -205,7 +212,7 @@ void HealthList::setContent(const Content& content) {
     } else {
         m_verdict->set(Notice::Kind::Note, passed + u'.');
     }
-    m_form->setVisible(waits);
+    m_form->setVisible(waits && !content.upTo);
     if (content.acknowledged && count > 0) {
         const Acknowledgement& a = *content.acknowledged;
         const QDateTime when = QDateTime::fromString(QString::fromStdString(a.when), Qt::ISODate);

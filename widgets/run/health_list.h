@@ -32,9 +32,10 @@ public:
     struct Content {
         HealthReport health;
         std::optional<Acknowledgement> acknowledged;
-        Vec3 origin = Vec3::Zero();  ///< m, of the local frame: places are shown in coordinates of the file
-        RemedyGrounds grounds = {};  ///< of the run
-        Scenario scenario = {};      ///< as it is set now: what a remedy asks for may be set already
+        Vec3 origin = Vec3::Zero();       ///< m, of the local frame: places are shown in coordinates of the file
+        RemedyGrounds grounds = {};       ///< of the run
+        Scenario scenario = {};           ///< as it is set now: what a remedy asks for may be set already
+        std::optional<double> upTo = {};  ///< s, where the run was stopped; unset: it is complete
     };
     void setContent(const Content& content);
     /// What went wrong with an acknowledgement; empty takes it away.

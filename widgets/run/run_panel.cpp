@@ -142,7 +142,10 @@ void RunPanel::buildOutcome() {
            "rock has 1.3 to 1.7; below 1.15 the pile has squeezed into itself."));
     const QString single = worded(singleRunCaution().what);
     m_outcome->addNote(single.left(1).toUpper() + single.mid(1));
-    m_bodies = m_outcome->addValue(tr("Bodies at most"));
+    m_bodies = m_outcome->addValue(
+        tr("Bodies at most"), {},
+        tr("Bodies that carry the fragments, at one instant. More than the clusters that were made where some broke up; loose "
+           "structure is not among them"));
     m_awake = m_outcome->addValue(tr("Awake at most"), {},
                                   tr("Bodies that moved at one recorded instant; the others cost next to nothing"));
     m_asleep = m_outcome->addValue(tr("Asleep at the end"), {}, tr("Share of the bodies"));

@@ -360,7 +360,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     style.system = input.frame.crs;
     style.provenance = "survey " + input.sha256.substr(0, 16) + ", " + io::footLine(run.origin());
     style.subject = origin.subject;
-    style.cautions = pictureCautions(io::surveyCautions(run, input, made.time));
+    style.cautions = pictureCautions(io::surveyCautions(run, input, made));
     figures::writePng(path, figures::surveyPicture(made, style));
     io::writeProvenance(path, origin.provenance);
 }

@@ -380,6 +380,21 @@ void RunHistory::keptAt(const QString& path) {
     }
 }
 
+std::optional<std::size_t> RunHistory::sameAsNow() const {
+    if (m_computation.inputs().fe == nullptr) {
+        return std::nullopt;
+    }
+    const Digest now = stageKey(m_computation.inputs(), m_document.scenario(), Stage::Simulation);
+    for (std::size_t i = m_runs.size(); i-- > 0;) {
+        const RunEntry& run = m_runs[i];
+        if (run.complete && !run.live && run.fingerprint == now && run.build == buildText() && !run.file.empty() &&
+            QFile::exists(QString::fromStdString(run.file))) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
 void RunHistory::show(std::size_t place) {
     if (place < m_runs.size() && !m_runs[place].file.empty()) {
         m_asked = place;

@@ -48,6 +48,8 @@ public:
     QString fileBeside(const QString& ending) const;
     /// Run files have come or gone.
     void filesChanged() { emit changed(); }
+    /// A run that was kept and that simulating now would only repeat: the same inputs, settings and program. Unset: there is none.
+    std::optional<std::size_t> sameAsNow() const;
     /// Shows a kept run again; answers through Computation::runReopened() or failed().
     void show(std::size_t place);
 

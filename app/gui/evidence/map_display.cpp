@@ -32,11 +32,25 @@ constexpr int restMs = 250;
 constexpr double packageContours = 0.5;  // m, of a GeoPackage of a map without contours
 constexpr double dockShare = 0.45;       // of the centre, when it is first opened
 
-/// What stood there, and what was found.
+/// Side of the cells that what stands is outlined by, m: those of the map, or larger where there would be too many.
+double outlineCell(double cell, const std::vector<PlanBox>& standing) {
+    constexpr double most = 1000.0;  // along a side
+    PlanBox all;
+    for (const PlanBox& box : standing) {
+        all.extend(box);
+    }
+    return all.isEmpty() ? cell : std::max(cell, static_cast<double>(all.sizes().maxCoeff()) / most);
+}
+
+/// What stood there, what still stands, and what was found.
 void addOutlines(MapWork::Made& made, const EvidenceRun& run, const std::vector<CaseInput>& surveys, const Case& theCase,
                  const Frame& frame, const std::string& base, const Execution& execution) {
     const CollapsePlan plan(*run.fragments, run.fe->mesh());
     made.outlines.push_back({figures::MapOutline::Of::Structure, {plan.outline()}});
+    const std::vector<PlanBox> standing =
+        made.map.live ? made.map.live->standing : standingAtTime(run.mapped(), made.map, execution);
+    made.outlines.push_back(
+        {figures::MapOutline::Of::Standing, standingOutline(standing, outlineCell(made.map.map.cell, standing), execution)});
     for (const CaseInput& survey : surveys) {
         const std::string path = io::inputPath(base, survey);
         const bool measured = io::surveyOriginOf(path, survey.read).measured();

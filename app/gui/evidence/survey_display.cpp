@@ -517,7 +517,7 @@ void SurveyDisplay::saveTo(const QString& path) {
             style.subject = origin.subject;
             style.provenance = "survey " + made->input.sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
             style.cautions =
-                widgets::cautionWords(io::surveyCautions(*record->reader, made->input, made->comparison.time)).toStdString();
+                widgets::cautionWords(io::surveyCautions(*record->reader, made->input, made->comparison)).toStdString();
             figures::writePng(path.toStdString(), figures::surveyPicture(made->comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {
@@ -575,7 +575,8 @@ void SurveyDisplay::refresh() {
         content.comparison = comparison();
         content.stale = !busy() && stale();
         if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
-            content.cautions = io::surveyCautions(*record->reader, made->input, made->comparison.time);
+            // What speaks against the survey itself stands below, with what to do about it.
+            content.cautions = runCautions(io::standingAt(*record->reader, made->comparison.time));
         }
         // That it is no evidence stands there already, of the run that is shown now.
         content.findings.append(otherThanNoEvidence(made->input.findings));

@@ -62,12 +62,17 @@ HealthDisplay::HealthDisplay(Session& session, PanelDeck& deck, Playback& playba
 void HealthDisplay::refresh() {
     showMarks();
     const RunRecord* record = m_computation.currentRun();
-    if (record == nullptr || record->outcome == nullptr) {
+    const bool stopped = record != nullptr && record->outcome == nullptr && !record->running && record->reader != nullptr;
+    if (record == nullptr || (record->outcome == nullptr && !stopped)) {
         m_deck.run().setHealth(std::nullopt);
         return;
     }
-    m_deck.run().setHealth(widgets::HealthList::Content{record->health(), record->acknowledged, origin(), record->grounds(),
-                                                        m_session.document().scenario()});
+    widgets::HealthList::Content content{record->health(), record->acknowledged, origin(), record->grounds(),
+                                         m_session.document().scenario()};
+    if (stopped) {
+        content.upTo = record->newest;
+    }
+    m_deck.run().setHealth(content);
 }
 
 void HealthDisplay::showMarks() {

@@ -88,6 +88,17 @@ void RunControl::takeSettings() {
     }
 }
 
+void RunControl::showOrSimulate() {
+    RunHistory& history = m_session.part<ProjectFiles>().runs;
+    if (const std::optional<std::size_t> same = history.sameAsNow()) {
+        m_shown.deck.choose(PanelDeck::Run);
+        history.show(*same);
+        m_session.tell(tr("This very run was kept: it is shown, and not simulated again."));
+    } else {
+        simulate(false);
+    }
+}
+
 void RunControl::simulate(bool live) {
     const Results& results = m_computation.results();
     if (m_computation.inputs().fe == nullptr || (results.fragments != nullptr && results.fragments->list.empty()) ||

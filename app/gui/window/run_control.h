@@ -40,6 +40,8 @@ public:
     RunControl(Session& session, const Shown& shown, Actions& actions, QObject* parent = nullptr);
 
     void simulate(bool live);
+    /// Shows the kept run that this would only repeat; where there is none, simulates.
+    void showOrSimulate();
     /// What would spoil the times of other work, in words; empty: nothing runs that would.
     QString costlyWork() const;
     /// Tells each kind of work what it has to wait for.

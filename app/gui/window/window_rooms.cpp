@@ -133,7 +133,7 @@ WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
     QObject::connect(&deck->casePanel(), &widgets::CasePanel::terrainRequested, &parts.actions[ActionId::Terrain],
                      &QAction::trigger);
     sealing->setReport(*report);
-    QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
+    QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), &RunControl::showOrSimulate);
     QObject::connect(opening.get(), &Opening::runChosen, &project->keptRuns(), &KeptRunsDisplay::openFile);
     QObject::connect(opening.get(), &Opening::sealedChosen, bundles.get(), &BundleOpening::open);
     QObject::connect(bundles.get(), &BundleOpening::opened, opening.get(), [this](const QString& path) { opening->open(path); });

@@ -1,9 +1,12 @@
 #include "core/evidence/maps/live_structure.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/analysis/accuracy/settled_world.h"
 #include "core/evidence/maps/element_places.h"
+#include "core/evidence/maps/footprint.h"
 #include "core/fragments/birth_windows.h"
 #include "core/fragments/element_solid.h"
 
@@ -81,6 +84,42 @@ LiveStructure displacedStructure(const FeResult& fe, const Components& component
     const Activity activity = simulatedActivity(fe, settings);
     const ElementPlaces places(fe, activity, islands, debris.time);
     return displaced(fe, components, settings, fragments, debris, places, threshold, execution);
+}
+
+std::vector<OutlineRing> standingOutline(std::span<const PlanBox> standing, double cell, const Execution& execution) {
+    const auto at = [cell](float place) { return static_cast<std::int32_t>(std::floor(static_cast<double>(place) / cell)); };
+    std::vector<MapCell> cells;
+    const auto settle = [&cells] {
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    };
+    std::size_t settled = 0;
+    for (const PlanBox& box : standing) {
+        for (std::int32_t j = at(box.min().y()); j <= at(box.max().y()); ++j) {
+            for (std::int32_t i = at(box.min().x()); i <= at(box.max().x()); ++i) {
+                cells.push_back({j, i});
+            }
+        }
+        // Elements lie above each other: what was told twice is put away as it doubles.
+        if (cells.size() > 2 * settled + 65536) {
+            execution.check();
+            settle();
+            settled = cells.size();
+        }
+    }
+    settle();
+    std::vector<OutlineRing> rings;
+    const auto take = [&](const FootprintRing& ring) {
+        OutlineRing& corners = rings.emplace_back();
+        for (const MapCell& corner : ring) {
+            corners.emplace_back(cell * corner.i, cell * corner.j);
+        }
+    };
+    for (const FootprintPolygon& polygon : footprintOf(cells)) {
+        take(polygon.outer);
+        std::for_each(polygon.holes.begin(), polygon.holes.end(), take);
+    }
+    return rings;
 }
 
 }  // namespace rubble

@@ -6,6 +6,7 @@
 
 #include "core/analysis/debris/debris.h"
 #include "core/base/execution.h"
+#include "core/base/outline.h"
 #include "core/evidence/maps/map_piece.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
@@ -39,5 +40,9 @@ LiveStructure displacedStructure(const FeResult& fe, const Components& component
 LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
                                  const FragmentSet& fragments, const Debris& debris, std::span<const CarriedIsland> islands,
                                  double threshold, const Execution& execution);
+
+/// Around what stands, seen from above: rings of the cells that its boxes reach into, m. A hole is a ring of its own.
+/// @param cell  m, side of these cells
+std::vector<OutlineRing> standingOutline(std::span<const PlanBox> standing, double cell, const Execution& execution);
 
 }  // namespace rubble

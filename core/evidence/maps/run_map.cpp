@@ -139,4 +139,12 @@ RunMap mapOfRun(const MappedRun& run, std::optional<double> time, const MapSetti
     return made;
 }
 
+std::vector<PlanBox> standingAtTime(const MappedRun& run, const RunMap& made, const Execution& execution) {
+    const Components components =
+        groupComponents(run.fe->mesh(), run.scenario.regrouping, run.scenario.components, run.scenario.assumptions);
+    return displacedStructure(*run.fe, components, run.scenario.fragments, *run.fragments, made.debris, *run.trajectory,
+                              MapSettings{}.liveThreshold, execution)
+        .standing;
+}
+
 }  // namespace rubble

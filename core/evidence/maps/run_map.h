@@ -49,6 +49,9 @@ MapSpan mapSpan(const MappedRun& run);
 /// @param time  s, brought into the span of the run; unset means its end
 Aabb debrisBounds(const MappedRun& run, std::optional<double> time);
 
+/// What of the structure stands at the time of a map, seen from above: as `LiveStructure::standing`.
+std::vector<PlanBox> standingAtTime(const MappedRun& run, const RunMap& made, const Execution& execution);
+
 /// Maps a run at any time within its span; unset means its end. A hit that comes later than the time brings no energy yet.
 /// @param withLive  whether fallen live structure gets its layers
 /// Throws UsageError (a time outside the run; a run without fragments or frames; as makeDebrisMap()), Cancelled, and what reading

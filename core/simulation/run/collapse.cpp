@@ -106,7 +106,7 @@ Collapse::Collapse(const WorldFactory& makeWorld, const RunDescription& descript
 void Collapse::report(double time) const {
     const double from = m_result.firstTime;
     const double to = m_result.feEndTime + m_settings.settleTime;
-    m_execution.report({std::string(simulatingStage), "simulating, {0} bodies at {1}", {m_world->bodyCount(), Argument(time, "s")}},
+    m_execution.report({std::string(simulatingStage), "simulating, {0} bodies at {1}", {present(), Argument(time, "s")}},
                        std::clamp((time - from) / std::max(to - from, 1e-9), 0.0, 0.999));
 }
 

@@ -204,8 +204,8 @@ TEST_F(Run, SummaryIsTenLinesThatAPersonReads) {
     EXPECT_LE(linesOf(kept.out).size(), 10u) << kept.out;
     for (const std::string& said :
          {std::string("5 fragments, 10 t, in "), std::string("run-out of "), std::string(" s of wall time"),
-          std::string("a single run: "), std::string("of the bodies"), std::string("health"), std::string("findings"), m_out,
-          std::string("--tables prints every table")}) {
+          std::string("one set of assumptions: "), std::string("of the bodies"), std::string("health"), std::string("findings"),
+          m_out, std::string("--tables prints every table")}) {
         EXPECT_THAT(kept.out, HasSubstr(said));
     }
     EXPECT_THAT(kept.out, testing::Not(HasSubstr("Basic Grid")));

@@ -84,7 +84,7 @@ TEST_F(ScanOfRun, LiesWithinTheLevelOfDetectionOfItsRun) {
     EXPECT_EQ(itself["exports"].size(), 2u);
     std::vector<std::string> words{"cloud", las, "--against", m_out};
     words.insert(words.end(), scales.begin(), scales.end());
-    EXPECT_THAT(cli(words).out, HasSubstr("caution: a single run"));
+    EXPECT_THAT(cli(words).out, HasSubstr("caution: one set of assumptions"));
     EXPECT_GE(itself["debris"]["fragments_seen"], 1);
     // The same at another instant, when the blocks had not fallen yet.
     const nlohmann::json before = compared(las, {"--time", "0.05"});

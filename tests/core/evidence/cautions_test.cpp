@@ -36,7 +36,8 @@ TEST(Cautions, ASoundRunThatRestsSaysThatItIsOneAndHowManyBodiesItHas) {
     EXPECT_EQ(list[1].key, "bodies");
     EXPECT_EQ(list[1].grade, HealthGrade::Notice);
     EXPECT_EQ(englishText(list[1].what), "bodies that carry the fragments: 40 for 500");
-    EXPECT_EQ(pictureCautions(list), "a single run: what is not known of friction, restitution and births is not in its figures");
+    EXPECT_EQ(pictureCautions(list),
+              "one set of assumptions: what is not known of friction, restitution and births is not in these figures");
 }
 
 TEST(Cautions, SayWhatMassesRestOnAndThatDebrisBeganAtRest) {
@@ -68,7 +69,8 @@ TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     run.breaches = {outside(), outside()};
     const std::vector<Caution> list = runCautions(run);
     ASSERT_NE(find(list, "tainted"), nullptr);
-    EXPECT_EQ(englishText(find(list, "tainted")->what), "tainted: 1 limit of health passed, and nobody vouches for the run");
+    EXPECT_EQ(englishText(find(list, "tainted")->what),
+              "tainted: 1 limit of health passed, far outside the site, and nobody vouches for the run");
     EXPECT_EQ(list.front().key, "tainted") << "the gravest first";
     EXPECT_EQ(englishText(find(list, "not_complete")->what),
               "not complete: the run goes up to 9.5 s, what comes later is not in it");
@@ -83,7 +85,8 @@ TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     EXPECT_EQ(find(runCautions(run), "tainted"), nullptr);
     // What the status bar says stands below pictures too, whatever its grade.
     EXPECT_TRUE((Caution{"limits_passed", HealthGrade::Notice, {}}).inPictures());
-    EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what), "1 limit of health passed, acknowledged");
+    EXPECT_EQ(englishText(find(runCautions(run), "limits_passed")->what),
+              "1 limit of health passed, acknowledged: far outside the site");
 }
 
 TEST(Cautions, WhatMakesEveryPlaceUncertainIsToldOnce) {

@@ -65,6 +65,22 @@ TEST_F(MapOfARun, AgreesWithTheLedger) {
     }
 }
 
+TEST_F(MapOfARun, WhatStandsHasAnOutline) {
+    const std::vector<PlanBox> boxes{PlanBox(Eigen::Vector2f(0.1F, 0.1F), Eigen::Vector2f(1.9F, 0.9F)),
+                                     PlanBox(Eigen::Vector2f(0.1F, 0.1F), Eigen::Vector2f(0.9F, 0.9F))};
+    const std::vector<OutlineRing> rings = standingOutline(boxes, 1.0, Execution());
+    ASSERT_EQ(rings.size(), 1U);
+    EXPECT_EQ(rings[0].size(), 4U) << "two by one cells";
+    EXPECT_TRUE(standingOutline({}, 1.0, Execution()).empty());
+    // What lives and has not moved far, whether or not its layers were asked for.
+    const RunMap with = mapAt(std::nullopt, true);
+    const RunMap without = mapAt(std::nullopt, false);
+    ASSERT_TRUE(with.live);
+    EXPECT_FALSE(without.live);
+    EXPECT_EQ(standingAtTime(mapped, without, Execution()).size(), with.live->standing.size());
+    EXPECT_EQ(with.live->standing.size() + with.live->pieces.size(), 4U);
+}
+
 TEST_F(MapOfARun, CellsThatNobodyChoseFitTheFragments) {
     EXPECT_EQ(mapAt(std::nullopt).map.cell, 0.25) << "fragments of a metre";
     EXPECT_NEAR(mapAt(std::nullopt).cellFrom, 1.0, 1e-9);

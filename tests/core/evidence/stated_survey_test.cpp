@@ -138,6 +138,12 @@ TEST(EvidenceList, WhatSaysThatEvidenceIsNoneStandsFirst) {
     EXPECT_EQ(noEvidenceOf(findings).list().size(), 2u);
     EXPECT_EQ(otherThanNoEvidence(findings).list().size(), 2u);
     EXPECT_EQ(pictureCautions(evidenceCautions(findings)), "evidence.same · evidence.of_this_run");
+    // What makes the figures of the comparison doubtful follows it.
+    findings.add({"terrain.height_unit", "taken as metres", {}}, {"remedy", "", {}});
+    findings.add({"survey.fallen_unknown", "shows it or not", {}}, {"remedy", "", {}});
+    const std::vector<Caution> cautions = evidenceCautions(findings);
+    EXPECT_EQ(pictureCautions(cautions), "evidence.same · evidence.of_this_run · taken as metres · shows it or not");
+    EXPECT_EQ(cautions.back().key, "evidence_doubt");
 }
 
 TEST(EvidenceList, SaysWhatEachIsHeldToShow) {

@@ -55,7 +55,7 @@ CloudPairDialog::CloudPairDialog(const std::vector<Cloud>& clouds, QWidget* pare
         box->setMinimumContentsLength(24);
         row->addWidget(box, 1);
         row->addWidget(file);
-        form->addRow(second ? tr("Second, of later") : tr("First, of before"), row);
+        form->addRow(second ? tr("Later cloud") : tr("Earlier cloud"), row);
         connect(file, &QPushButton::clicked, this, [this, second] { emit fileRequested(second); });
         connect(box, &QComboBox::currentIndexChanged, this, [this] {
             if (!m_filling) {

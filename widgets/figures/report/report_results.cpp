@@ -82,6 +82,9 @@ void ReportSections::addMeasures() {
                           reportNumber(1e-3 * m_facts.atFeEnd.mass, ledgerDigits)});
     members(std::nullopt);
     row(tr("footprint, 1 m cells"), QStringLiteral("m²"), &DebrisFigures::footprintArea);
+    table.rows.push_back({tr("footprint by the cells of the map, %1 m").arg(reportNumber(m_facts.map.map.cell)),
+                          QStringLiteral("m²"), reportNumber(m_facts.map.map.ledger.footprintArea), QStringLiteral("–")});
+    members(std::nullopt);
     row(tr("core, 95 % of the mass in 2 m cells"), QStringLiteral("m²"), &DebrisFigures::coreArea);
     row(tr("run-out of 95 % of the mass"), QStringLiteral("m"), &DebrisFigures::runOut, MemberMeasure::RunOut);
     row(tr("mean height of the mass"), QStringLiteral("m"), &DebrisFigures::meanHeight, MemberMeasure::MeanHeight);

@@ -1,9 +1,12 @@
 #include "widgets/figures/sheets/map_words.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "core/fe/north.h"
@@ -84,10 +87,10 @@ QString legendNumber(double value) {
 QString debrisSums(const DebrisMap& map) {
     const MapLedger& ledger = map.ledger;
     const bool heavy = ledger.mass >= 1000.0;
-    QString text =
-        MapWords::tr("%1 fragments, %2, on %3")
-            .arg(countText(static_cast<std::size_t>(ledger.fragments)),
-                 heavy ? quantity(ledger.mass / 1000.0, "t") : quantity(ledger.mass, "kg"), quantity(ledger.footprintArea, "m2"));
+    QString text = MapWords::tr("%1 fragments, %2, %4 of solid material, on %3 by cells of %5")
+                       .arg(countText(static_cast<std::size_t>(ledger.fragments)),
+                            heavy ? quantity(ledger.mass / 1000.0, "t") : quantity(ledger.mass, "kg"),
+                            quantity(ledger.footprintArea, "m2"), quantity(ledger.volume, "m3"), lengthText(map.cell));
     double highest = 0.0;
     for (const double height : map.layer(MapLayer::Height)) {
         highest = std::isfinite(height) ? std::max(highest, height) : highest;
@@ -108,10 +111,54 @@ QString debrisSums(const DebrisMap& map) {
     return text;
 }
 
+namespace {
+
+/// With its unit; empty: the cell has none.
+QString valueWords(const DebrisMap& map, MapLayer layer, std::size_t cell) {
+    const double value = map.has(layer) ? map.layer(layer)[cell] : std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(value)) {
+        return {};
+    }
+    if (layer == MapLayer::Component) {
+        return QString::fromStdString(map.components.at(static_cast<std::size_t>(value)));
+    }
+    const QString unit = unitText(layer);
+    const QString number = legendNumber(value * shownScale(layer));
+    return unit.isEmpty() ? number : number + QChar(0x00A0) + unit;
+}
+
+}  // namespace
+
+QString placeWords(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style, const Eigen::Vector2d& place) {
+    const ShownUnit unit = coordinateUnit(style);
+    const Vec3 world = style.place.toWorld(Vec3(place.x(), place.y(), 0.0)) * unit.perSi;
+    const bool placed = !placedSystem(style.place, style.system).empty();
+    const auto along = [&](double number) { return QString::number(number, 'f', placed ? 1 : 2); };
+    QString text =
+        (placed ? MapWords::tr("E %1, N %2 %3") : MapWords::tr("x %1, y %2 %3")).arg(along(world.x()), along(world.y()), unit.name);
+    const auto index = [&](double at) { return static_cast<std::int32_t>(std::floor(at / map.cell)); };
+    const MapCell cell{index(place.y()), index(place.x())};
+    const auto found = std::lower_bound(map.cells.begin(), map.cells.end(), cell);
+    QStringList told;
+    if (found != map.cells.end() && *found == cell) {
+        const auto c = static_cast<std::size_t>(found - map.cells.begin());
+        for (const MapLayer each : {layer, layer == MapLayer::Height || map.members > 0 ? layer : MapLayer::Height}) {
+            const QString value = valueWords(map, each, c);
+            if (!value.isEmpty() && (told.isEmpty() || each != layer)) {
+                told << layerName(map, each) + QStringLiteral(": ") + value;
+            }
+        }
+    }
+    text += u'\n' + (told.isEmpty() ? MapWords::tr("no debris in this cell") : told.join(u'\n'));
+    return text;
+}
+
 QString outlineWords(MapOutline::Of of) {
     switch (of) {
         case MapOutline::Of::Structure:
             return MapWords::tr("what collapsed");
+        case MapOutline::Of::Standing:
+            return MapWords::tr("what still stands");
         case MapOutline::Of::Evidence:
             return MapWords::tr("found on the site");
         case MapOutline::Of::Simulated:
@@ -126,6 +173,8 @@ QPen lineOf(MapOutline::Of of, const Palette& palette, double width) {
     switch (of) {
         case MapOutline::Of::Structure:
             return {palette.accent, width, Qt::DashLine};
+        case MapOutline::Of::Standing:
+            return {palette.muted, width};
         case MapOutline::Of::Evidence:
             return {palette.error, width};
         case MapOutline::Of::Simulated:

@@ -33,6 +33,9 @@ QString legendNumber(double value);
 
 /// How much debris lies on a map of one run: fragments, mass, footprint by its cells, mean height of the highest of them.
 QString debrisSums(const DebrisMap& map);
+/// A place of a map in words: its coordinates, the value of the layer there, and the height where that is another one.
+/// @param place  m, local
+QString placeWords(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style, const Eigen::Vector2d& place);
 /// What a line on a map is, for its legend, and how it is drawn.
 QString outlineWords(MapOutline::Of of);
 QPen lineOf(MapOutline::Of of, const Palette& palette, double width);

@@ -14,14 +14,15 @@ constexpr std::string_view quarried = "NAVFAC DM 7.02 (1986): dressed rock on dr
 constexpr std::string_view hardened = "ACI 318 (2019): concrete on hardened concrete that was not roughened 0.6";
 constexpr std::string_view onSoil =
     "NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60, on silty sand or gravel 0.45-0.55, on fine "
-    "silty sand 0.35-0.45";
+    "silty sand 0.35-0.45, on silt and soft clay 0.30-0.35";
 constexpr std::string_view onBed =
     "NAVFAC DM 7.02 (1986): concrete or masonry on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45";
 constexpr std::string_view steelOn =
     "Baltay & Gjelsvik (1990): sliding about 0.47; Rabbat & Russell (1985): cast on, at rest, 0.57-0.70";
 constexpr std::string_view steelOnSteel =
     "NAVFAC DM 7.02 (1986): sheet pile interlocks 0.30; Avallone & Baumeister (1996): sliding, dry, 0.42-0.57";
-constexpr std::string_view steelOnSoil = "NAVFAC DM 7.02 (1986): steel sheet piles on gravel 0.40, on sand 0.30";
+constexpr std::string_view steelOnSoil =
+    "NAVFAC DM 7.02 (1986): steel sheet piles on gravel 0.40, on sand 0.30, on silty sand 0.25, on silt 0.20";
 constexpr std::string_view steelOnBed = "NAVFAC DM 7.02 (1986): steel sheet piles on silty sand 0.25, on silt 0.20";
 // Restitution.
 constexpr std::string_view hard =
@@ -35,11 +36,11 @@ constexpr std::string_view bed = "lower end of the range for soil, 0.05-0.3, Wyl
 constexpr CoefficientRange quarriedRange{0.55, 0.70};
 constexpr CoefficientRange quarriedForOthers{0.55, 0.70, true};
 constexpr CoefficientRange hardenedRange{0.5, 0.7, true};
-constexpr CoefficientRange onSoilRange{0.35, 0.60};
+constexpr CoefficientRange onSoilRange{0.30, 0.60};
 constexpr CoefficientRange onBedRange{0.35, 0.55};
 constexpr CoefficientRange steelOnRange{0.4, 0.57, true};
 constexpr CoefficientRange steelOnSteelRange{0.30, 0.57};
-constexpr CoefficientRange steelOnSoilRange{0.30, 0.40};
+constexpr CoefficientRange steelOnSoilRange{0.20, 0.40};
 constexpr CoefficientRange steelOnBedRange{0.20, 0.25};
 constexpr CoefficientRange hardRange{0.2, 0.5};
 constexpr CoefficientRange hardForOthers{0.2, 0.5, true};

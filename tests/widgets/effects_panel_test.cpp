@@ -236,7 +236,7 @@ TEST(ContactTable, ATypedValueIsAnEditAndAnEmptyCellGivesTheDefaultBack) {
 TEST(ContactTable, TellsTheRangeOfEachPairAndMovesAlongIt) {
     ContactTable table;
     table.setMaterials({Material::Stone, Material::Soil});
-    EXPECT_TRUE(table.table()->item(1, ContactTable::Friction)->toolTip().contains(QStringLiteral("0.35 to 0.6")))
+    EXPECT_TRUE(table.table()->item(1, ContactTable::Friction)->toolTip().contains(QStringLiteral("0.3 to 0.6")))
         << table.table()->item(1, ContactTable::Friction)->toolTip().toStdString();
     EXPECT_EQ(table.table()->item(1, ContactTable::Friction)->text(), QStringLiteral("0.55"));
     Scenario scenario;

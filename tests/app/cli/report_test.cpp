@@ -178,7 +178,7 @@ TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
     EXPECT_THAT(html(), HasSubstr("No ensemble was simulated of this case"));
     EXPECT_THAT(html(), HasSubstr("A single run: what is not known of friction"));
     EXPECT_THAT(html(), HasSubstr("was not varied: what it does to these figures is not known"));
-    EXPECT_THAT(html(), HasSubstr("0.35 to 0.6")) << "the range of friction on soil, with its source";
+    EXPECT_THAT(html(), HasSubstr("0.3 to 0.6")) << "the range of friction on soil, with its source";
     EXPECT_THAT(html(), testing::Not(HasSubstr("over the ensemble")));
     const Outcome simulated =
         cli({"ensemble", m_folder / "small.rubble", "--members", "3", "--cache", m_folder / "cache", "--json"});

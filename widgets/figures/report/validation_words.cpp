@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 44> shippedWords{
     QT_TRANSLATE_NOOP("validation", "given: nothing slides"),
     QT_TRANSLATE_NOOP("validation", "stands in for wood: the table of materials has none"),
     QT_TRANSLATE_NOOP("validation", "a meadow: the table's stone on soil"),
-    QT_TRANSLATE_NOOP("validation", "0.35 to 0.60, range of the table's stone on soil, as ensembles draw it"),
+    QT_TRANSLATE_NOOP("validation", "0.30 to 0.60, range of the table's stone on soil, as ensembles draw it"),
     QT_TRANSLATE_NOOP("validation", "0.05 to 0.3, range of the table's stone on soil, as ensembles draw it"),
     QT_TRANSLATE_NOOP("validation", "fitted on one half, judged on the other"),
     QT_TRANSLATE_NOOP("validation", "fitted on the other half, judged on the one"),

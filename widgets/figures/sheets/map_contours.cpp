@@ -50,8 +50,8 @@ public:
             }
             for (const QPointF& corner : line->corners) {
                 const QRectF box(corner - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
-                if (m_style.frame.contains(box) && std::none_of(m_taken.begin(), m_taken.end(),
-                                                                [&](const QRectF& other) { return other.intersects(box); })) {
+                if (m_style.frame.contains(box) &&
+                    std::none_of(m_taken.begin(), m_taken.end(), [&](const QRectF& other) { return other.intersects(box); })) {
                     writeAt(box, text);
                     return;
                 }
@@ -84,7 +84,9 @@ int numberedEvery(double spacing, double highest) {
         return 1;
     }
     // Quarters and halves to whole ones, tenths to halves.
-    return std::abs(4.0 * spacing - std::round(4.0 * spacing)) < 1e-9 && spacing < 1.0 ? static_cast<int>(std::lround(1.0 / spacing)) : 5;
+    return std::abs(4.0 * spacing - std::round(4.0 * spacing)) < 1e-9 && spacing < 1.0
+               ? static_cast<int>(std::lround(1.0 / spacing))
+               : 5;
 }
 
 void drawContours(QPainter& painter, const DebrisMap& map, const ContourStyle& style) {

@@ -14,8 +14,8 @@ namespace rubble::figures {
 
 /// How lines of equal height are drawn.
 struct ContourStyle {
-    double spacing = 0.5;  ///< m, between them
-    QRectF frame;          ///< px, of the map
+    double spacing = 0.5;                                  ///< m, between them
+    QRectF frame;                                          ///< px, of the map
     std::function<QPointF(const Eigen::Vector2d&)> pixel;  ///< of a place, m, local
     QPen pen;                                              ///< of lines with a number
     double text = 10.0;                                    ///< px, of the numbers

@@ -2651,10 +2651,6 @@
         <translation>NAVFAC DM 7.02 (1986)：板桩锁口 0.30；Avallone &amp; Baumeister (1996)：干滑动 0.42-0.57</translation>
     </message>
     <message>
-        <source>NAVFAC DM 7.02 (1986): steel sheet piles on gravel 0.40, on sand 0.30</source>
-        <translation>NAVFAC DM 7.02 (1986)：钢板桩对砾石 0.40，对砂 0.30</translation>
-    </message>
-    <message>
         <source>NAVFAC DM 7.02 (1986): steel sheet piles on silty sand 0.25, on silt 0.20</source>
         <translation>NAVFAC DM 7.02 (1986)：钢板桩对粉质砂 0.25，对粉土 0.20</translation>
     </message>
@@ -10131,10 +10127,6 @@
         <translation>相机匹配差：不要据此下结论</translation>
     </message>
     <message>
-        <source>tainted: {0} passed, and nobody vouches for the run</source>
-        <translation>存疑：超过 {0}，且无人为本次计算担保</translation>
-    </message>
-    <message>
         <source>the photograph shows all at rest, but {0} of {1} bodies still move at {2}, where they are compared with it</source>
         <translation>照片显示全部静止，但在与其比较的时刻 {2}，{1} 个刚体中仍有 {0} 个在运动</translation>
     </message>
@@ -10173,14 +10165,6 @@
     <message>
         <source>{0} became no number and left the simulation</source>
         <translation>{0} 不再是数值，已移出模拟</translation>
-    </message>
-    <message>
-        <source>{0} passed</source>
-        <translation>超过 {0}</translation>
-    </message>
-    <message>
-        <source>{0} passed, acknowledged</source>
-        <translation>超过 {0}，已确认</translation>
     </message>
     <message>
         <source>A page shows at most {0} fragments or elements; the run has {1} fragments of {2} elements</source>
@@ -10357,14 +10341,6 @@
     <message>
         <source>an angle above 0 and up to 179 degrees</source>
         <translation>大于 0、至多 179 度的角度</translation>
-    </message>
-    <message>
-        <source>NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60, on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45</source>
-        <translation>NAVFAC DM 7.02 (1986)：混凝土或砌体对砾石和粗砂 0.55-0.60，对粉质砂或砾石 0.45-0.55，对粉细砂 0.35-0.45</translation>
-    </message>
-    <message>
-        <source>a single run: what is not known of friction, restitution and births is not in its figures</source>
-        <translation>单次计算：摩擦、恢复系数和产生时刻中的未知不在其数值之内</translation>
     </message>
     <message>
         <source>{0} to {1}</source>
@@ -12913,6 +12889,46 @@
     <message>
         <source>{0} of {1} bodies still moved at {2}, when the settle time was over: the debris is not yet what it comes to</source>
         <translation>{2} 时稳定时间已过，{1} 个刚体中仍有 {0} 个在运动：堆积物尚未达到最终状态</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60, on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45, on silt and soft clay 0.30-0.35</source>
+        <translation>NAVFAC DM 7.02 (1986)：混凝土或砌体对砾石和粗砂 0.55-0.60，对粉质砂或砾石 0.45-0.55，对粉细砂 0.35-0.45，对粉土和软黏土 0.30-0.35</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): steel sheet piles on gravel 0.40, on sand 0.30, on silty sand 0.25, on silt 0.20</source>
+        <translation>NAVFAC DM 7.02 (1986)：钢板桩对砾石 0.40，对砂 0.30，对粉质砂 0.25，对粉土 0.20</translation>
+    </message>
+    <message>
+        <source>one set of assumptions: what is not known of friction, restitution and births is not in these figures</source>
+        <translation>一组假定：摩擦、恢复系数和产生时刻中的未知不在这些数值之内</translation>
+    </message>
+    <message>
+        <source>tainted: {0} passed, the gravest {1}, and nobody vouches for the run</source>
+        <translation>存疑：超过 {0}，最重的为{1}，且无人为本次计算担保</translation>
+    </message>
+    <message>
+        <source>tainted: {0} passed, {1}, and nobody vouches for the run</source>
+        <translation>存疑：超过 {0}（{1}），且无人为本次计算担保</translation>
+    </message>
+    <message>
+        <source>{0} passed, a finding: {1}</source>
+        <translation>超过 {0}，属发现项：{1}</translation>
+    </message>
+    <message>
+        <source>{0} passed, a notice: {1}</source>
+        <translation>超过 {0}，属提示：{1}</translation>
+    </message>
+    <message>
+        <source>{0} passed, acknowledged: {1}</source>
+        <translation>超过 {0}，已确认：{1}</translation>
+    </message>
+    <message>
+        <source>{0} passed, all notices; the first: {1}</source>
+        <translation>超过 {0}，均属提示；首个为：{1}</translation>
+    </message>
+    <message>
+        <source>{0} passed, the gravest a finding: {1}</source>
+        <translation>超过 {0}，最重的属发现项：{1}</translation>
     </message>
 </context>
 <context>
@@ -15737,6 +15753,10 @@
         <source>Cancelled at %1 after %2; what is computed goes with the case: no runs are kept</source>
         <translation>于 %1 取消，用时 %2；已计算的内容随案例消失：不保留计算</translation>
     </message>
+    <message>
+        <source>This very run was kept: it is shown, and not simulated again.</source>
+        <translation>保留有完全相同的计算：直接显示，不再重新模拟。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::RunHistory</name>
@@ -18250,6 +18270,10 @@
         <source>No limit of health was passed: energy, overlap, speeds and places stayed within their limits at every step, and no pile woke that had come to rest.</source>
         <translation>未超过任何健康限值：能量、重叠、速度和位置在每一步都在限值之内，静止后的堆积体也没有再次活动。</translation>
     </message>
+    <message>
+        <source>footprint by the cells of the map, %1 m</source>
+        <translation>按地图单元 %1 米计的覆盖范围</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -18306,10 +18330,6 @@
         <translation>此图层在这里是空的：没有单元有值</translation>
     </message>
     <message>
-        <source>%1 fragments, %2, on %3</source>
-        <translation>%1 个碎块，%2，覆盖 %3</translation>
-    </message>
-    <message>
         <source>; highest cell, in the mean: %1</source>
         <translation>；最高单元格（平均）：%1</translation>
     </message>
@@ -18344,6 +18364,26 @@
     <message>
         <source>; where none stands: %1</source>
         <translation>；无结构立着之处：%1</translation>
+    </message>
+    <message>
+        <source>%1 fragments, %2, %4 of solid material, on %3 by cells of %5</source>
+        <translation>%1 个碎块，%2，实体材料 %4，按 %5 单元覆盖 %3</translation>
+    </message>
+    <message>
+        <source>E %1, N %2 %3</source>
+        <translation>东 %1，北 %2 %3</translation>
+    </message>
+    <message>
+        <source>x %1, y %2 %3</source>
+        <translation>x %1，y %2 %3</translation>
+    </message>
+    <message>
+        <source>no debris in this cell</source>
+        <translation>此单元没有堆积物</translation>
+    </message>
+    <message>
+        <source>what still stands</source>
+        <translation>仍然站立部分</translation>
     </message>
 </context>
 <context>
@@ -20527,14 +20567,6 @@ What the file fits: %2.</source>
         <translation>第一个点云</translation>
     </message>
     <message>
-        <source>Second, of later</source>
-        <translation>第二个，较晚</translation>
-    </message>
-    <message>
-        <source>First, of before</source>
-        <translation>第一个，较早</translation>
-    </message>
-    <message>
         <source>By which one cloud may be out of place against the other, m</source>
         <translation>一个点云相对另一个可能错开的量，m</translation>
     </message>
@@ -20553,6 +20585,14 @@ What the file fits: %2.</source>
     <message>
         <source>Distances are being measured.</source>
         <translation>正在量取距离。</translation>
+    </message>
+    <message>
+        <source>Later cloud</source>
+        <translation>较晚的点云</translation>
+    </message>
+    <message>
+        <source>Earlier cloud</source>
+        <translation>较早的点云</translation>
     </message>
 </context>
 <context>
@@ -22515,10 +22555,6 @@ What the file fits: %2.</source>
         <translation>将姓名、备注和时间写在计算文件旁；此次计算不再视为存疑</translation>
     </message>
     <message>
-        <source>Sound: no limit was passed.</source>
-        <translation>正常：未超过任何限值。</translation>
-    </message>
-    <message>
         <source>%1: this run is tainted until someone acknowledges it.</source>
         <translation>%1：在有人确认之前，此次计算存疑。</translation>
     </message>
@@ -22577,6 +22613,22 @@ What the file fits: %2.</source>
     <message>
         <source>worst %1%2</source>
         <translation>最差 %1%2</translation>
+    </message>
+    <message>
+        <source>Nothing needs to be done.</source>
+        <translation>无需处理。</translation>
+    </message>
+    <message>
+        <source>No limit of health was passed up to %1, where the run was stopped.</source>
+        <translation>至 %1 计算停止处，未超过任何健康限值。</translation>
+    </message>
+    <message>
+        <source>No limit of health was passed.</source>
+        <translation>未超过任何健康限值。</translation>
+    </message>
+    <message>
+        <source>%1 up to %2, where the run was stopped: it is tainted.</source>
+        <translation>至 %2 计算停止处%1：结果存疑。</translation>
     </message>
 </context>
 <context>
@@ -24993,10 +25045,6 @@ What the file fits: %2.</source>
         <translation>已写入 &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</translation>
     </message>
     <message>
-        <source>Simulates the run and its repeats again: up to about %1.</source>
-        <translation>重新模拟此次计算及其重复：最多约 %1。</translation>
-    </message>
-    <message>
         <source>Simulates the run and its repeats again, each as long as the run took.</source>
         <translation>重新模拟此次计算及其重复，每次耗时与此次计算相同。</translation>
     </message>
@@ -25103,6 +25151,10 @@ What the file fits: %2.</source>
     <message>
         <source>of the page Causes, which has none</source>
         <translation>“原因”页的（该页没有）</translation>
+    </message>
+    <message>
+        <source>Simulates %1 times, the run and its repeats: up to about %2.</source>
+        <translation>模拟 %1 次，即此次计算及其重复：最多约 %2。</translation>
     </message>
 </context>
 <context>
@@ -25247,10 +25299,6 @@ Program: %3</source>
         <translation>结构</translation>
     </message>
     <message>
-        <source>Outline in plan of what collapsed, as it stood</source>
-        <translation>倒塌部分原先站立时的平面轮廓</translation>
-    </message>
-    <message>
         <source>Evidence</source>
         <translation>证据</translation>
     </message>
@@ -25265,10 +25313,6 @@ Program: %3</source>
     <message>
         <source>fragments: %1</source>
         <translation>碎块：%1</translation>
-    </message>
-    <message>
-        <source>on %1</source>
-        <translation>占 %1</translation>
     </message>
     <message>
         <source>mapping anew …</source>
@@ -25293,6 +25337,18 @@ Program: %3</source>
     <message>
         <source>fallen live structure beside them, moved farther than %1: %2</source>
         <translation>另有移动超过 %1 的坠落未失效结构：%2</translation>
+    </message>
+    <message>
+        <source>Outlines in plan: of what collapsed, as it stood, and of what still stands</source>
+        <translation>平面轮廓：倒塌部分原先站立时的轮廓，以及仍然站立部分的轮廓</translation>
+    </message>
+    <message>
+        <source>%1 of solid material</source>
+        <translation>实体材料 %1</translation>
+    </message>
+    <message>
+        <source>on %1 by cells of %2</source>
+        <translation>按 %2 单元占 %1</translation>
     </message>
 </context>
 <context>
@@ -25568,6 +25624,10 @@ Program: %3</source>
     <message>
         <source>bulking of the pile %1 (%2)</source>
         <translation>堆积体松散系数 %1（%2）</translation>
+    </message>
+    <message>
+        <source>Bodies that carry the fragments, at one instant. More than the clusters that were made where some broke up; loose structure is not among them</source>
+        <translation>同一时刻带动碎块的刚体。有聚类拆开时多于所划分的聚类；松脱的结构不计在内</translation>
     </message>
 </context>
 <context>
@@ -28047,10 +28107,6 @@ Program: %3</source>
         <translation>草地：取表中石材对土的值</translation>
     </message>
     <message>
-        <source>0.35 to 0.60, range of the table&apos;s stone on soil, as ensembles draw it</source>
-        <translation>0.35 至 0.60，表中石材对土的范围，与系综的抽取相同</translation>
-    </message>
-    <message>
         <source>0.05 to 0.3, range of the table&apos;s stone on soil, as ensembles draw it</source>
         <translation>0.05 至 0.3，表中石材对土的范围，与系综的抽取相同</translation>
     </message>
@@ -28069,6 +28125,10 @@ Program: %3</source>
     <message>
         <source>assumed: nobody measured it here; of the mean obstacle heights that rockfall models ask for (Rockyfor3D, Dorren 2016)</source>
         <translation>假定：此处无人测量；取自落石模型所要求的平均障碍物高度（Rockyfor3D，Dorren 2016）</translation>
+    </message>
+    <message>
+        <source>0.30 to 0.60, range of the table&apos;s stone on soil, as ensembles draw it</source>
+        <translation>0.30 至 0.60，表中石材对土的范围，与系综的抽取相同</translation>
     </message>
 </context>
 </TS>

@@ -27,7 +27,7 @@ RunEntry runOf(bool complete, std::int64_t limits, std::optional<HealthGrade> gr
 const RunEntry taintedRun = runOf(true, 2, HealthGrade::Tainted);
 
 TEST(RunVerdict, SaysWhatTheFiguresAreWorth) {
-    EXPECT_EQ(runVerdict(runOf(true, 0, HealthGrade::Notice)), QStringLiteral("sound"));
+    EXPECT_EQ(runVerdict(runOf(true, 0, HealthGrade::Notice)), QStringLiteral("no limit passed"));
     EXPECT_EQ(runVerdict(runOf(true, 1, HealthGrade::Finding)), QStringLiteral("finding: 1 limit passed"));
     EXPECT_EQ(runVerdict(runOf(true, 1, HealthGrade::Notice)), QStringLiteral("notice: 1 limit passed"));
     EXPECT_EQ(runVerdict(taintedRun), QStringLiteral("tainted: 2 limits passed"));
@@ -81,7 +81,7 @@ TEST(RunVerdict, StandsWhereScenariosAreCompared) {
     for (int row = 0; row < comparison.results().rowCount(); ++row) {
         said << comparison.results().item(row, 1)->text() + u'|' + comparison.results().item(row, 2)->text();
     }
-    EXPECT_TRUE(said.contains(QStringLiteral("tainted: 2 limits passed|sound"))) << qPrintable(said.join(u'\n'));
+    EXPECT_TRUE(said.contains(QStringLiteral("tainted: 2 limits passed|no limit passed"))) << qPrintable(said.join(u'\n'));
 }
 
 }  // namespace

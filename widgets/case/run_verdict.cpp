@@ -38,7 +38,7 @@ QString limitsPassed(std::int64_t count) {
 
 QString runVerdict(const RunEntry& run) {
     if (run.complete) {
-        return run.breaches == 0 ? QCoreApplication::translate("RunVerdict", "sound") : verdictOfHealth(run);
+        return run.breaches == 0 ? QCoreApplication::translate("RunVerdict", "no limit passed") : verdictOfHealth(run);
     }
     const QString stopped = (run.interrupted ? QCoreApplication::translate("RunVerdict", "interrupted at %1")
                                              : QCoreApplication::translate("RunVerdict", "cancelled at %1"))

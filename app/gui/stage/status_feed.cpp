@@ -131,7 +131,7 @@ void StatusFeed::showHealth() {
     }
     const HealthReport& health = record->health();
     if (health.breaches.empty()) {
-        m_line.setFigure(Figure::Health, tr("Health"), tr("sound"));
+        m_line.setFigure(Figure::Health, tr("Health"), tr("no limit passed"));
         m_line.setFigureTip(Figure::Health, tr("No limit of the health monitor was passed in this run."));
         return;
     }

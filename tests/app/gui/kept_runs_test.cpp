@@ -17,6 +17,8 @@
 #include "app/gui/case/file_commands.h"
 #include "app/gui/case/project_display.h"
 #include "app/gui/case/run_history.h"
+#include "app/gui/window/opening.h"
+#include "app/gui/window/run_control.h"
 #include "io/base/files.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
@@ -120,6 +122,29 @@ protected:
 
     QTemporaryDir folder;
 };
+
+TEST_F(KeptRun, WhatSimulatingWouldOnlyRepeatIsShown) {
+    saveCase();
+    simulateToEnd();
+    ASSERT_EQ(runs().size(), 1U);
+    const std::string kept = runs()[0].file;
+    openIt(folder.filePath(QStringLiteral("small.exo")));
+    window->rooms().opening->open(caseFile(), true);
+    const auto shown = [&] {
+        const RunRecord* record = session->computation().currentRun();
+        return record != nullptr && record->outcome != nullptr && record->path.toStdString() == kept &&
+               window->rooms().project->runs().shown() && !session->computation().busy();
+    };
+    ASSERT_TRUE(QTest::qWaitFor(shown, patience));
+    EXPECT_EQ(runs().size(), 1U) << "not simulated again";
+    // With another setting it is another run.
+    session->document().setParameter(QStringLiteral("settle_time"), 0.5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_FALSE(window->rooms().project->runs().sameAsNow());
+    window->rooms().runs->showOrSimulate();
+    awaitRun();
+    EXPECT_EQ(runs().size(), 2U);
+}
 
 TEST_F(KeptRun, LiesBesideItsCaseAndIsShownAgainLater) {
     saveCase();

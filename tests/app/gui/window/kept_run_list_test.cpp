@@ -72,7 +72,7 @@ TEST_F(KeptRunList, SaysWhatIsKeptOfAllCasesAndHowMuchRoomItTakes) {
     EXPECT_EQ(table().rowCount(), 2);
     EXPECT_TRUE(total().contains(QStringLiteral("runs: 2, cases: 2. Preferences allow 20 GiB a case."))) << qPrintable(total());
     choose("east");
-    EXPECT_EQ(table().item(table().currentRow(), 3)->text(), QStringLiteral("sound"));
+    EXPECT_EQ(table().item(table().currentRow(), 3)->text(), QStringLiteral("no limit passed"));
     EXPECT_TRUE(button("openRun").isEnabled() && button("removeRun").isEnabled());
     choose("west");
     EXPECT_TRUE(table().item(table().currentRow(), 3)->text().contains(QStringLiteral("shown")));

@@ -11543,8 +11543,8 @@
         <translation>杆的柱</translation>
     </message>
     <message>
-        <source>bodies of {0}: one that falls over its edge turns by 1 degree in a step (at least {1}, at most {2} a second)</source>
-        <translation>{0} 的刚体：绕棱翻倒的刚体每步转动 1 度（每秒至少 {1}，至多 {2}）</translation>
+        <source>bodies of {0}: one that falls over its edge turns by 0.75 degrees in a step (at least {1}, at most {2} a second)</source>
+        <translation>{0} 的刚体：绕棱翻倒的刚体每步转动 0.75 度（每秒至少 {1}，至多 {2}）</translation>
     </message>
     <message>
         <source>fitted on the other half, judged on the one</source>
@@ -13733,8 +13733,8 @@
         <translation>各材料对的恢复系数在其来源范围内的位置：0 为最小，1 为最大，所有材料对相同。已设定的材料对不变。自动：表中的数。</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure, until the FE result has ended and what still falls then has landed; bodies of a table 40 to 480, so that one that falls over its edge turns by 1 degree in a step; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时在有限元结果结束且其时仍在下落者落定之前最低 40；物体表为 40 至 480，使绕棱翻倒的刚体每步转动 1 度；bullet 始终为 60。</translation>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20, or 40 where the engine moves loose structure, until the FE result has ended and what still falls then has landed; bodies of a table 40 to 480, so that one that falls over its edge turns by 0.75 degrees in a step; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20，由引擎移动松脱结构时在有限元结果结束且其时仍在下落者落定之前最低 40；物体表为 40 至 480，使绕棱翻倒的刚体每步转动 0.75 度；bullet 始终为 60。</translation>
     </message>
     <message>
         <source>m or m2</source>

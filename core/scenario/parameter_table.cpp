@@ -128,7 +128,7 @@ std::vector<Parameter> simulationRows() {
             "Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. "
             "Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their "
             "size down to 20, or 40 where the engine moves loose structure, until the FE result has ended and what still falls "
-            "then has landed; bodies of a table 40 to 480, so that one that falls over its edge turns by 1 degree in a step; "
+            "then has landed; bodies of a table 40 to 480, so that one that falls over its edge turns by 0.75 degrees in a step; "
             "always 60 for bullet.")
         .integer("iterations", 1, 1000, RUBBLE_AT(simulation.iterations), "Solver iterations",
                  "Iterations of Bullet's contact solver in each step. Costs time; a smaller step buys more.")

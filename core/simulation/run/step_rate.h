@@ -17,7 +17,7 @@ namespace rubble {
 /// fragments alone where clusters break up. Where the engine moves loose structure at least 40: what spans fall on with 25 m/s
 /// would be half a body deep in them after one longer step. 60 for Bullet's solver, whose piles squeeze together at larger steps.
 /// Bodies of a table, each let go by itself, are judged one by one, not by their pile: a cube of side d that falls over its edge
-/// turns at 0.79 sqrt(g / d), and by no more than 1 degree in a step (45 sqrt(g / d)), from 40 to 480.
+/// turns at 0.79 sqrt(g / d), and by no more than 0.75 degrees in a step (60 sqrt(g / d)), from 40 to 480.
 /// From the end of the FE result on nothing is born and few spans are left, so the least for these no longer holds once what still
 /// falls has landed.
 struct StepRate {
@@ -29,9 +29,9 @@ struct StepRate {
 /// the collapse goes on, in its own steps and substeps, until it has landed.
 bool stillFalling(const RigidWorld& world, std::int64_t present);
 
-/// In how many equal parts a step of dt [s] is simulated, so that no rolling body of a table turns by more than 1 degree in one:
-/// at most 32. A contact acts with the arms that it has when the step begins, so that longer ones brake what rolls: a granite block
-/// of 26 corners went 7.0 m over level ground at 11 degrees a step, 8.2 at 3 and 8.5 to 8.7 from 1.4 on.
+/// In how many equal parts a step of dt [s] is simulated, so that no rolling body of a table turns by more than 0.75 degrees in
+/// one: at most 32. A contact acts with the arms that it has when the step begins, so that longer ones brake what rolls: a granite
+/// block of 26 corners went 7.0 m over level ground at 11 degrees a step, 8.2 at 3 and 8.5 to 8.7 from 1.4 on.
 /// @param spin  rad/s, of the fastest
 int partsOfStep(double spin, double dt);
 

@@ -98,12 +98,13 @@ StepRate tableRate(double side, Scenario scenario = {}) {
     return chosenStepRate(describeRun(inputs, scenario, results), {});
 }
 
-TEST(StepRate, OfATableTurnsACubeByOneDegreeInAStep) {
-    // 0.788 sqrt(9.80665 / 0.1048) rad/s over 1 degree.
-    EXPECT_NEAR(tableRate(0.1048).perSecond, 436.7, 0.1);
-    EXPECT_NEAR(tableRate(0.4192).perSecond, 218.4, 0.1);
+TEST(StepRate, OfATableTurnsACubeByThreeQuartersOfADegreeInAStep) {
+    // 0.788 sqrt(9.80665 / 0.4192) rad/s over 0.75 degrees; of a smaller one at most 480 steps.
+    EXPECT_NEAR(tableRate(0.4192).perSecond, 291.2, 0.1);
+    EXPECT_NEAR(tableRate(1.6768).perSecond, 145.6, 0.1);
+    EXPECT_EQ(tableRate(0.1048).perSecond, 480.0);
     EXPECT_EQ(tableRate(0.02).perSecond, 480.0);
-    EXPECT_EQ(tableRate(15.0).perSecond, 40.0);
+    EXPECT_EQ(tableRate(30.0).perSecond, 40.0);
     EXPECT_EQ(tableRate(0.1048).reason.id, "simulation.step_rate.tumbling");
     Scenario scenario;
     scenario.simulation.stepRate = 90.0;
@@ -113,8 +114,8 @@ TEST(StepRate, OfATableTurnsACubeByOneDegreeInAStep) {
 
 TEST(StepRate, AStepIsPartedByWhatRolls) {
     EXPECT_EQ(partsOfStep(0.0, 0.01), 1);
-    EXPECT_EQ(partsOfStep(1.7, 0.01), 1);
-    EXPECT_EQ(partsOfStep(1.8, 0.01), 2) << "1.03 degrees";
+    EXPECT_EQ(partsOfStep(1.3, 0.01), 1);
+    EXPECT_EQ(partsOfStep(1.35, 0.01), 2) << "0.77 degrees";
     EXPECT_EQ(partsOfStep(1e9, 0.01), 32);
 }
 

@@ -31,19 +31,19 @@ field() {
 }
 
 installed() {
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+    grep -qxF -- "$1" <<<"$names"
 }
 
 # Packages with all that they depend on.
 closure() {
     apt-cache depends --recurse --installed --no-recommends --no-suggests --no-conflicts --no-breaks --no-replaces --no-enhances "$@" |
-        grep -E '^[a-z0-9]' | sort -u | while IFS= read -r name; do
-        ! installed "$name" || echo "$name"
-    done
+        grep -E '^[a-z0-9]' | LC_ALL=C sort -u | LC_ALL=C comm -12 - <(echo "$names")
 }
 
 make_root() {
-    local depends recommends essential folder
+    local depends recommends essential folder names
+    # All packages that are installed, by one question: one for each takes longer than all else here.
+    names=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | LC_ALL=C sort -u)
     depends=$(field Depends)
     recommends=$(field Recommends)
     essential=$(dpkg-query -W -f '${Essential} ${Priority} ${Package}\n' | sed -nE 's/^(yes [^ ]+|no required) //p')

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "tests/support/command_run.h"
@@ -197,14 +198,32 @@ TEST_F(Packaged, TheDebianPackagesHoldAllAndNameWhatTheyNeed) {
     EXPECT_GT(fs::file_size(root + "/tmp/window.png"), 50000u);
 }
 
-// An empty version makes a package that apt cannot install.
-TEST(Package, NamesTheVersionsThatItDependsOn) {
-    const io::TemporaryFolder folder;
-    expectOk(CommandRun().in(sourcePath()).run({"cmake", "--preset", "package", "-B", folder / "package"}));
-    const std::string config = io::wholeFile(folder / "package/CPackConfig.cmake");
+/// A project that makes packages as ours does, and has found nothing before.
+std::string packagesAlone() {
+    return "cmake_minimum_required(VERSION 3.25)\nproject(Rubble VERSION 1.0 LANGUAGES NONE DESCRIPTION alone)\n"
+           "set(RUBBLE_PYTHON ON)\ninclude(" +
+           sourcePath("cmake/packages.cmake") + ")\n";
+}
+
+void expectVersions(const std::string& configPath) {
+    const std::string config = io::wholeFile(configPath);
     EXPECT_THAT(config, HasSubstr("python3 (>= 3."));
     EXPECT_THAT(config, HasSubstr("python3 (<< 3."));
     EXPECT_THAT(config, Not(HasSubstr("= .")));
+}
+
+// An empty version makes a package that apt cannot install.
+TEST(Package, NamesTheVersionsThatItDependsOn) {
+    const io::TemporaryFolder folder;
+    std::ofstream(folder / "CMakeLists.txt") << packagesAlone();
+    expectOk(CommandRun().run({"cmake", "-G", "Ninja", "-S", folder.path(), "-B", folder / "package"}));
+    expectVersions(folder / "package/CPackConfig.cmake");
+}
+
+TEST(Package, WholeThePresetNamesThemToo) {
+    const io::TemporaryFolder folder;
+    expectOk(CommandRun().in(sourcePath()).run({"cmake", "--preset", "package", "-B", folder / "package"}));
+    expectVersions(folder / "package/CPackConfig.cmake");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "io/base/base64.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble {
 
@@ -71,6 +72,15 @@ std::string Browser::program() {
         }
     }
     return {};
+}
+
+Browser* Browser::ofAll() {
+    struct Kept {
+        io::TemporaryFolder folder;
+        Browser browser{folder / "profile", 1280, 800};
+    };
+    static const std::unique_ptr<Kept> kept = program().empty() ? nullptr : std::make_unique<Kept>();
+    return kept ? &kept->browser : nullptr;
 }
 
 Browser::Browser(const std::string& folder, int width, int height, const std::vector<std::string>& more) {

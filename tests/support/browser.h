@@ -18,6 +18,8 @@ class Browser {
 public:
     /// The program; empty where there is none. RUBBLE_CHROMIUM may name another.
     static std::string program();
+    /// The one that all tests of a program share, as it takes longer to start than pages do; null where there is none.
+    static Browser* ofAll();
 
     /// @param folder  for its profile
     /// @param more    further options
@@ -63,28 +65,22 @@ private:
     std::vector<std::string> m_complaints;
 };
 
-/// What all tests of a page look at: a fixture that makes the page in its constructor, and a browser, made once for all of them.
-/// Null where there is no browser: then nothing is run.
+/// What all tests of a page look at: a fixture that makes the page in its constructor, made once for all of them.
 template <class Page>
 class PageForAll {
 public:
     static Page* page() {
-        if (!made() && !Browser::program().empty()) {
-            made() = std::make_unique<Made>();
+        if (!made()) {
+            made() = std::make_unique<Page>();
         }
-        return made() ? &made()->page : nullptr;
+        return made().get();
     }
-    static Browser* browser() { return page() != nullptr ? &made()->browser : nullptr; }
     static void end() { made().reset(); }
 
 private:
-    struct Made {
-        Page page;
-        Browser browser{page.folder() / "profile", 1280, 800};
-    };
-    static std::unique_ptr<Made>& made() {
-        static std::unique_ptr<Made> all;
-        return all;
+    static std::unique_ptr<Page>& made() {
+        static std::unique_ptr<Page> page;
+        return page;
     }
 };
 
@@ -96,10 +92,12 @@ protected:
 
     static void TearDownTestSuite() { Shared::end(); }
     void SetUp() override {
-        m_browser = Shared::browser();
+        m_browser = Browser::ofAll();
         if (m_browser == nullptr) {
             std::cout << "not run: no Chromium here\n";
+            return;
         }
+        m_browser->resize(1280, 800);
     }
     void TearDown() override {
         if (m_browser != nullptr) {

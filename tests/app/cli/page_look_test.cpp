@@ -35,7 +35,6 @@ public:
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         notes = outcome.err;
     }
-    const io::TemporaryFolder& folder() const { return m_folder; }
     std::string path() const { return m_folder / "small.html"; }
 
     std::string notes;
@@ -193,7 +192,7 @@ TEST_F(PageLook, SurroundingsAreMeasuredAndTold) {
 class PageTerrain : public SmallRun {};
 
 TEST_F(PageTerrain, ThrowsShadowsToo) {
-    if (Browser::program().empty()) {
+    if (Browser::ofAll() == nullptr) {
         std::cout << "not run: no Chromium here\n";
         return;
     }
@@ -201,7 +200,8 @@ TEST_F(PageTerrain, ThrowsShadowsToo) {
         io::AsciiGrid().write(m_folder / "cliff.asc", [](double x, double) { return x < -5.0 ? 12.0 : 0.0; });
     run({"--terrain", terrain}, "0.2");
     ASSERT_EQ(cli({"export", m_out, "--export", "page=" + (m_folder / "cliff.html")}).exitCode, 0);
-    Browser browser(m_folder / "profile", 1280, 800);
+    Browser& browser = *Browser::ofAll();
+    browser.resize(1280, 800);
     browser.open(m_folder / "cliff.html");
     browser.evaluate("page.jump(page.player.end), page.panels.lookFrom('top')");
     // Heights of the cliff between the box of what falls and the sun are within the map.

@@ -40,9 +40,9 @@ public:
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("mm of those recorded"));
     }
-    const io::TemporaryFolder& folder() const { return m_folder; }
-    std::string path() const { return m_folder / "small.html"; }
+    std::string path() const { return m_folder / "a/small.html"; }
     const std::string& runFile() const { return m_out; }
+    const std::string& fePath() const { return m_path; }
 
 private:
     void TestBody() override {}
@@ -57,7 +57,6 @@ protected:
             return;
         }
         m_page = Shared::page()->path();
-        m_browser->resize(1280, 800);
         m_ready = m_browser->open(m_page);
     }
     /// Nobody was asked for anything but the page itself, and nothing went wrong.
@@ -273,9 +272,9 @@ TEST_F(PageInBrowser, DamagedDataAndALostContextLeaveThePictures) {
         const std::size_t data = text.find("id=\"data\">");
         text.replace(text.find("</script>", data) - 400, 200, std::string(200, 'A'));
     });
-    Browser other(m_folder / "other", 1280, 800);
-    EXPECT_EQ(other.open(damaged), "damaged");
-    expectPicturesInBothLanguages(other, "无法显示视图");
+    EXPECT_EQ(m_browser->open(damaged), "damaged");
+    expectPicturesInBothLanguages(*m_browser, "无法显示视图");
+    m_browser->open(m_page);
     said("page.player.play()");
     said("page.player.renderer.gl.getExtension('WEBGL_lose_context').loseContext()");
     m_browser->waitFor("document.documentElement.dataset.ready === 'lost'");
@@ -287,14 +286,13 @@ TEST_F(PageInBrowser, APageThatWasCutShortSaysSo) {
         return;
     }
     const std::string cut = changed([](std::string& text) { text.resize(text.find("id=\"data\">") + 100); });
-    Browser other(m_folder / "other", 1280, 800);
-    EXPECT_EQ(other.open(cut), "unread");
-    const auto seen = [](Browser& browser) {
-        return browser.evaluate("getComputedStyle(document.getElementById('unread')).display !== 'none'");
+    const auto seen = [&](const std::string& id) {
+        return said("getComputedStyle(document.getElementById('" + id + "')).display !== 'none'");
     };
-    EXPECT_EQ(seen(other), true);
-    EXPECT_EQ(other.evaluate("getComputedStyle(document.getElementById('stills')).display !== 'none'"), true);
-    EXPECT_EQ(seen(*m_browser), false) << "the script of the whole page ran";
+    EXPECT_EQ(seen("unread"), false) << "the script of the whole page ran";
+    EXPECT_EQ(m_browser->open(cut), "unread");
+    EXPECT_EQ(seen("unread"), true);
+    EXPECT_EQ(seen("stills"), true);
 }
 
 TEST_F(PageInBrowser, WordsFitWhatIsShown) {
@@ -381,9 +379,35 @@ TEST_F(PageInBrowser, APaceThatIsNotKeptIsTold) {
     EXPECT_EQ(said("page.player.stop()" + text), "");
 }
 
-TEST_F(SmallRun, WhatMovesAtTheEndHasItsSpeedThere) {
-    if (Browser::program().empty()) {
-        std::cout << "not run: no Chromium here\n";
+TEST_F(PageInBrowser, CarriesItsProvenanceAndNoAddressOfOthers) {
+    const std::string page = Shared::page()->path();
+    const std::string text = textOf(page);
+    EXPECT_THAT(text, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(text, Not(HasSubstr("http://")));
+    EXPECT_THAT(text, Not(HasSubstr("https://")));
+    EXPECT_THAT(text, Not(HasSubstr("{{")));
+    const auto provenance = io::readProvenance(page);
+    ASSERT_TRUE(provenance.has_value());
+    EXPECT_EQ(provenance->kind, "page");
+    EXPECT_EQ(provenance->fePath, Shared::page()->fePath());
+}
+
+/// Pages of runs of their own, in the browser of all.
+class OtherPage : public SmallRun {
+protected:
+    void SetUp() override {
+        if (m_browser == nullptr) {
+            std::cout << "not run: no Chromium here\n";
+            return;
+        }
+        m_browser->resize(1280, 800);
+    }
+
+    Browser* m_browser = Browser::ofAll();
+};
+
+TEST_F(OtherPage, WhatMovesAtTheEndHasItsSpeedThere) {
+    if (!m_browser) {
         return;
     }
     const nlohmann::json made = run({}, "0");
@@ -393,7 +417,7 @@ TEST_F(SmallRun, WhatMovesAtTheEndHasItsSpeedThere) {
     addPhotograph(theCase, m_folder / "site.tif");
     io::saveCase(m_folder / "small.rubble", theCase);
     ASSERT_EQ(cli({"export", m_out, "--case", m_folder / "small.rubble", "--export", "page=" + page}).exitCode, 0);
-    Browser browser(m_folder / "profile", 1280, 800);
+    Browser& browser = *m_browser;
     browser.open(page);
     const auto textOfPart = [&](const std::string& id) {
         return browser.evaluate("document.getElementById('" + id + "').textContent").get<std::string>();
@@ -420,16 +444,15 @@ TEST_F(SmallRun, WhatMovesAtTheEndHasItsSpeedThere) {
     EXPECT_THAT(browser.evaluate("document.getElementById('chosen').textContent").get<std::string>(), HasSubstr("mean over"));
 }
 
-TEST_F(SmallRun, AMeasureMeetsTheTerrain) {
-    if (Browser::program().empty()) {
-        std::cout << "not run: no Chromium here\n";
+TEST_F(OtherPage, AMeasureMeetsTheTerrain) {
+    if (!m_browser) {
         return;
     }
     const std::string terrain = io::AsciiGrid().write(m_folder / "slope.asc", [](double x, double) { return 0.05 * x - 1.0; });
     run({"--terrain", terrain}, "0.2");
     const std::string page = m_folder / "small.html";
     ASSERT_EQ(cli({"export", m_out, "--export", "page=" + page}).exitCode, 0);
-    Browser browser(m_folder / "profile", 1280, 800);
+    Browser& browser = *m_browser;
     browser.open(page);
     browser.evaluate("page.panels.lookFrom('corner')");
     const auto hit = browser.evaluate(R"js((() => {
@@ -441,22 +464,6 @@ TEST_F(SmallRun, AMeasureMeetsTheTerrain) {
     ASSERT_TRUE(hit["point"].is_array()) << hit;
     // Heights on the page are rounded to a millimetre.
     EXPECT_NEAR(hit["point"][2].get<double>(), 0.05 * hit["point"][0].get<double>() - 1.0, 1e-3);
-}
-
-TEST_F(SmallRun, APageCarriesItsProvenanceAndNoAddressOfOthers) {
-    run({}, "0.5");
-    const std::string page = m_folder / "a/small.html";
-    const Outcome outcome = cli({"export", m_out, "--export", "page=" + page});
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const std::string text = textOf(page);
-    EXPECT_THAT(text, HasSubstr("default-src 'none'"));
-    EXPECT_THAT(text, Not(HasSubstr("http://")));
-    EXPECT_THAT(text, Not(HasSubstr("https://")));
-    EXPECT_THAT(text, Not(HasSubstr("{{")));
-    const auto provenance = io::readProvenance(page);
-    ASSERT_TRUE(provenance.has_value());
-    EXPECT_EQ(provenance->kind, "page");
-    EXPECT_EQ(provenance->fePath, m_path);
 }
 
 TEST_F(SmallRun, APageThatCannotBeWrittenSaysWhyAndLeavesNothing) {

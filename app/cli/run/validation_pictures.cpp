@@ -8,6 +8,7 @@
 #include "core/base/geometry.h"
 #include "core/base/message.h"
 #include "io/base/files.h"
+#include "widgets/figures/round_step.h"
 
 namespace rubble::cli {
 
@@ -27,6 +28,17 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
+/// Round numbers along an axis, about five.
+std::vector<double> roundPlaces(double low, double high) {
+    constexpr double most = 6.0;
+    const double step = figures::roundStep(high - low, most);
+    std::vector<double> all;
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+        all.push_back(k == 0.0 ? 0.0 : k * step);  // no minus before zero
+    }
+    return all;
+}
+
 /// A frame with two axes, into which points of a rectangle of numbers are drawn.
 class ValidationPlot {
 public:
@@ -39,11 +51,13 @@ public:
         text(8.0, 40.0, alongY, "start");
         m_out << "<rect x=\"" << pictureMargin << "\" y=\"" << pictureMargin << "\" width=\"" << pictureWidth - 2 * pictureMargin
               << "\" height=\"" << pictureHeight - 2 * pictureMargin << "\" fill=\"none\" stroke=\"#999\"/>\n";
-        constexpr int ticks = 4;
-        for (int t = 0; t <= ticks; ++t) {
-            const Vec3 at = m_range.min() + (static_cast<double>(t) / ticks) * m_range.sizes();
-            text(x(at.x()), pictureHeight - pictureMargin + 18.0, englishNumber(at.x()), "middle");
-            text(pictureMargin - 6.0, y(at.y()) + 4.0, englishNumber(at.y()), "end");
+        for (const double at : roundPlaces(m_range.min().x(), m_range.max().x())) {
+            line(x(at), pictureHeight - pictureMargin, x(at), pictureHeight - pictureMargin + 4.0);
+            text(x(at), pictureHeight - pictureMargin + 18.0, englishNumber(at), "middle");
+        }
+        for (const double at : roundPlaces(m_range.min().y(), m_range.max().y())) {
+            line(pictureMargin - 4.0, y(at), pictureMargin, y(at));
+            text(pictureMargin - 7.0, y(at) + 4.0, englishNumber(at), "end");
         }
         text(pictureWidth - pictureMargin, 22.0, "measured", "end", measuredColour);
         text(pictureWidth - pictureMargin, 40.0, "simulated", "end", simulatedColour);
@@ -78,6 +92,10 @@ private:
     double y(double value) const {
         return pictureHeight - pictureMargin -
                (value - m_range.min().y()) / m_range.sizes().y() * (pictureHeight - 2 * pictureMargin);
+    }
+    void line(double fromX, double fromY, double toX, double toY) {
+        m_out << "<line x1=\"" << fromX << "\" y1=\"" << fromY << "\" x2=\"" << toX << "\" y2=\"" << toY
+              << "\" stroke=\"#999\"/>\n";
     }
     void text(double atX, double atY, const std::string& words, const char* anchor, const char* colour = measuredColour) {
         m_out << "<text x=\"" << atX << "\" y=\"" << atY << "\" text-anchor=\"" << anchor << "\" fill=\"" << colour << "\">"

@@ -147,16 +147,16 @@
         <translation>%1，已确认</translation>
     </message>
     <message>
-        <source>sound</source>
-        <translation>正常</translation>
-    </message>
-    <message>
         <source>cancelled at %1</source>
         <translation>于 %1 取消</translation>
     </message>
     <message>
         <source>interrupted at %1</source>
         <translation>于 %1 中断</translation>
+    </message>
+    <message>
+        <source>no limit passed</source>
+        <translation>未超过限值</translation>
     </message>
 </context>
 <context>
@@ -15860,10 +15860,6 @@
         <translation>健康</translation>
     </message>
     <message>
-        <source>sound</source>
-        <translation>正常</translation>
-    </message>
-    <message>
         <source>No limit of the health monitor was passed in this run.</source>
         <translation>此次计算未超过任何健康监测限值。</translation>
     </message>
@@ -15922,6 +15918,10 @@
     <message>
         <source>The amber boxes of all panels; of evidence those of the photograph and the survey that are chosen. Limits of health that a run passed are counted apart.</source>
         <translation>所有面板中的琥珀色方框；证据只计所选照片和所选测量的方框。计算超过的健康限值另行计数。</translation>
+    </message>
+    <message>
+        <source>no limit passed</source>
+        <translation>未超过限值</translation>
     </message>
 </context>
 <context>

@@ -242,7 +242,7 @@ TEST(ContactTable, TellsTheRangeOfEachPairAndMovesAlongIt) {
     Scenario scenario;
     setParameter(scenario, "friction_level", 0.0);
     table.setScenario(scenario);
-    EXPECT_EQ(table.table()->item(1, ContactTable::Friction)->text(), QStringLiteral("0.35"));
+    EXPECT_EQ(table.table()->item(1, ContactTable::Friction)->text(), QStringLiteral("0.3"));
     EXPECT_EQ(table.table()->item(1, ContactTable::Restitution)->text(), QStringLiteral("0.1"));
 }
 

@@ -109,7 +109,7 @@ TEST(HealthList, AStoppedRunSaysHowFarItWasLookedAt) {
     HealthList::Content content;
     content.upTo = 2.5;
     list.setContent(content);
-    EXPECT_TRUE(allText(list).contains(QStringLiteral("up to 2.50\u00A0s"))) << allText(list).toStdString();
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("up to 2.50"))) << allText(list).toStdString();
     content.health = twoBreaches();
     list.setContent(content);
     EXPECT_TRUE(allText(list).contains(QStringLiteral("it is tainted"))) << allText(list).toStdString();

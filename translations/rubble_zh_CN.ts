@@ -14769,10 +14769,6 @@
         <translation>保存案例？</translation>
     </message>
     <message>
-        <source>The settings of this case have changed since it was saved.</source>
-        <translation>自上次保存以来，此案例的设置已更改。</translation>
-    </message>
-    <message>
         <source>Save case</source>
         <translation>保存案例</translation>
     </message>
@@ -14897,10 +14893,6 @@
         <translation>案例、有限元结果、计算及其图片 (*);;案例 (*.rubble);;计算 (*.run.h5)</translation>
     </message>
     <message>
-        <source>This case was never saved: its settings and its evidence would go.</source>
-        <translation>此案例从未保存：其设置和证据将会丢失。</translation>
-    </message>
-    <message>
         <source>Stop the simulation?</source>
         <translation>停止模拟？</translation>
     </message>
@@ -14911,6 +14903,14 @@
     <message>
         <source>Stop and leave</source>
         <translation>停止并离开</translation>
+    </message>
+    <message>
+        <source>The case of %1 was never saved: its settings and its evidence would go.</source>
+        <translation>%1 的案例从未保存：其设置和证据将丢失。</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was saved: its settings or its evidence would go.</source>
+        <translation>%1 自保存后已更改：其设置或证据将丢失。</translation>
     </message>
 </context>
 <context>
@@ -17266,10 +17266,6 @@
         <translation>未知的量</translation>
     </message>
     <message>
-        <source>No ensemble was simulated of this case: how far friction, births and other things that are not known move the debris is not part of this report. The ranges above are those of repeats alone.</source>
-        <translation>本案例没有模拟系综：摩擦、产生时刻等未知量使堆积物移动多少，不在本报告之内。以上范围仅来自重复计算。</translation>
-    </message>
-    <message>
         <source>The collapse was simulated %1 times with what is not known drawn anew for each member (seed %2). Members differ by what is drawn and by births that are moved by a micrometre.</source>
         <translation>倒塌被模拟 %1 次，每个成员的未知量重新抽取（种子 %2）。成员之间的差别在于抽取的取值，以及产生位置移动一微米。</translation>
     </message>
@@ -17464,10 +17460,6 @@
     <message>
         <source>heights differ, mean</source>
         <translation>高度差，平均</translation>
-    </message>
-    <message>
-        <source>The first figures set what the FE result alone shows against the fragments. The tables and the map after them say how much lies where; brackets hold what the repeats came to.</source>
-        <translation>前几幅图将有限元结果单独所示与碎块对照。其后的表格和分布图说明何处有多少堆积物；括号内为各次重复的结果。</translation>
     </message>
     <message>
         <source>FE result</source>
@@ -18078,10 +18070,6 @@
         <translation>本报告涉及表格中的物体，不假定任何原因。</translation>
     </message>
     <message>
-        <source>The first figures show the bodies that are not let go yet, and those that are. The tables and the map after them say how much lies where; brackets hold what the repeats came to.</source>
-        <translation>首先的图件显示尚未放开的物体和已放开的物体。其后的表格和图说明何处有多少；方括号内为各次重复的结果。</translation>
-    </message>
-    <message>
         <source>Three instants: the bodies that are not let go yet (given), and those that are (simulated), from the same camera</source>
         <translation>三个时刻：尚未放开的物体（给定）和已放开的物体（模拟），同一视角</translation>
     </message>
@@ -18263,16 +18251,36 @@
         <translation>堆积体的松散系数；%1</translation>
     </message>
     <message>
-        <source>The highest debris lies on structure that still stands; where none stands, the highest cell of %1 m lies %2 m above the ground.</source>
-        <translation>最高的堆积物位于仍立着的结构上；在无结构立着之处，%1 m 单元的最高者高出地面 %2 m。</translation>
-    </message>
-    <message>
         <source>No limit of health was passed: energy, overlap, speeds and places stayed within their limits at every step, and no pile woke that had come to rest.</source>
         <translation>未超过任何健康限值：能量、重叠、速度和位置在每一步都在限值之内，静止后的堆积体也没有再次活动。</translation>
     </message>
     <message>
         <source>footprint by the cells of the map, %1 m</source>
         <translation>按地图单元 %1 米计的覆盖范围</translation>
+    </message>
+    <message>
+        <source>No ensemble was simulated of this case: how far friction, births and other things that are not known move the debris is not part of this report.</source>
+        <translation>本案例没有模拟系综：摩擦、产生时刻等未知量使堆积物移动多少，不在本报告之内。</translation>
+    </message>
+    <message>
+        <source>The ranges above are those of repeats alone.</source>
+        <translation>上述范围仅为各次重复的范围。</translation>
+    </message>
+    <message>
+        <source>The first figures show the bodies that are not let go yet, and those that are. The tables and the map after them say how much lies where.</source>
+        <translation>首先的图件显示尚未放开的物体和已放开的物体。其后的表格和图说明何处有多少。</translation>
+    </message>
+    <message>
+        <source>The first figures set what the FE result alone shows against the fragments. The tables and the map after them say how much lies where.</source>
+        <translation>前几幅图将有限元结果单独所示与碎块对照。其后的表格和分布图说明何处有多少堆积物。</translation>
+    </message>
+    <message>
+        <source>Brackets hold what the repeats came to.</source>
+        <translation>括号内为各次重复的结果。</translation>
+    </message>
+    <message>
+        <source>The highest debris lies on structure that still stands; where none stands within 1 m, the highest cell of %1 m lies %2 m above the ground.</source>
+        <translation>最高的堆积物位于仍立着的结构上；在 1 米内无结构立着之处，%1 m 单元的最高者高出地面 %2 m。</translation>
     </message>
 </context>
 <context>
@@ -18312,10 +18320,6 @@
     <message>
         <source>%1; %2 members of an ensemble, %3, cells of %4</source>
         <translation>%1；系综成员 %2 个，%3，单元格 %4</translation>
-    </message>
-    <message>
-        <source>height, every %1</source>
-        <translation>高度，每 %1</translation>
     </message>
     <message>
         <source>what collapsed</source>
@@ -18362,10 +18366,6 @@
         <translation>；另有移动超过 %3 的坍落存活结构：%1，占 %2</translation>
     </message>
     <message>
-        <source>; where none stands: %1</source>
-        <translation>；无结构立着之处：%1</translation>
-    </message>
-    <message>
         <source>%1 fragments, %2, %4 of solid material, on %3 by cells of %5</source>
         <translation>%1 个碎块，%2，实体材料 %4，按 %5 单元覆盖 %3</translation>
     </message>
@@ -18384,6 +18384,18 @@
     <message>
         <source>what still stands</source>
         <translation>仍然站立部分</translation>
+    </message>
+    <message>
+        <source>height of the debris, every %1</source>
+        <translation>堆积物高度，每 %1</translation>
+    </message>
+    <message>
+        <source>; %1 cell with debris lies outside the picture, %2 beyond it</source>
+        <translation>；%1 个有堆积物的单元在图外，超出 %2</translation>
+    </message>
+    <message>
+        <source>; where none stands within 1 m: %1</source>
+        <translation>；1 米内无结构站立处：%1</translation>
     </message>
 </context>
 <context>
@@ -22615,10 +22627,6 @@ What the file fits: %2.</source>
         <translation>最差 %1%2</translation>
     </message>
     <message>
-        <source>Nothing needs to be done.</source>
-        <translation>无需处理。</translation>
-    </message>
-    <message>
         <source>No limit of health was passed up to %1, where the run was stopped.</source>
         <translation>至 %1 计算停止处，未超过任何健康限值。</translation>
     </message>
@@ -22629,6 +22637,10 @@ What the file fits: %2.</source>
     <message>
         <source>%1 up to %2, where the run was stopped: it is tainted.</source>
         <translation>至 %2 计算停止处%1：结果存疑。</translation>
+    </message>
+    <message>
+        <source>Nothing needs to be done. For less of it:</source>
+        <translation>无需处理。若要减轻：</translation>
     </message>
 </context>
 <context>

@@ -281,9 +281,9 @@ void RunMapPanel::showLedger() {
     }
     const MapLedger& ledger = m_content.map->map.ledger;
     QStringList parts{
-        tr("fragments: %1").arg(shownCount(ledger.fragments)), shownMass(ledger.mass, 4),
-        tr("%1 of solid material").arg(shownWith(ledger.volume, "m3", 4)),
-        tr("on %1 by cells of %2").arg(shownWith(ledger.footprintArea, "m2", 4), shownLength(m_content.map->map.cell, 2))};
+        tr("fragments: %1").arg(shownCount(ledger.fragments)), shownMass(ledger.mass, 6),
+        tr("%1 of solid material").arg(shownWith(ledger.volume, "m3", 6)),
+        tr("on %1 by cells of %2").arg(shownWith(ledger.footprintArea, "m2", 6), shownLength(m_content.map->map.cell, 2))};
     if (m_content.map->map.live && ledger.liveElements > 0) {
         parts << tr("fallen live structure beside them, moved farther than %1: %2")
                      .arg(shownLength(m_content.map->map.liveThreshold, 2), shownMass(ledger.liveMass, 4));

@@ -33,9 +33,10 @@ namespace {
 
 constexpr double mapTextPoints = 9.0;
 constexpr double smallPoints = 6.0;
-constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
-constexpr double aboveTitle = 4.2;  // lines that north takes above the legend
-constexpr double causeLines = 2.9;  // lines of two causes that are told apart
+constexpr double entryPitch = 1.2;               // lines from one entry of the legend to the next
+constexpr double aboveTitle = 4.2;               // lines that north takes above the legend
+constexpr QColor paperOfMaps(0xe9, 0xe9, 0xe4);  // of a dark page
+constexpr double causeLines = 2.9;               // lines of two causes that are told apart
 
 /// Light is little, dark is much; early is dark as in the views.
 QColor colourAt(MapLayer layer, double place) {
@@ -213,7 +214,7 @@ private:
     void drawCells(QPainter& painter) {
         // The scales run to dark: on a dark page they need paper of their own.
         if (m_style.theme == render::Theme::Dark) {
-            painter.fillRect(m_frame, QColor(0xe9, 0xe9, 0xe4));
+            painter.fillRect(m_frame, paperOfMaps);
         }
         // Of a map finer than the picture every few cells make a dot: the largest value would hide the rest, so they are mixed.
         QImage cells(m_window.columns(), m_window.rows(), QImage::Format_ARGB32_Premultiplied);
@@ -290,7 +291,10 @@ private:
             y += entryPitch * m_line;
         };
         if (showsContours()) {
-            entry(contourPen(), tr("height, every %1").arg(lengthText(m_style.contours)));
+            if (m_style.theme == render::Theme::Dark) {
+                painter.fillRect(QRectF(m_legend.left(), y, 1.4 * m_line, m_line), paperOfMaps);
+            }
+            entry(contourPen(), tr("height of the debris, every %1").arg(lengthText(m_style.contours)));
         }
         for (const MapOutline::Of of : MapOutline::all) {
             if (outlines(of)) {
@@ -481,7 +485,8 @@ private:
                               : tr("%1, t = %2, %3, cells of %4")
                                     .arg(layerName(m_map, m_layer), timeText(m_map.time), shown, lengthText(m_map.cell));
         if (m_outside > 0) {
-            caption += tr("; %1 cells with debris lie outside the picture, up to %2 beyond it")
+            caption += (m_outside == 1 ? tr("; %1 cell with debris lies outside the picture, %2 beyond it")
+                                       : tr("; %1 cells with debris lie outside the picture, up to %2 beyond it"))
                            .arg(countText(m_outside), lengthText(m_map.cell * m_farthest));
         }
         const double bottom = m_style.pixels.height() - belowCaption();

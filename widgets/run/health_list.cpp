@@ -119,7 +119,8 @@ QString wordsOf(const HealthBreach& breach, const QString& when, HealthGrade gra
     aside << against(breach);
     text += QStringLiteral("<br/>") + muted(inOneLine(aside));
     if (!breach.remedy.empty()) {
-        const QString calm = grade == HealthGrade::Notice ? HealthList::tr("Nothing needs to be done.") + u' ' : QString();
+        const QString calm =
+            grade == HealthGrade::Notice ? HealthList::tr("Nothing needs to be done. For less of it:") + u' ' : QString();
         text += QStringLiteral("<br/>") + muted(calm + sentence(breach.remedy));
     }
     return text;

@@ -252,11 +252,12 @@ bool FileCommands::mayLeave() {
     if (!m_document.modified()) {
         return true;
     }
-    const auto answer =
-        QMessageBox::question(&m_window, tr("Save the case?"),
-                              m_document.path().isEmpty() ? tr("This case was never saved: its settings and its evidence would go.")
-                                                          : tr("The settings of this case have changed since it was saved."),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    const auto answer = QMessageBox::question(
+        &m_window, tr("Save the case?"),
+        (m_document.path().isEmpty() ? tr("The case of %1 was never saved: its settings and its evidence would go.")
+                                     : tr("%1 has changed since it was saved: its settings or its evidence would go."))
+            .arg(QFileInfo(m_document.path().isEmpty() ? m_document.base() : m_document.path()).fileName()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 

@@ -32,14 +32,14 @@ constexpr int restMs = 250;
 constexpr double packageContours = 0.5;  // m, of a GeoPackage of a map without contours
 constexpr double dockShare = 0.45;       // of the centre, when it is first opened
 
-/// Side of the cells that what stands is outlined by, m: those of the map, or larger where there would be too many.
+/// Side of the cells that what stands is outlined by, m: a tenth of those of the map, or larger where there would be too many.
 double outlineCell(double cell, const std::vector<PlanBox>& standing) {
-    constexpr double most = 1000.0;  // along a side
+    constexpr double most = 2000.0;  // along a side
     PlanBox all;
     for (const PlanBox& box : standing) {
         all.extend(box);
     }
-    return all.isEmpty() ? cell : std::max(cell, static_cast<double>(all.sizes().maxCoeff()) / most);
+    return all.isEmpty() ? cell : std::max(0.1 * cell, static_cast<double>(all.sizes().maxCoeff()) / most);
 }
 
 /// What stood there, what still stands, and what was found.

@@ -494,7 +494,8 @@ void SurveyDisplay::save() {
         return;
     }
     const QString path = askSavePath(m_page.window(), tr("Difference map"),
-                                     QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/survey.tif"),
+                                     QFileInfo(m_document.base()).absolutePath() + u'/' +
+                                         QFileInfo(m_document.base()).completeBaseName() + QStringLiteral("-difference.tif"),
                                      tr("GeoTIFF (*.tif);;Images (*.png)"));
     if (!path.isEmpty()) {
         saveTo(path);

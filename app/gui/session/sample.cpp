@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -48,6 +49,15 @@ QString samplePath() {
 bool isSample(const QString& path) {
     const QString folder = QFileInfo(sampleFolder()).canonicalFilePath();
     return !folder.isEmpty() && QFileInfo(path).canonicalFilePath().startsWith(folder + u'/');
+}
+
+QString outsideSamples(const QString& proposed) {
+    const QFileInfo file(proposed);
+    if (QFileInfo(file.absolutePath()).canonicalFilePath() != QFileInfo(sampleFolder()).canonicalFilePath()) {
+        return proposed;
+    }
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return (QFileInfo(documents).isDir() ? documents : QDir::homePath()) + u'/' + file.fileName();
 }
 
 std::vector<Sample> samples() {

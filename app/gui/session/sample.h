@@ -18,6 +18,8 @@ QString samplePath();
 
 /// Whether a file lies among them: what comes with the program is never written, whoever runs it.
 bool isSample(const QString& path);
+/// A place for a file that is proposed beside a sample: nothing is saved among those. Others are returned as they are.
+QString outsideSamples(const QString& proposed);
 
 /// All that are installed, the first one first; a file that cannot be read is left out.
 std::vector<Sample> samples();

@@ -8,6 +8,8 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/gui/session/sample.h"
+
 namespace rubble {
 
 namespace {
@@ -26,7 +28,7 @@ QStringList endingsOf(const QString& kinds) {
 
 QString askSavePath(QWidget* parent, const QString& title, const QString& proposed, const QString& kinds) {
     QString chosen;
-    QString path = QFileDialog::getSaveFileName(parent, title, proposed, kinds, &chosen);
+    QString path = QFileDialog::getSaveFileName(parent, title, outsideSamples(proposed), kinds, &chosen);
     const QStringList endings = endingsOf(kinds);
     const bool named = std::any_of(endings.begin(), endings.end(),
                                    [&](const QString& ending) { return path.endsWith(ending, Qt::CaseInsensitive); });

@@ -38,6 +38,12 @@ bool isTypedInto(QWidget* widget) {
     return lineOf(widget) != nullptr || qobject_cast<const QPlainTextEdit*>(widget) != nullptr;
 }
 
+/// One that is not typed into. Arrows and the wheel with focus move along it; letters and ends do so once it is open.
+bool isClosedList(const QWidget* widget) {
+    const auto* box = qobject_cast<const QComboBox*>(widget);
+    return box != nullptr && !box->isEditable();
+}
+
 bool isPushed(const QWidget* widget) {
     return qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr ||
            qobject_cast<const QAbstractItemView*>(widget) != nullptr;
@@ -71,8 +77,7 @@ bool movesWithin(const QKeyEvent& key, const QWidget* focus) {
     const bool arrow =
         key.key() == Qt::Key_Left || key.key() == Qt::Key_Right || key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
     const auto* button = qobject_cast<const QAbstractButton*>(focus);
-    return arrow && (qobject_cast<const QAbstractSlider*>(focus) != nullptr || qobject_cast<const QComboBox*>(focus) != nullptr ||
-                     (button != nullptr && button->group() != nullptr));
+    return arrow && (qobject_cast<const QAbstractSlider*>(focus) != nullptr || (button != nullptr && button->group() != nullptr));
 }
 
 bool isEscape(const QKeyEvent& key) {
@@ -180,9 +185,9 @@ bool KeyRules::typedBeside(const QKeyEvent& key) const {
     return (isCharacter(key) && !row) || (m_inWord && isSpaceOfText(key));
 }
 
-/// A space would push a button that was clicked, and a letter would choose another line of a list that was.
+/// A space would push a button that was clicked, and a letter would choose another line of a closed list.
 bool KeyRules::wouldAct(const QKeyEvent& key) const {
-    return isSpaceOfText(key) || (!m_byKeyboard && qobject_cast<const QComboBox*>(QApplication::focusWidget()) != nullptr);
+    return isSpaceOfText(key) || isClosedList(QApplication::focusWidget());
 }
 
 void KeyRules::noteTool() {
@@ -278,7 +283,8 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
         if (const QAction* action = widget == widget->window() && !key.isAutoRepeat() ? unusable(key) : nullptr) {
             emit refused(*action);
         }
-        if (m_beside && wouldAct(key)) {
+        const bool end = key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+        if ((m_beside && wouldAct(key)) || (end && isClosedList(widget))) {
             return true;
         }
         m_byKeyboard = m_byKeyboard || key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;

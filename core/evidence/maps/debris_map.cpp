@@ -137,16 +137,15 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
 
 namespace {
 
-/// Which cells of a map live structure stands in [cells].
+/// Which cells of a map live structure stands in, or beside, where what lies on it juts out [cells].
 std::vector<bool> standingCells(const DebrisMap& map, std::span<const PlanBox> standing) {
+    constexpr double beside = 1.0;  // m
     std::vector<bool> stands(map.cells.size(), false);
-    const auto at = [side = map.cell](float place) {
-        return static_cast<std::int32_t>(std::floor(static_cast<double>(place) / side));
-    };
+    const auto at = [side = map.cell](double place) { return static_cast<std::int32_t>(std::floor(place / side)); };
     for (const PlanBox& box : standing) {
-        for (std::int32_t j = at(box.min().y()); j <= at(box.max().y()); ++j) {
-            const auto first = std::lower_bound(map.cells.begin(), map.cells.end(), MapCell{j, at(box.min().x())});
-            const auto end = std::upper_bound(first, map.cells.end(), MapCell{j, at(box.max().x())});
+        for (std::int32_t j = at(box.min().y() - beside); j <= at(box.max().y() + beside); ++j) {
+            const auto first = std::lower_bound(map.cells.begin(), map.cells.end(), MapCell{j, at(box.min().x() - beside)});
+            const auto end = std::upper_bound(first, map.cells.end(), MapCell{j, at(box.max().x() + beside)});
             std::fill(stands.begin() + (first - map.cells.begin()), stands.begin() + (end - map.cells.begin()), true);
         }
     }

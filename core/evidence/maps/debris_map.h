@@ -75,7 +75,7 @@ struct MapLedger {
     double liveVolume = 0.0;         ///< m3
     double liveFootprintArea = 0.0;  ///< m2
     bool highestStands = false;      ///< the highest debris lies where live structure of the run still stands
-    /// m, of the highest cell where no structure stands, in the mean; not a number: there is none
+    /// m, of the highest cell farther than 1 m from structure that stands, in the mean; not a number: there is none
     double pileHeight = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -87,7 +87,10 @@ LiveStructure displacedStructure(const FeResult& fe, const Components& component
 }
 
 std::vector<OutlineRing> standingOutline(std::span<const PlanBox> standing, double cell, const Execution& execution) {
-    const auto at = [cell](float place) { return static_cast<std::int32_t>(std::floor(static_cast<double>(place) / cell)); };
+    // A box that ends where a cell begins does not reach into it; floats are off by a little.
+    constexpr double little = 1e-4;
+    const auto first = [cell](float place) { return static_cast<std::int32_t>(std::floor(place / cell + little)); };
+    const auto last = [cell](float place) { return static_cast<std::int32_t>(std::ceil(place / cell - little)) - 1; };
     std::vector<MapCell> cells;
     const auto settle = [&cells] {
         std::sort(cells.begin(), cells.end());
@@ -95,8 +98,10 @@ std::vector<OutlineRing> standingOutline(std::span<const PlanBox> standing, doub
     };
     std::size_t settled = 0;
     for (const PlanBox& box : standing) {
-        for (std::int32_t j = at(box.min().y()); j <= at(box.max().y()); ++j) {
-            for (std::int32_t i = at(box.min().x()); i <= at(box.max().x()); ++i) {
+        const std::int32_t west = first(box.min().x()), east = std::max(west, last(box.max().x()));
+        const std::int32_t south = first(box.min().y()), north = std::max(south, last(box.max().y()));
+        for (std::int32_t j = south; j <= north; ++j) {
+            for (std::int32_t i = west; i <= east; ++i) {
                 cells.push_back({j, i});
             }
         }

@@ -292,6 +292,14 @@ TEST_F(SteadyWindow, SentencesTypedBesideAFieldDoNothing) {
     const QString chosen = solver->currentText();
     typed("first soft sand below it");
     EXPECT_EQ(solver->currentText(), chosen);
+    // However it was reached: Home and End are those of the timeline.
+    for (const Qt::FocusReason reason : {Qt::MouseFocusReason, Qt::TabFocusReason}) {
+        solver->setFocus(reason);
+        QTest::keyClick(solver, Qt::Key_B);
+        QTest::keyClick(solver, Qt::Key_End);
+        EXPECT_EQ(solver->currentText(), chosen) << reason;
+    }
+    solver->setFocus(Qt::MouseFocusReason);
     // The next space is no part of a sentence.
     press(Qt::Key_Space);
     press(Qt::Key_Space);

@@ -71,6 +71,11 @@ TEST_F(MapOfARun, WhatStandsHasAnOutline) {
     const std::vector<OutlineRing> rings = standingOutline(boxes, 1.0, Execution());
     ASSERT_EQ(rings.size(), 1U);
     EXPECT_EQ(rings[0].size(), 4U) << "two by one cells";
+    // What ends where cells end reaches no farther.
+    const std::vector<PlanBox> exact{PlanBox(Eigen::Vector2f(0.0F, 0.0F), Eigen::Vector2f(1.5F, 0.5F))};
+    for (const Eigen::Vector2d& corner : standingOutline(exact, 0.1, Execution()).at(0)) {
+        EXPECT_TRUE((corner.array() > -1e-6).all() && corner.x() < 1.5 + 1e-6 && corner.y() < 0.5 + 1e-6) << corner.transpose();
+    }
     EXPECT_TRUE(standingOutline({}, 1.0, Execution()).empty());
     // What lives and has not moved far, whether or not its layers were asked for.
     const RunMap with = mapAt(std::nullopt, true);
@@ -202,7 +207,9 @@ TEST(MapLedger, TellsTheHighestOfThePileFromWhatLiesOnStructure) {
         piece.volume = 1.0;
         return piece;
     };
-    const std::vector<MapPiece> pieces{boxAt({0.5, 0.5, 41.5}), boxAt({10.5, -7.5, 4.5}), boxAt({20.5, 3.5, 0.5})};
+    // The second juts out beyond what it lies on.
+    const std::vector<MapPiece> pieces{boxAt({0.5, 0.5, 41.5}), boxAt({2.4, 0.5, 40.5}), boxAt({10.5, -7.5, 4.5}),
+                                       boxAt({20.5, 3.5, 0.5})};
     LiveStructure live;
     live.standing.push_back(PlanBox(Eigen::Vector2f(-2.0F, -2.0F), Eigen::Vector2f(2.0F, 2.0F)));
     const auto ledgerWith = [&](const LiveStructure* structure) {

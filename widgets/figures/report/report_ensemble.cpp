@@ -32,9 +32,9 @@ QString distributionWords(const VariedSetting& varied) {
 void ReportSections::addEnsemble() {
     heading(tr("What is not known"));
     if (m_facts.ensemble == nullptr) {
-        notice(
-            tr("No ensemble was simulated of this case: how far friction, births and other things that are not known move the "
-               "debris is not part of this report. The ranges above are those of repeats alone."));
+        notice(tr("No ensemble was simulated of this case: how far friction, births and other things that are not known move the "
+                  "debris is not part of this report.") +
+               (m_facts.floor ? u' ' + tr("The ranges above are those of repeats alone.") : QString()));
         return;
     }
     const EnsembleReport& ensemble = *m_facts.ensemble;

@@ -15,10 +15,10 @@ void ReportSections::addResults() {
     text(
         bodies
             ? tr("The first figures show the bodies that are not let go yet, and those that are. The tables and the map after them "
-                 "say how much lies where; brackets hold what the repeats came to.")
+                 "say how much lies where.")
             : tr("The first figures set what the FE result alone shows against the fragments. The tables and the map after them "
-                 "say how "
-                 "much lies where; brackets hold what the repeats came to."));
+                 "say how much lies where.") +
+                  (m_facts.floor ? u' ' + tr("Brackets hold what the repeats came to.") : QString()));
     const auto figure = [this](const QImage& picture, const QString& caption) {
         if (!picture.isNull()) {
             ReportFigure made;

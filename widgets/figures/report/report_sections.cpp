@@ -159,9 +159,9 @@ void ReportSections::addSummary() {
                  .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
                       reportNumber(100.0 * run.asleepAtEnd)) +
              (m_facts.map.map.ledger.highestStands
-                  ? u' ' + tr("The highest debris lies on structure that still stands; where none stands, the highest cell of %1 m "
-                              "lies "
-                              "%2 m above the ground.")
+                  ? u' ' + tr("The highest debris lies on structure that still stands; where none stands within 1 m, the highest "
+                              "cell of "
+                              "%1 m lies %2 m above the ground.")
                                .arg(reportNumber(m_facts.map.map.cell), reportNumber(m_facts.map.map.ledger.pileHeight))
                   : QString()),
          spread, unknowns}});

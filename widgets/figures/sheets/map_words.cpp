@@ -99,7 +99,7 @@ QString debrisSums(const DebrisMap& map) {
         text += MapWords::tr("; highest cell, in the mean: %1").arg(lengthText(highest));
         text += ledger.highestStands ? MapWords::tr(", on structure that stands") : QString();
         text += ledger.highestStands && std::isfinite(ledger.pileHeight)
-                    ? MapWords::tr("; where none stands: %1").arg(lengthText(ledger.pileHeight))
+                    ? MapWords::tr("; where none stands within 1 m: %1").arg(lengthText(ledger.pileHeight))
                     : QString();
     }
     // Debris too, to whoever stands before it: what fell and was not broken up.

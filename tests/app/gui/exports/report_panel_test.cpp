@@ -65,7 +65,9 @@ protected:
         auto& causes = part<QComboBox>("reportCauses");
         panel().ensureWidgetVisible(&causes);
         causes.setFocus();
-        QTest::keyClick(&causes, Qt::Key_Home);
+        while (causes.currentIndex() > 0) {
+            QTest::keyClick(&causes, Qt::Key_Up);
+        }
         for (int i = 0; i < item; ++i) {
             QTest::keyClick(&causes, Qt::Key_Down);
         }

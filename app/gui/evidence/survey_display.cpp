@@ -576,8 +576,8 @@ void SurveyDisplay::refresh() {
         content.comparison = comparison();
         content.stale = !busy() && stale();
         if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->reader != nullptr) {
-            // What speaks against the survey itself stands below, with what to do about it.
-            content.cautions = runCautions(io::standingAt(*record->reader, made->comparison.time));
+            content.cautions = io::surveyCautions(*record->reader, made->input, made->comparison);
+            std::erase_if(content.cautions, [](const Caution& each) { return each.key == "evidence_doubt"; });  // stands below
         }
         // That it is no evidence stands there already, of the run that is shown now.
         content.findings.append(otherThanNoEvidence(made->input.findings));

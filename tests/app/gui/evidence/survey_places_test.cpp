@@ -240,7 +240,7 @@ TEST_F(SurveyPlaces, ASectionIsDrawnCutMeasuredAndSaved) {
     EXPECT_TRUE(sections.dialog()->isVisible());
     bool told = false;
     for (const auto* notice : sections.dialog()->findChildren<widgets::Notice*>()) {
-        told = told || notice->text().contains(QStringLiteral("single run"));
+        told = told || notice->text().contains(QStringLiteral("one set of assumptions"));
     }
     EXPECT_TRUE(told) << "what must be known of the run stands beside its section";
     sections.saveTo(QString::fromStdString(m_folder / "section.png"));

@@ -16,6 +16,8 @@
 #include "widgets/basics/panel.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/report_panel.h"
+#include "widgets/run/health_list.h"
+#include "widgets/run/run_panel.h"
 #include "widgets/views/status_line.h"
 
 namespace rubble {
@@ -145,6 +147,15 @@ TEST_F(FirstHour, TheHealthOfAStoppedRunLeadsToWhenItWasLost) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !status().figureText(widgets::StatusLine::Figure::Health).isEmpty(); }, patience));
     clickFigure(QStringLiteral("Health"));
     EXPECT_EQ(deck().rail().current(), PanelDeck::Run);
+    // The list says how far the run was looked at, and its entry leads there.
+    widgets::HealthList& list = deck().run().health();
+    EXPECT_TRUE(list.isVisibleTo(&deck().run()));
+    for (auto* button : list.findChildren<QPushButton*>()) {
+        if (button->text().startsWith(QStringLiteral("Show "))) {
+            button->click();
+            break;
+        }
+    }
     EXPECT_GT(window->rooms().playback->clock().time(), 0.0);
     EXPECT_NEAR(window->rooms().playback->clock().time(), computation.currentRun()->health().breaches.front().from, 0.1);
 }

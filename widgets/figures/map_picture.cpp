@@ -395,9 +395,8 @@ private:
         y += entryPitch * m_line;
     }
 
-    /// Set smaller where it is long; what is longer still is cut with an ellipsis.
+    /// Set smaller where it is long, as a smaller font may be wider than its size says; what is longer still is cut.
     void writeEntry(QPainter& painter, const QRectF& box, const QString& text) const {
-        // A smaller font may be wider than its size says.
         const double share = box.width() / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text);
         const double size = m_text * (share >= 1.0 ? 1.0 : std::max(0.6, 0.96 * share));
         write(painter, box, QFontMetricsF(sheetFont(size)).elidedText(text, Qt::ElideRight, box.width()),

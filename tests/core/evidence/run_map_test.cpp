@@ -73,7 +73,9 @@ TEST_F(MapOfARun, WhatStandsHasAnOutline) {
     EXPECT_EQ(rings[0].size(), 4U) << "two by one cells";
     // What ends where cells end reaches no farther.
     const std::vector<PlanBox> exact{PlanBox(Eigen::Vector2f(0.0F, 0.0F), Eigen::Vector2f(1.5F, 0.5F))};
-    for (const Eigen::Vector2d& corner : standingOutline(exact, 0.1, Execution()).at(0)) {
+    const std::vector<OutlineRing> around = standingOutline(exact, 0.1, Execution());
+    ASSERT_EQ(around.size(), 1U);
+    for (const Eigen::Vector2d& corner : around[0]) {
         EXPECT_TRUE((corner.array() > -1e-6).all() && corner.x() < 1.5 + 1e-6 && corner.y() < 0.5 + 1e-6) << corner.transpose();
     }
     EXPECT_TRUE(standingOutline({}, 1.0, Execution()).empty());

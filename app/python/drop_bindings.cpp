@@ -86,9 +86,7 @@ Drops dropTable(const std::string& path, const py::dict& settings, const std::op
     return watched(std::move(progress), [&](const Execution& execution) {
         auto drop = std::make_shared<Drop>();
         drop->source = io::openDrop(request, execution);
-        for (std::int64_t r = 0; r < drop->source.series.repeats; ++r) {
-            drop->repeats.push_back(dropOnce(drop->source.series, r, execution));
-        }
+        drop->repeats = dropAll(drop->source.series, execution);
         return drop;
     });
 }

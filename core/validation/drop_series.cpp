@@ -1,5 +1,9 @@
 #include "core/validation/drop_series.h"
 
+#include <chrono>
+
+#include "core/analysis/accuracy/world_pool.h"
+#include "core/base/elapsed.h"
 #include "core/scenario/parameters.h"
 #include "core/simulation/effects/terrain.h"
 
@@ -21,6 +25,7 @@ SiteSurface surfaceOf(const DropSeries& series) {
 }
 
 DropRepeat dropOnce(const DropSeries& series, std::int64_t repeat, const Execution& execution) {
+    const auto begun = std::chrono::steady_clock::now();
     DropRepeat made;
     made.bodies = series.bodies;
     Scenario scenario = series.scenario;
@@ -41,7 +46,16 @@ DropRepeat dropOnce(const DropSeries& series, std::int64_t repeat, const Executi
     }
     const auto fe = std::make_shared<const FeResult>(contentsOf(made.bodies, series.until));
     made.result = drop({fe, series.frame, series.terrain}, scenario, series.watch, nullptr, execution);
+    made.seconds = secondsSince(begun);
     return made;
+}
+
+std::vector<DropRepeat> dropAll(const DropSeries& series, const Execution& execution) {
+    std::vector<DropRepeat> repeats(static_cast<std::size_t>(series.repeats));
+    runInParallel(repeats.size(), {}, {"drop.repeats", "letting {0} bodies go, {1} times", {series.bodies.size(), series.repeats}},
+                  execution,
+                  [&](std::size_t r, const Execution& own) { repeats[r] = dropOnce(series, static_cast<std::int64_t>(r), own); });
+    return repeats;
 }
 
 }  // namespace rubble

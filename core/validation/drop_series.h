@@ -30,6 +30,7 @@ struct DropRepeat {
     DrawnValues drawn;
     ReleaseCount lifted;
     DropResult result;
+    double seconds = 0.0;  ///< wall time of its simulation
 };
 
 /// What things fall on.
@@ -38,5 +39,10 @@ SiteSurface surfaceOf(const DropSeries& series);
 /// Lets them go in one repeat. The same series and repeat give the same bits, however many repeats there are.
 /// Throws UsageError for values that are no settings, and as drop().
 DropRepeat dropOnce(const DropSeries& series, std::int64_t repeat, const Execution& execution);
+
+/// Lets them go in all repeats, several at a time where there are threads for it. The same bits as one after another.
+/// @return [repeats]  in order
+/// Throws as dropOnce(), and Cancelled.
+std::vector<DropRepeat> dropAll(const DropSeries& series, const Execution& execution);
 
 }  // namespace rubble

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/analysis/accuracy/world_pool.h"
 #include "core/base/elapsed.h"
 #include "core/base/unknown.h"
 #include "core/validation/grain_column.h"
@@ -39,17 +40,29 @@ constexpr std::array pouredDice{
     PouredDie{Die::Icosahedron, "icosahedra", 0.50, 0.59, 0.5},
 };
 
-std::vector<SetFigure> packingFigures(std::size_t variant, const ValidationOptions& options, const Execution& execution) {
-    const PouredDie& poured = pouredDice[variant];
-    std::vector<std::vector<double>> fractions(1);
-    for (std::int64_t r = 0; r < options.repeats.value_or(poursByDefault); ++r) {
-        Pour pour;
-        pour.die = poured.die;
-        pour.friction = poured.friction;
-        pour.seed = static_cast<std::uint64_t>(options.seed + r);
-        fractions.front().push_back(pouredSolidFraction(pour, execution));
+std::size_t pours(const ValidationOptions& options) {
+    return static_cast<std::size_t>(options.repeats.value_or(poursByDefault));
+}
+
+std::vector<double> poured(std::size_t variant, std::size_t piece, const ValidationOptions& options, const Execution& execution) {
+    Pour pour;
+    pour.die = pouredDice[variant].die;
+    pour.friction = pouredDice[variant].friction;
+    pour.seed = static_cast<std::uint64_t>(options.seed) + piece;
+    return {pouredSolidFraction(pour, execution)};
+}
+
+/// One number of each piece.
+std::vector<double> valuesAt(const std::vector<std::vector<double>>& found, std::size_t which) {
+    std::vector<double> values;
+    for (const std::vector<double>& piece : found) {
+        values.push_back(piece[which]);
     }
-    const MeanAndScatter sample = meanAndScatter(fractions.front());
+    return values;
+}
+
+std::vector<SetFigure> packingFigures(std::size_t, const std::vector<std::vector<double>>& found) {
+    const MeanAndScatter sample = meanAndScatter(valuesAt(found, 0));
     return {{"solid_fraction", "", {sample.mean, sample.mean - sample.scatter, sample.mean + sample.scatter}},
             {"bulking", "", {1.0 / sample.mean, unknown, unknown}}};
 }
@@ -60,12 +73,12 @@ ValidationSet packingSet() {
     set.title = "Dice poured into a vessel";
     set.source = diceSource;
     set.licence = "numbers of a publication";
-    for (const PouredDie& poured : pouredDice) {
-        SetVariant variant{poured.name, "poured without shaking: between random loose and random close packing", {}};
-        const std::string friction = poured.friction == 0.3 ? "0.3" : poured.friction == 0.5 ? "0.5" : "0.8";
+    for (const PouredDie& die : pouredDice) {
+        SetVariant variant{die.name, "poured without shaking: between random loose and random close packing", {}};
+        const std::string friction = die.friction == 0.3 ? "0.3" : die.friction == 0.5 ? "0.5" : "0.8";
         variant.parameters = {{"friction", friction, "assumed: the source measured none; varied for cubes"},
                               {"restitution", "0.1", "assumed"}};
-        set.criteria.push_back({poured.name, "solid_fraction", poured.loose - 0.01, poured.close + 0.01, {}});
+        set.criteria.push_back({die.name, "solid_fraction", die.loose - 0.01, die.close + 0.01, {}});
         set.variants.push_back(std::move(variant));
     }
     return set;
@@ -102,20 +115,31 @@ ConfidenceInterval meanInterval(const std::vector<double>& values) {
     return {sample.mean, sample.mean - sample.scatter, sample.mean + sample.scatter};
 }
 
-std::vector<SetFigure> columnFigures(std::size_t variant, const ValidationOptions& options, const Execution& execution) {
-    std::vector<double> exponents, factors, runOuts, heights, fractions;
-    for (std::int64_t r = 0; r < options.repeats.value_or(columnsByDefault); ++r) {
+std::size_t columnPieces(const ValidationOptions& options) {
+    return columnAspects.size() * static_cast<std::size_t>(options.repeats.value_or(columnsByDefault));
+}
+
+/// The tallest column comes first: whoever simulates it is not left alone with it at the end.
+/// @return aspect, run-out, height and solid fraction of the deposit
+std::vector<double> collapsedColumn(std::size_t variant, std::size_t piece, const ValidationOptions& options,
+                                    const Execution& execution) {
+    GrainColumn column;
+    column.grain = columnGrains()[variant].sides;
+    column.aspect = columnAspects[columnAspects.size() - 1 - piece % columnAspects.size()];
+    column.seed = static_cast<std::uint64_t>(options.seed) + piece / columnAspects.size();
+    const ColumnDeposit deposit = collapseOf(column, execution);
+    return {deposit.aspect, deposit.runOut, deposit.height, deposit.solidFraction};
+}
+
+std::vector<SetFigure> columnFigures(std::size_t, const std::vector<std::vector<double>>& found) {
+    std::vector<double> exponents, factors, runOuts, heights;
+    for (std::size_t first = 0; first < found.size(); first += columnAspects.size()) {
         std::vector<std::pair<double, double>> points;
-        for (const double aspect : columnAspects) {
-            GrainColumn column;
-            column.grain = columnGrains()[variant].sides;
-            column.aspect = aspect;
-            column.seed = static_cast<std::uint64_t>(options.seed + r);
-            const ColumnDeposit deposit = collapseOf(column, execution);
-            points.emplace_back(deposit.aspect, deposit.runOut);
-            runOuts.push_back(deposit.runOut / (1.6 * std::sqrt(deposit.aspect)));
-            heights.push_back(deposit.height / (0.88 * std::pow(deposit.aspect, 1.0 / 6.0)));
-            fractions.push_back(deposit.solidFraction);
+        for (std::size_t i = columnAspects.size(); i-- > 0;) {
+            const std::vector<double>& column = found[first + i];
+            points.emplace_back(column[0], column[1]);
+            runOuts.push_back(column[1] / (1.6 * std::sqrt(column[0])));
+            heights.push_back(column[2] / (0.88 * std::pow(column[0], 1.0 / 6.0)));
         }
         const PowerLaw law = powerLawThrough(points);
         exponents.push_back(law.exponent);
@@ -125,7 +149,7 @@ std::vector<SetFigure> columnFigures(std::size_t variant, const ValidationOption
             {"run_out_factor", "", meanInterval(factors)},
             {"run_out_over_law", "", meanInterval(runOuts)},
             {"height_over_law", "", meanInterval(heights)},
-            {"solid_fraction", "", meanInterval(fractions)}};
+            {"solid_fraction", "", meanInterval(valuesAt(found, 3))}};
 }
 
 ValidationSet columnSet() {
@@ -183,18 +207,27 @@ constexpr std::array standingArches{
     StandingArch{"arch, 240 steps", "the same at 240 steps a second, six times the least of a collapse", {5.0, 15, 0.8, 240.0}},
 };
 
-std::vector<SetFigure> standingFigures(std::size_t variant, const ValidationOptions&, const Execution& execution) {
+std::size_t onePiece(const ValidationOptions&) {
+    return 1;
+}
+
+std::vector<double> stood(std::size_t variant, std::size_t, const ValidationOptions&, const Execution& execution) {
+    const std::size_t walls = tableWalls().size();
+    return {variant < walls ? tiltingAngle(tableWalls()[variant].wall, execution)
+                            : leastArchThickness(standingArches[variant - walls].arch, execution)};
+}
+
+std::vector<SetFigure> standingFigures(std::size_t variant, const std::vector<std::vector<double>>& found) {
+    const double value = found.front().front();
     if (variant >= tableWalls().size()) {
-        const double found = leastArchThickness(standingArches[variant - tableWalls().size()].arch, execution);
-        return {{"thickness_over_radius", "", {found, unknown, unknown}},
+        return {{"thickness_over_radius", "", {value, unknown, unknown}},
                 {"limit_thickness_over_radius", "", {limitArchThickness, unknown, unknown}},
-                {"over_limit", "", {found / limitArchThickness, unknown, unknown}}};
+                {"over_limit", "", {value / limitArchThickness, unknown, unknown}}};
     }
-    const TiltedWall& wall = tableWalls()[variant].wall;
-    const double found = tiltingAngle(wall, execution), law = limitAngle(wall);
-    return {{"angle_deg", "deg", {found, unknown, unknown}},
+    const double law = limitAngle(tableWalls()[variant].wall);
+    return {{"angle_deg", "deg", {value, unknown, unknown}},
             {"limit_angle_deg", "deg", {law, unknown, unknown}},
-            {"over_limit", "", {found / law, unknown, unknown}}};
+            {"over_limit", "", {value / law, unknown, unknown}}};
 }
 
 ValidationSet standingSet() {
@@ -217,23 +250,37 @@ ValidationSet standingSet() {
 }  // namespace
 
 std::span<const SceneSet> sceneSets() {
-    static const std::array sets{SceneSet{packingSet(), packingFigures}, SceneSet{standingSet(), standingFigures},
-                                 SceneSet{columnSet(), columnFigures}};
+    static const std::array sets{SceneSet{packingSet(), pours, poured, packingFigures},
+                                 SceneSet{standingSet(), onePiece, stood, standingFigures},
+                                 SceneSet{columnSet(), columnPieces, collapsedColumn, columnFigures}};
     return sets;
 }
 
 SetResult validateScene(const SceneSet& scene, const ValidationOptions& options, const Execution& execution) {
     SetResult result;
     result.set = &scene.about;
-    for (std::size_t v = 0; v < scene.about.variants.size(); ++v) {
-        const auto begun = std::chrono::steady_clock::now();
-        VariantResult variant;
-        variant.variant = scene.about.variants[v];
-        variant.used = variant.variant.parameters;
-        variant.figures = scene.figures(v, options, execution);
-        judge(variant, scene.about);
-        variant.seconds = secondsSince(begun);
-        result.variants.push_back(std::move(variant));
+    for (const SetVariant& variant : scene.about.variants) {
+        VariantResult one;
+        one.variant = variant;
+        one.used = variant.parameters;
+        result.variants.push_back(std::move(one));
+    }
+    const std::size_t variants = result.variants.size(), pieces = scene.pieces(options);
+    std::vector<std::vector<std::vector<double>>> found(variants, std::vector<std::vector<double>>(pieces));
+    std::vector<double> seconds(variants * pieces);
+    runInParallel(seconds.size(), {}, {"validation.scene", "simulating {0} scenes", {seconds.size()}}, execution,
+                  [&](std::size_t i, const Execution& own) {
+                      const auto begun = std::chrono::steady_clock::now();
+                      const std::size_t variant = i % variants, piece = i / variants;
+                      found[variant][piece] = scene.simulate(variant, piece, options, own);
+                      seconds[i] = secondsSince(begun);
+                  });
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        result.variants[i % variants].seconds += seconds[i];
+    }
+    for (std::size_t v = 0; v < variants; ++v) {
+        result.variants[v].figures = scene.figures(v, found[v]);
+        judge(result.variants[v], scene.about);
     }
     return result;
 }

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 
+#include "core/analysis/accuracy/world_pool.h"
 #include "core/base/csv_text.h"
-#include "core/base/elapsed.h"
 #include "core/base/unknown.h"
 #include "core/scenario/body_scenario.h"
 #include "core/scenario/parameters.h"
@@ -48,9 +48,8 @@ int faceUp(const Quat& turn) {
 /// Simulates one variant on some of the bodies.
 class VariantRun {
 public:
-    VariantRun(const ValidationSet& set, const std::vector<std::size_t>& chosen, const ValidationOptions& options,
-               const Execution& execution)
-        : m_execution(execution) {
+    /// @param options  with the repeats of the variant
+    VariantRun(const ValidationSet& set, const std::vector<std::size_t>& chosen, const ValidationOptions& options) {
         for (const std::size_t i : chosen) {
             m_series.bodies.push_back(set.bodies[i]);
             m_measured.push_back(set.measured[i]);
@@ -59,7 +58,7 @@ public:
         m_series.turned = set.turned;
         m_series.lifted = set.lifted;
         m_series.apart = true;
-        m_series.repeats = options.repeats.value_or(set.repeats);
+        m_series.repeats = options.repeats.value();
         m_series.seed = options.seed;
         double latest = 0.0;
         for (std::size_t i = 0; i < m_series.bodies.size(); ++i) {
@@ -71,7 +70,7 @@ public:
     }
 
     /// Lets all go in every repeat. @param parameters  key and value
-    void simulate(const std::vector<SetParameter>& parameters, const std::vector<SetVaried>& varied) {
+    void simulate(const std::vector<SetParameter>& parameters, const std::vector<SetVaried>& varied, const Execution& execution) {
         m_series.varied.clear();
         for (const SetVaried& one : varied) {
             m_series.varied.push_back(one.setting);
@@ -83,8 +82,8 @@ public:
         }
         m_ends.assign(m_series.bodies.size(), {});
         moving = left = lost = 0;
-        for (std::int64_t r = 0; r < m_series.repeats; ++r) {
-            take(dropOnce(m_series, r, m_execution));
+        for (const DropRepeat& repeat : dropAll(m_series, execution)) {
+            take(repeat);
         }
     }
 
@@ -97,6 +96,7 @@ public:
         moving += part.moving;
         left += part.left;
         lost += part.lost;
+        seconds += part.seconds;
         stepRate = part.stepRate;
         stepRateReason = part.stepRateReason;
         findings.append(part.findings);
@@ -111,6 +111,7 @@ public:
     std::int64_t moving = 0;
     std::int64_t left = 0;
     std::int64_t lost = 0;
+    double seconds = 0.0;  ///< wall time of all simulations, added up
     double stepRate = 0.0;
     Message stepRateReason;
     ReleaseCount lifted;
@@ -118,6 +119,7 @@ public:
 
 private:
     void take(const DropRepeat& repeat) {
+        seconds += repeat.seconds;
         moving += repeat.result.count(Ending::Moving);
         left += repeat.result.count(Ending::Left);
         stepRate = repeat.result.results.simulation->stepRate;
@@ -137,7 +139,6 @@ private:
         }
     }
 
-    const Execution& m_execution;
     DropSeries m_series;
     std::vector<MeasuredEnd> m_measured;
     std::vector<std::vector<ComparedEnd>> m_ends;
@@ -210,11 +211,36 @@ std::string shortNumber(double number) {
     return exactNumber(std::round(number * 1e4) / 1e4);
 }
 
+/// Values of the fitted settings, in their order, and how badly each fits.
+using Misfits = std::map<std::vector<double>, double>;
+
+/// Where one round of a fit looks: every combination of values around a middle.
+std::vector<std::vector<double>> combinationsAround(const std::vector<double>& middle, const std::vector<double>& width,
+                                                    const std::vector<FittedParameter>& fitted) {
+    auto count = std::size_t{1};
+    for (std::size_t p = 0; p < middle.size(); ++p) {
+        count *= fitSteps;
+    }
+    std::vector<std::vector<double>> combinations;
+    for (std::size_t combination = 0; combination < count; ++combination) {
+        std::vector<double> at;
+        std::size_t rest = combination;
+        for (std::size_t p = 0; p < middle.size(); ++p) {
+            const double step = static_cast<double>(rest % fitSteps) / (fitSteps - 1) - 0.5;
+            at.push_back(std::clamp(middle[p] + width[p] * step, fitted[p].low, fitted[p].high));
+            rest /= fitSteps;
+        }
+        combinations.push_back(std::move(at));
+    }
+    return combinations;
+}
+
 /// Finds the fitted settings together, over their ranges, then around the best: one that makes up for another hides the best from a
-/// search along one at a time.
+/// search along one at a time. Several values are tried at once where there are threads for it.
+/// @param run     of the bodies to fit; only the time of its simulations grows
 /// @param source  of the values found
 /// @return the settings of the variant and those found after them
-std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant, const char* source) {
+std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant, const char* source, const Execution& execution) {
     std::vector<SetParameter> all = variant.parameters;
     const std::size_t first = all.size();
     std::vector<double> best, width;
@@ -223,34 +249,37 @@ std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant, const 
         width.push_back(fitted.high - fitted.low);
         all.push_back({fitted.key, shortNumber(best.back()), source});
     }
-    std::map<std::vector<double>, double> tried;
-    const auto misfitAt = [&](const std::vector<double>& at) {
-        const auto [known, isNew] = tried.emplace(at, 0.0);
-        if (isNew) {
-            std::vector<SetParameter> trial = all;
-            for (std::size_t p = 0; p < at.size(); ++p) {
-                trial[first + p].value = shortNumber(at[p]);
-            }
-            run.simulate(trial, variant.varied);
-            known->second = misfit(run);
+    const auto take = [&](const std::vector<double>& at, std::vector<SetParameter>& into) {
+        for (std::size_t p = 0; p < at.size(); ++p) {
+            into[first + p].value = shortNumber(at[p]);
         }
-        return known->second;
     };
-    auto combinations = std::size_t{1};
-    for (std::size_t p = 0; p < best.size(); ++p) {
-        combinations *= fitSteps;
-    }
+    Misfits tried;
     for (int round = 0; round < fitRounds; ++round) {
-        const std::vector<double> middle = best;
-        for (std::size_t combination = 0; combination < combinations; ++combination) {
-            std::vector<double> at;
-            std::size_t rest = combination;
-            for (std::size_t p = 0; p < middle.size(); ++p) {
-                const double step = static_cast<double>(rest % fitSteps) / (fitSteps - 1) - 0.5;
-                at.push_back(std::clamp(middle[p] + width[p] * step, variant.fitted[p].low, variant.fitted[p].high));
-                rest /= fitSteps;
+        const std::vector<std::vector<double>> combinations = combinationsAround(best, width, variant.fitted);
+        std::vector<Misfits::value_type*> open;
+        for (const std::vector<double>& at : combinations) {
+            const auto [trial, isNew] = tried.emplace(at, 0.0);
+            if (isNew) {
+                open.push_back(&*trial);
             }
-            if (misfitAt(at) < misfitAt(best)) {
+        }
+        std::vector<double> seconds(open.size(), 0.0);
+        runInParallel(open.size(), {},
+                      {"validation.fit", "fitting: {0} values tried, round {1} of {2}", {tried.size(), round + 1, fitRounds}},
+                      execution, [&](std::size_t i, const Execution& own) {
+                          std::vector<SetParameter> trial = all;
+                          take(open[i]->first, trial);
+                          VariantRun trying = run;
+                          trying.seconds = 0.0;
+                          trying.simulate(trial, variant.varied, own);
+                          open[i]->second = misfit(trying);
+                          seconds[i] = trying.seconds;
+                      });
+        run.seconds += std::accumulate(seconds.begin(), seconds.end(), 0.0);
+        // The middle is one of them.
+        for (const std::vector<double>& at : combinations) {
+            if (tried.at(at) < tried.at(best)) {
                 best = at;
             }
         }
@@ -258,9 +287,7 @@ std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant, const 
             one *= 0.4;
         }
     }
-    for (std::size_t p = 0; p < best.size(); ++p) {
-        all[first + p].value = shortNumber(best[p]);
-    }
+    take(best, all);
     return all;
 }
 
@@ -379,28 +406,29 @@ void simulateFitted(VariantRun& run, VariantResult& result, const ValidationSet&
     static constexpr std::array sources{"fitted on one half, judged on the other", "fitted on the other half, judged on the one"};
     for (std::size_t half = 0; half < sources.size(); ++half) {
         const std::vector<std::size_t> judged = every(2, 1 - half, set.bodies.size());
-        VariantRun fitting(set, every(2, half, set.bodies.size()), options, execution);
-        const std::vector<SetParameter> found = fit(fitting, result.variant, sources[half]);
-        VariantRun judging(set, judged, options, execution);
-        judging.simulate(found, result.variant.varied);
+        VariantRun fitting(set, every(2, half, set.bodies.size()), options);
+        const std::vector<SetParameter> found = fit(fitting, result.variant, sources[half], execution);
+        VariantRun judging(set, judged, options);
+        judging.simulate(found, result.variant.varied, execution);
         run.takeOver(judging, judged);
+        run.seconds += fitting.seconds;
         result.used.insert(result.used.end(), found.begin() + static_cast<std::ptrdiff_t>(result.variant.parameters.size()),
                            found.end());
     }
 }
 
-VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, const ValidationOptions& options,
-                         const Execution& execution, ReleaseCount& lifted, Findings& findings) {
-    const auto begun = std::chrono::steady_clock::now();
+VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, ValidationOptions options, const Execution& execution,
+                         ReleaseCount& lifted, Findings& findings) {
+    options.repeats = options.repeats.value_or(variant.repeats.value_or(set.repeats));
     VariantResult result;
     result.variant = variant;
     result.used = variant.parameters;
     for (const SetVaried& varied : variant.varied) {
         result.used.push_back({varied.setting.key, variationText(varied.setting), varied.source});
     }
-    VariantRun run(set, every(1, 0, set.bodies.size()), options, execution);
+    VariantRun run(set, every(1, 0, set.bodies.size()), options);
     if (variant.fitted.empty()) {
-        run.simulate(variant.parameters, variant.varied);
+        run.simulate(variant.parameters, variant.varied, execution);
     } else {
         simulateFitted(run, result, set, options, execution);
     }
@@ -418,7 +446,7 @@ VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, co
     findings.append(run.findings);
     VariantReport(result, run, options).fill();
     judge(result, set);
-    result.seconds = secondsSince(begun);
+    result.seconds = run.seconds;
     return result;
 }
 

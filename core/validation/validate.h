@@ -55,7 +55,7 @@ struct VariantResult {
     std::vector<SetVerdict> verdicts;
     double stepRate = 0.0;   ///< 1/s, at least; 0: a scene of its own
     Message stepRateReason;  ///< why so many
-    double seconds = 0.0;    ///< wall time
+    double seconds = 0.0;    ///< wall time of its simulations, added up: several may run at once
 
     /// Its value; not a number if there is no such figure.
     double figure(const std::string& key) const;

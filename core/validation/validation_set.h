@@ -32,6 +32,9 @@ struct FittedParameter {
     double high = 0.0;
 };
 
+/// How often a set may ask for its bodies to be let go.
+inline constexpr std::int64_t mostSetRepeats = 1000;
+
 /// One way in which a set is simulated.
 struct SetVariant {
     std::string name;   ///< "blind"
@@ -39,6 +42,7 @@ struct SetVariant {
     std::vector<SetParameter> parameters;
     std::vector<FittedParameter> fitted = {};  ///< empty: nothing is fitted
     std::vector<SetVaried> varied = {};        ///< empty: nothing is drawn but orientations
+    std::optional<std::int64_t> repeats = {};  ///< unset: those of the set
 };
 
 /// What somebody asks of a figure of a variant.

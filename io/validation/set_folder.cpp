@@ -114,10 +114,18 @@ std::string licenceOf(const std::string& folder) {
                      {"validation.no_licence.remedy", "Put the licence of the data beside it, as a file LICENSE.", {}});
 }
 
+std::int64_t repeatsOf(const JsonCursor& cursor) {
+    const std::int64_t repeats = cursor.integer();
+    if (repeats < 1 || repeats > mostSetRepeats) {
+        cursor.fail("a number of repeats, 1 to " + englishInteger(mostSetRepeats));
+    }
+    return repeats;
+}
+
 std::vector<SetVariant> variantsOf(const JsonCursor& list) {
     std::vector<SetVariant> variants;
     for (const JsonCursor& item : list.elements()) {
-        item.allowOnly({"name", "words", "parameters", "varied", "fitted"});
+        item.allowOnly({"name", "words", "parameters", "varied", "fitted", "repeats"});
         SetVariant variant{item["name"].text(), item["words"].text(), {}};
         for (const JsonCursor& parameter : item["parameters"].elements()) {
             parameter.allowOnly({"key", "value", "source"});
@@ -138,6 +146,9 @@ std::vector<SetVariant> variantsOf(const JsonCursor& list) {
                 variant.fitted.push_back({fitted["key"].text(), fitted["low"].number(), fitted["high"].number()});
                 findParameter(variant.fitted.back().key);
             }
+        }
+        if (item.has("repeats")) {
+            variant.repeats = repeatsOf(item["repeats"]);
         }
         variants.push_back(std::move(variant));
     }
@@ -189,7 +200,7 @@ public:
         m_set.turned = m_definition.has("turned") && m_definition["turned"].flag();
         takeTable();
         m_set.lifted = m_definition.has("lifted") && m_definition["lifted"].flag();
-        m_set.repeats = m_definition.has("repeats") ? m_definition["repeats"].integer() : 1;
+        m_set.repeats = m_definition.has("repeats") ? repeatsOf(m_definition["repeats"]) : 1;
         m_set.variants = variantsOf(m_definition["variants"]);
         if (m_definition.has("criteria")) {
             m_set.criteria = criteriaOf(m_definition["criteria"]);

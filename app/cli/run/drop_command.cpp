@@ -92,9 +92,10 @@ ExitCode dropBodies(const Arguments& arguments, Session& session) {
     const io::DropSource subject = openTable(arguments, session);
     checkKept(arguments, subject.series);
     std::vector<DropRepeat> repeats;
-    for (std::int64_t r = 0; r < subject.series.repeats; ++r) {
-        const auto out = arguments.value("--out");
-        repeats.push_back(out ? keepRun(subject, *out, session) : dropOnce(subject.series, r, session.execution()));
+    if (const auto out = arguments.value("--out")) {
+        repeats.push_back(keepRun(subject, *out, session));
+    } else {
+        repeats = dropAll(subject.series, session.execution());
     }
     const Findings findings = io::findingsOf(subject, repeats);
     writeCsv(arguments, dropTable(repeats, subject.zero));

@@ -21,8 +21,6 @@ namespace rubble::cli {
 
 namespace {
 
-constexpr int validationRepeatsMax = 1000;
-
 /// What is to be validated: sets of measured falls, and scenes.
 struct ChosenSets {
     std::vector<io::SetPlace> places;
@@ -78,7 +76,7 @@ ExitCode validateSets(const Arguments& arguments, Session& session) {
     const auto start = std::chrono::steady_clock::now();
     ValidationOptions options;
     if (arguments.has("--repeats")) {
-        options.repeats = parseCount(arguments, "--repeats", 1, validationRepeatsMax, 1);
+        options.repeats = parseCount(arguments, "--repeats", 1, mostSetRepeats, 1);
     }
     options.seed = parseCount(arguments, "--seed", 0, 2147483647, 1);
     const ChosenSets chosen = chosenSets(arguments);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/error.h"
 #include "core/scenario/body_scenario.h"
 #include "core/validation/drop_series.h"
 
@@ -57,6 +58,27 @@ TEST(Drop, RubsWithAllThatAHitPressesWith) {
     // slides.
     const double law = 1.589;
     EXPECT_NEAR(dropped({plate}, scenario).bodies.front().runOut, law, 0.01 * law);
+}
+
+TEST(Drop, RepeatsAtOnceAreThoseOneAfterAnother) {
+    DropSeries series;
+    series.bodies = {cubeAt({0.0, 0.0, 2.0}, 0.3), cubeAt({1.0, 0.0, 3.0}, 0.3)};
+    prepareForBodies(series.scenario, series.bodies);
+    series.turned = true;
+    series.repeats = 5;
+    const std::vector<DropRepeat> all = dropAll(series, Execution{}.withThreads(3));
+    ASSERT_EQ(all.size(), 5u);
+    for (std::int64_t r = 0; r < series.repeats; ++r) {
+        const DropRepeat& one = all[static_cast<std::size_t>(r)];
+        EXPECT_EQ(one.result.results.simulation->trajectoryHash,
+                  dropOnce(series, r, Execution{}).result.results.simulation->trajectoryHash)
+            << r;
+        EXPECT_GT(one.seconds, 0.0);
+    }
+    EXPECT_NE(all[0].result.results.simulation->trajectoryHash, all[1].result.results.simulation->trajectoryHash);
+    const Execution stopped;
+    stopped.cancel();
+    EXPECT_THROW(dropAll(series, stopped), Cancelled);
 }
 
 TEST(Drop, RoughTerrainIsAnotherInEveryRepeatAndIsTold) {

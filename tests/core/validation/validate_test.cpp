@@ -93,6 +93,28 @@ TEST(Validate, AFitIsJudgedByBodiesThatItHasNotSeen) {
     EXPECT_LT(variant.figure("run_out_m[odd].error"), -0.3);
 }
 
+TEST(Validate, ThreadsChangeNothingAndAVariantMayAskForMoreRepeats) {
+    ValidationSet set = slidingBlocks(0.5);
+    set.repeats = 2;
+    set.variants = {{"blind", "", {}, {}, {{variationFrom("friction", "uniform:0.3:0.7"), "given"}}, 6},
+                    {"fitted", "", {}, {{"friction", 0.2, 0.7}}}};
+    const SetResult alone = validate(set, {}, Execution{}.withThreads(1)), together = validate(set, {}, Execution{}.withThreads(3));
+    for (std::size_t v = 0; v < 2; ++v) {
+        const VariantResult &one = alone.variants[v], &other = together.variants[v];
+        EXPECT_EQ(one.simulated, (v == 0 ? 6 : 2) * one.bodies);
+        EXPECT_EQ(one.used.back().value, other.used.back().value);
+        ASSERT_EQ(one.figures.size(), other.figures.size());
+        for (std::size_t i = 0; i < one.figures.size(); ++i) {
+            EXPECT_EQ(std::isnan(one.figures[i].value.value) ? 0.0 : one.figures[i].value.value,
+                      std::isnan(other.figures[i].value.value) ? 0.0 : other.figures[i].value.value)
+                << one.figures[i].key;
+        }
+    }
+    ValidationOptions options;
+    options.repeats = 1;
+    EXPECT_EQ(validate(set, options, Execution{}).variants[0].simulated, alone.variants[0].bodies) << "who asks has it as asked";
+}
+
 TEST(Validate, WhatIsDrawnWidensTheScatter) {
     ValidationSet set = slidingBlocks(0.5);
     set.repeats = 8;

@@ -78,6 +78,26 @@ TEST_F(SetFolder, WhatIsDrawnHasADistributionAndASource) {
     EXPECT_FALSE(refusal().empty());
 }
 
+TEST_F(SetFolder, RepeatsAreThoseOfTheVariantThenOfTheSet) {
+    const auto lain = [&](const std::string& ofSet, const std::string& ofVariant) {
+        std::string text = definition;
+        text.insert(text.find("\"words\""), ofVariant);
+        lay("set.json", text.insert(1, ofSet));
+    };
+    lain("\"repeats\": 3, ", "\"repeats\": 64, ");
+    EXPECT_EQ(read().repeats, 3);
+    EXPECT_EQ(read().variants.front().repeats, 64);
+    lain("", "");
+    EXPECT_EQ(read().repeats, 1);
+    EXPECT_FALSE(read().variants.front().repeats.has_value());
+    for (const char* wrong : {"0", "-3", "1001"}) {
+        lain(std::string("\"repeats\": ") + wrong + ", ", "");
+        EXPECT_THAT(refusal(), HasSubstr("1 to 1,000"));
+        lain("", std::string("\"repeats\": ") + wrong + ", ");
+        EXPECT_THAT(refusal(), HasSubstr("1 to 1,000"));
+    }
+}
+
 TEST_F(SetFolder, WithoutLicenceItIsRefused) {
     fs::remove(m_folder / "LICENSE");
     EXPECT_THAT(refusal(), HasSubstr("no licence"));

@@ -75,9 +75,9 @@ public:
         m_out << "\"/>\n";
     }
 
-    void dot(const Vec3& place, const char* colour, double radius) {
+    void dot(const Vec3& place, const char* colour, double radius, double opacity) {
         m_out << "<circle cx=\"" << x(place.x()) << "\" cy=\"" << y(place.y()) << "\" r=\"" << radius << "\" fill=\"" << colour
-              << "\" fill-opacity=\"0.6\"/>\n";
+              << "\" fill-opacity=\"" << opacity << "\"/>\n";
     }
 
     void write(const std::string& path) {
@@ -151,13 +151,19 @@ void drawMap(const VariantResult& variant, const std::string& title, const std::
     const Vec3 half(0.5 * aspect * high, 0.5 * high, 0.0);
     const Vec3 middle = range.center();
     ValidationPlot plot(Aabb((middle - half).eval(), (middle + half).eval()), title, "x [m]", "y [m]");
+    std::size_t dots = 0;
+    for (const Deposit& deposit : variant.deposits) {
+        dots += deposit.simulated.size();
+    }
+    // Many dots are fainter, so that one sees where they lie densest.
+    const double opacity = std::clamp(500.0 / static_cast<double>(std::max<std::size_t>(1, dots)), 0.1, 0.6);
     for (const Deposit& deposit : variant.deposits) {
         for (const Vec3& place : deposit.simulated) {
-            plot.dot(place, simulatedColour, 2.0);
+            plot.dot(place, simulatedColour, 2.0, opacity);
         }
     }
     for (const Deposit& deposit : variant.deposits) {
-        plot.dot(deposit.measured, measuredColour, 3.0);
+        plot.dot(deposit.measured, measuredColour, 3.0, 0.8);
     }
     plot.write(path);
 }

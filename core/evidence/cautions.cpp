@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/evidence/photographs/match_doubts.h"
@@ -118,25 +119,71 @@ std::vector<Message> motionDoubts(const Findings& findings) {
     return doubts;
 }
 
-std::vector<Message> assumedMasses(const Findings& findings) {
-    std::vector<Message> assumed;
+namespace {
+
+/// A finding as a caution says it.
+struct Reworded {
+    std::string_view of;  ///< id of the finding
+    Message caution;      ///< {0}: its count; {1}: the first argument of the finding, where it has one
+};
+
+std::vector<Message> reworded(const Findings& findings, std::span<const Reworded> known) {
+    std::vector<Message> told;
     for (const Finding& finding : findings.list()) {
-        const auto take = [&](std::string_view id, std::string_view of, const Message& message) {
-            if (finding.what.id == of && !finding.what.arguments.empty()) {
-                Message told = message;
-                told.id = id;
-                told.arguments = {finding.count, finding.what.arguments.front()};
-                assumed.push_back(std::move(told));
+        for (const Reworded& each : known) {
+            if (finding.what.id == each.of) {
+                Message message = each.caution;
+                message.arguments.emplace_back(finding.count);
+                if (!finding.what.arguments.empty()) {
+                    message.arguments.push_back(finding.what.arguments.front());
+                }
+                told.push_back(std::move(message));
             }
-        };
-        take("caution.assumed_density", "components.assumed_density",
-             {"", "masses are assumed: no density is known of {0} elements, and {1} was taken", {}});
-        take("caution.assumed_thickness", "components.assumed_thickness",
-             {"", "masses are assumed: no thickness is known of {0} elements, and {1} was taken", {}});
-        take("caution.assumed_area", "components.assumed_area",
-             {"", "masses are assumed: no section is known of {0} elements, and {1} was taken", {}});
+        }
     }
-    return assumed;
+    return told;
+}
+
+}  // namespace
+
+std::vector<Message> assumedMasses(const Findings& findings) {
+    static const std::array<Reworded, 6> known{{
+        {"components.assumed_density",
+         {"caution.assumed_density", "masses are assumed: no density is known of {0} elements, and {1} was taken", {}}},
+        {"components.assumed_thickness",
+         {"caution.assumed_thickness", "masses are assumed: no thickness is known of {0} elements, and {1} was taken", {}}},
+        {"components.assumed_area",
+         {"caution.assumed_area", "masses are assumed: no section is known of {0} elements, and {1} was taken", {}}},
+        {"components.implausible_density",
+         {"caution.implausible_density", "masses are doubtful: {0} elements have a density that no material has", {}}},
+        {"fe.density_unit",
+         {"caution.density_unit", "masses are assumed: their unit was taken from what densities weigh as materials", {}}},
+        {"fragments.no_volume_at_rest",
+         {"caution.no_volume_at_rest",
+          "masses are assumed: {0} elements without volume at rest weigh what their fragments would",
+          {}}},
+    }};
+    return reworded(findings, known);
+}
+
+std::vector<Message> birthDoubts(const Findings& findings) {
+    static const std::array<Reworded, 3> known{{
+        {"fragments.no_velocity",
+         {"caution.no_velocity", "the velocity of {0} elements at their death is not known: their fragments began at rest", {}}},
+        {"fragments.part_velocity",
+         {"caution.part_velocity", "of {0} elements the velocity of some corners is not known: that of the others was taken", {}}},
+        {"fragments.death_time_outside",
+         {"caution.death_time_outside",
+          "the time of death of {0} elements lies outside the states that report it: that of the state was taken",
+          {}}},
+    }};
+    return reworded(findings, known);
+}
+
+void tellInputs(RunStanding& standing, const Findings& findings, BirthVelocity velocity) {
+    standing.assumed = assumedMasses(findings);
+    standing.bornAtRest = velocity == BirthVelocity::Rest;
+    standing.birthDoubts = birthDoubts(findings);
 }
 
 std::vector<Caution> inputCautions(const std::string& unsaidUnits, const std::vector<Message>& placeDoubts) {
@@ -195,6 +242,13 @@ std::vector<Caution> runCautions(const RunStanding& run) {
             {"born_at_rest",
              HealthGrade::Finding,
              {"caution.born_at_rest", "all debris began at rest, not with the velocity that the FE result gave it", {}}});
+    }
+    for (const Message& doubt : run.birthDoubts) {
+        // Where all began at rest, no velocity was asked for.
+        const bool ofVelocity = doubt.id.ends_with("_velocity");
+        if (!run.bornAtRest || !ofVelocity) {
+            list.push_back({"birth_doubt", HealthGrade::Finding, doubt});
+        }
     }
     for (const Message& doubt : run.motionDoubts) {
         list.push_back({"motion_doubt", HealthGrade::Finding, doubt});

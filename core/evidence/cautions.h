@@ -8,6 +8,7 @@
 #include "core/base/message.h"
 #include "core/evidence/photographs/camera_match.h"
 #include "core/scenario/photograph.h"
+#include "core/scenario/scenario.h"
 #include "core/simulation/health/passed_limits.h"
 #include "core/simulation/run/simulation.h"
 
@@ -17,7 +18,7 @@ namespace rubble {
 struct Caution {
     std::string_view
         key;  ///< "tainted", "limits_passed", "other_settings", "units_unsaid", "not_complete", "still_moving",
-              ///< "no_place", "place_doubt", "motion_doubt", "born_at_rest", "assumed", "single_run", "bodies",
+              ///< "no_place", "place_doubt", "motion_doubt", "born_at_rest", "birth_doubt", "assumed", "single_run", "bodies",
               ///< "poor_camera", "not_at_rest", "stated_camera", "ensemble", "members", "no_evidence", "evidence_doubt"
     HealthGrade grade{};
     Message what;
@@ -53,6 +54,7 @@ struct RunStanding {
     std::vector<Message> motionDoubts{};  ///< what the engine did to bodies that nothing in the collapse did
     std::vector<Message> assumed{};       ///< what masses rest on that nobody said
     bool bornAtRest = false;              ///< debris began without the velocity that the FE result gave it
+    std::vector<Message> birthDoubts{};   ///< what of single births had to be guessed
     bool outgrown = false;                ///< the case that it is shown in has other settings by now
     std::optional<double> earlier{};      ///< s, instant that `bodies` and `moving` are of; unset: the last one
 };
@@ -65,9 +67,16 @@ std::vector<Message> placeDoubts(const Findings& findings);
 /// speed, or left whole for want of room.
 std::vector<Message> motionDoubts(const Findings& findings);
 
-/// What of the findings of a run says that its masses rest on assumptions: densities, thicknesses, sections, each with its
-/// elements.
+/// What of the findings of a run says that its masses rest on assumptions: densities and their unit, thicknesses, sections,
+/// elements without volume, each with their number.
 std::vector<Message> assumedMasses(const Findings& findings);
+
+/// What of the findings of a run says that fragments began otherwise than the FE result tells: their velocity or their time was not
+/// known, or not to be believed. Each with their number.
+std::vector<Message> birthDoubts(const Findings& findings);
+
+/// Takes over what the inputs of a run left open. @param findings  all of the run  @param velocity  that debris begins with
+void tellInputs(RunStanding& standing, const Findings& findings, BirthVelocity velocity);
 
 /// Beside whatever was made from these inputs.
 /// @param unsaidUnits  systems of units that the FE result would fit as well; empty: its units are known

@@ -127,7 +127,7 @@ public:
         }
         const double section = m_components.section[e];
         const double ratio = measure * (isSolid(shape) ? 1.0 : section) / m_components.volume[e];
-        if (measure > 0.0 && !(ratio >= leastVolumeRatio && ratio <= greatestVolumeRatio)) {
+        if (measure > 0.0 && isFarFromRest(ratio)) {
             m_anomalies.add("large_distortion", [&] { return place() + ", " + englishNumber(ratio) + " times its first volume"; });
         }
     }
@@ -216,6 +216,10 @@ void auditShapes(const FeResult& fe, const Components& components, const std::ve
 }
 
 }  // namespace
+
+bool isFarFromRest(double ratio) {
+    return !(ratio >= leastVolumeRatio && ratio <= greatestVolumeRatio);
+}
 
 Audit auditDeaths(const FeResult& fe, const Components& components, const Execution& execution) {
     const Mesh& mesh = fe.mesh();

@@ -28,6 +28,10 @@ struct ComponentAudit {
     double deadMass = 0.0;  ///< kg
 };
 
+/// Whether an element at its death is no longer the one that was meshed: less than half or more than twice its volume at rest.
+/// @param ratio  volume at its death over the one at rest
+bool isFarFromRest(double ratio);
+
 /// What the file holds, and an account of every death in it.
 struct Audit {
     std::vector<ComponentAudit> components;

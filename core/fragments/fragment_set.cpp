@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/fe/audit.h"
 #include "core/fragments/birth_shift.h"
 #include "core/fragments/birth_windows.h"
 #include "core/fragments/corner_motion.h"
@@ -63,7 +64,7 @@ private:
     double exactDeathTime(const Lifetime& life);
     double massOf(ElementIndex element, const SoundSolid& solid);
     void noteVelocity(const CornerMotion& motion, const Lifetime& life);
-    void noteShape(const SoundSolid& solid, SolidState state, const Lifetime& life);
+    void noteShape(const ElementSolid& element, const Lifetime& life);
     void append(Fragment& fragment, const SoundSolid& solid);
     void add(const char* id, const char* what, const char* remedy, const Lifetime& life);
 
@@ -174,7 +175,7 @@ void FragmentMaker::addFragment(const Lifetime& life) {
     }
     setTimes(fragment, life);
     noteVelocity(motion, life);
-    noteShape(solid, element.unit.state, life);
+    noteShape(element, life);
     append(fragment, solid);
 }
 
@@ -238,7 +239,9 @@ void FragmentMaker::noteVelocity(const CornerMotion& motion, const Lifetime& lif
     }
 }
 
-void FragmentMaker::noteShape(const SoundSolid& solid, SolidState state, const Lifetime& life) {
+void FragmentMaker::noteShape(const ElementSolid& element, const Lifetime& life) {
+    const SoundSolid& solid = element.sound;
+    const SolidState state = element.unit.state;
     if (state == SolidState::Mirrored) {
         add("fragments.inverted", "An element is inside out at its death: its corners are numbered anew",
             "Check the node order of the element; a solver that lets elements invert may need other limits.", life);
@@ -251,6 +254,13 @@ void FragmentMaker::noteShape(const SoundSolid& solid, SolidState state, const L
     } else if (solid.boxed) {
         add("fragments.sliver", "An element is a sliver at its death: a box of the minimum thickness stands for it",
             "Let the solver delete such elements earlier if they matter.", life);
+    } else if (const double atRest = m_components.volume[at(life.element)];
+               atRest > 0.0 && isFarFromRest(std::abs(element.unit.volume) / atRest)) {
+        add("fragments.far_from_rest",
+            "An element has less than half or more than twice its volume at rest when it dies: its fragment has that volume, and "
+            "the "
+            "mass at rest",
+            "Let the solver delete such elements earlier if they matter: their fragments are too dense or too light.", life);
     }
     if (solid.thickened && !solid.boxed) {
         add("fragments.thickened", "A fragment is thinner than the engine can bear: its solid is thickened, its mass is not",

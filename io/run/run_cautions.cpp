@@ -41,8 +41,7 @@ RunStanding standingOf(const RunReader& run) {
     const std::vector<Message>& opened = run.origin().placeDoubts;
     standing.placeDoubts.insert(standing.placeDoubts.begin(), opened.begin(), opened.end());
     standing.outgrown = run.outgrown();
-    standing.bornAtRest = run.origin().scenario.fragments.birthVelocity == BirthVelocity::Rest;
-    standing.assumed = assumedMasses(run.findings());
+    tellInputs(standing, run.findings(), run.origin().scenario.fragments.birthVelocity);
     if (run.result()) {
         return standing;
     }

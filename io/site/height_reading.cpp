@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -170,11 +171,11 @@ void Reading::checkDatum() {
 void Reading::checkUnit() {
     if (m_file.metresPerHeightUnit() == 0.0) {
         if (m_file.heightUnit().empty()) {
-            find("terrain.height_unit", "the raster does not say in which unit its heights are; they are taken as metres", {},
-                 "convert them first if they are feet");
+            find("terrain.height_unit", "the raster {0} does not say in which unit its heights are; they are taken as metres",
+                 {std::filesystem::path(m_path).filename().string()}, "convert them first if they are feet");
         } else {
-            find("terrain.height_unit_unknown", "the raster gives its heights in \"{0}\"; they are taken as metres",
-                 {m_file.heightUnit()}, "convert them first if they are not");
+            find("terrain.height_unit_unknown", "the raster {0} gives its heights in \"{1}\"; they are taken as metres",
+                 {std::filesystem::path(m_path).filename().string(), m_file.heightUnit()}, "convert them first if they are not");
         }
     }
     const RasterPlace& place = m_file.place();

@@ -63,7 +63,7 @@ QString noiseWords(const SurveyNoise& noise) {
                        : text;
         }
         case SurveyNoise::Source::None:
-            return SurveyBox::tr("A map of another run has no noise.");
+            return SurveyBox::tr("A map made of a run has no noise.");
         case SurveyNoise::Source::Unknown:
             break;
     }

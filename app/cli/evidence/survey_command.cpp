@@ -254,7 +254,7 @@ std::string detectionText(const SurveyNoise& noise) {
         return "not known: too little was surveyed far from all debris; state --noise and --ground-noise";
     }
     if (noise.source == SurveyNoise::Source::None) {
-        return "0: a map of another run has no noise";
+        return "0: a map made of a run has no noise";
     }
     std::string text = englishNumber(noise.detection()) + " m, noise of both surfaces " + std::string(sourceText(noise.source)) +
                        " as " + englishNumber(noise.deviation) + " m";

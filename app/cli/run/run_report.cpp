@@ -416,8 +416,7 @@ std::vector<Caution> RunReport::cautions() const {
     standing.unsaidUnits = unsaidUnits(subject.inputs.fe->contents().findings);
     const std::vector<Message> opened = placeDoubts(subject.terrain.findings);
     standing.placeDoubts.insert(standing.placeDoubts.begin(), opened.begin(), opened.end());
-    standing.assumed = assumedMasses(findings);
-    standing.bornAtRest = subject.scenario.fragments.birthVelocity == BirthVelocity::Rest;
+    tellInputs(standing, findings, subject.scenario.fragments.birthVelocity);
     return runCautions(standing);
 }
 

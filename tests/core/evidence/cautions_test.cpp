@@ -62,6 +62,31 @@ TEST(Cautions, SayWhatMassesRestOnAndThatDebrisBeganAtRest) {
     EXPECT_EQ(std::ranges::count(list, std::string_view("assumed"), &Caution::key), 2);
 }
 
+TEST(Cautions, SayWhichBirthsWereGuessed) {
+    Findings findings;
+    findings.add({"fragments.no_velocity", "one", {}}, {"r", "set it", {}}, "", 12);
+    findings.add({"fragments.part_velocity", "another", {}}, {"r", "set it", {}}, "", 3);
+    findings.add({"fragments.death_time_outside", "a third", {}}, {"r", "set it", {}}, "", 5);
+    findings.add({"components.implausible_density", "No material has this density: they have {0} to {1}", {10.0, 23000.0}},
+                 {"r", "set it", {}}, "", 40);
+    RunStanding run = rested();
+    tellInputs(run, findings, BirthVelocity::Fe);
+    const std::vector<Caution> list = runCautions(run);
+    const std::string words = pictureCautions(list);
+    EXPECT_NE(words.find("the velocity of 12 elements at their death is not known: their fragments began at rest"),
+              std::string::npos)
+        << words;
+    EXPECT_NE(words.find("of 3 elements the velocity of some corners is not known"), std::string::npos) << words;
+    EXPECT_NE(words.find("the time of death of 5 elements lies outside"), std::string::npos) << words;
+    EXPECT_NE(words.find("40 elements have a density that no material has"), std::string::npos) << words;
+    EXPECT_EQ(find(list, "born_at_rest"), nullptr);
+
+    tellInputs(run, findings, BirthVelocity::Rest);
+    const std::vector<Caution> resting = runCautions(run);
+    ASSERT_NE(find(resting, "born_at_rest"), nullptr);
+    EXPECT_EQ(std::ranges::count(resting, std::string_view("birth_doubt"), &Caution::key), 1) << "all began at rest anyway";
+}
+
 TEST(Cautions, SayWhatMovesWhatWasStoppedAndWhatIsTainted) {
     RunStanding run = rested();
     run.moving = 12;

@@ -277,6 +277,23 @@ TEST(FragmentSet, BirthShiftMovesEverythingAlikeAndRepeats) {
     }
 }
 
+TEST(FragmentSet, ElementsFarFromTheirVolumeAtRestAreCounted) {
+    ElementScene scene;
+    scene.element(ElementShape::Hexahedron, cubeAt(0), "10");
+    scene.element(ElementShape::Hexahedron, cubeAt(10), "10");  // 2.5 times its volume
+    scene.element(ElementShape::Hexahedron, cubeAt(20), "10");  // 0.4 of it
+    scene.damage = [](std::size_t, FeState& state) {
+        for (std::size_t a = 0; a < 8; ++a) {
+            state.positions[a].z() *= 1.9;
+            state.positions[8 + a].z() *= 2.5;
+            state.positions[16 + a].z() *= 0.4;
+        }
+    };
+    const FragmentSet set = fragmentsOf(scene);
+    EXPECT_EQ(set.findings.count("fragments.far_from_rest"), 2);
+    EXPECT_DOUBLE_EQ(set.list[1].mass, set.list[0].mass) << "what was meshed falls, however it was stretched";
+}
+
 TEST(FragmentSet, SickElementsBecomeSoundAndAreCounted) {
     const auto squeezed = [](double x, double thickness) {
         std::vector<Vec3> corners = cubeAt(x);

@@ -90,6 +90,7 @@ std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const P
     Studio studio(data);
     FigureStyle style;
     style.dpi = dpi;
+    style.cautions = drawing.mapStyle.cautions;
     render::View view = render::defaultView(data, viewPixels.width(), viewPixels.height());
     dress(view, render::Style::Presentation);
     // One camera for all instants, so that they can be compared.
@@ -109,7 +110,7 @@ std::vector<PagePicture> drawPagePictures(const render::SceneData& data, const P
         sheet.choices = {1, 2};
         style.pixels = {viewPixels.width(), 0};
         style.north = northOf(drawing.mapStyle.place, drawing.mapStyle.system);
-        arrange(sheet, framing, style.pixels, style.dpi, false, false);
+        arrange(sheet, framing, style.pixels, style.dpi, false, !style.cautions.empty());
         const QImage image = studio.sheet(sheet, style).image();
         pictures.push_back({PagePictureKind::Views, view.time, {}, "image/jpeg", fileOf(image, "JPG"), {}});
     }

@@ -19,7 +19,7 @@ namespace rubble::figures {
 struct PageDrawing {
     std::vector<double> times;       ///< s, of the views
     const DebrisMap* map = nullptr;  ///< null: none
-    MapPictureStyle mapStyle;        ///< place and coordinate system
+    MapPictureStyle mapStyle;        ///< place and coordinate system; cautions, of the views too
     std::span<const ReportPhoto> photographs;
 };
 

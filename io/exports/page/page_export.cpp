@@ -1,5 +1,6 @@
 #include "io/exports/page/page_export.h"
 
+#include <cctype>
 #include <filesystem>
 
 #include "core/base/build.h"
@@ -107,12 +108,31 @@ std::string stills(const PageExtras& extras) {
     return figures;
 }
 
+/// What must be known beside the pictures, for readers without scripts, in both languages; a script puts its own in their place.
+std::string warnings(const json& cautions) {
+    std::string lines;
+    const auto add = [&lines](std::string words, std::string_view stop, std::string_view attribute) {
+        words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+        lines += "<p role=\"note\"" + std::string(attribute) + ">" + escaped(words) + std::string(stop) + "</p>\n";
+    };
+    for (const json& caution : cautions) {
+        const auto english = caution["what"]["en"].get<std::string>();
+        const auto chinese = caution["what"]["zh"].get<std::string>();
+        add(english, ".", "");
+        if (chinese != english) {
+            add(chinese, "。", " lang=\"zh-CN\"");
+        }
+    }
+    return lines;
+}
+
 /// What stands at the places of the frame.
 struct PageParts {
     std::string title;
     std::string policy;
     std::string facts;
     std::string data;
+    std::string warnings;
     std::string stills;
     std::string pictures;
     std::string provenance;
@@ -120,8 +140,9 @@ struct PageParts {
 
 void writeFrame(std::ostream& out, const PageParts& parts) {
     const std::pair<std::string_view, std::string_view> places[] = {
-        {"title", parts.title},   {"policy", parts.policy},  {"style", pageStyle()},       {"facts", parts.facts},
-        {"data", parts.data},     {"stills", parts.stills},  {"pictures", parts.pictures}, {"provenance", parts.provenance},
+        {"title", parts.title},   {"policy", parts.policy},     {"style", pageStyle()},
+        {"facts", parts.facts},   {"data", parts.data},         {"warnings", parts.warnings},
+        {"stills", parts.stills}, {"pictures", parts.pictures}, {"provenance", parts.provenance},
         {"script", pageScript()}, {"opening", pageOpening()}};
     std::string_view rest = pageFrame();
     while (!rest.empty()) {
@@ -159,6 +180,7 @@ PageReport exportPage(const std::string& path, const RunReader& run, const FeRes
     parts.policy = "default-src 'none'; script-src " + policyHash(pageOpening()) + " " + policyHash(pageScript()) + "; style-src " +
                    policyHash(pageStyle()) + "; img-src data:; form-action 'none'; base-uri 'none'";
     parts.facts = embedded(facts);
+    parts.warnings = warnings(facts["cautions"]);
     parts.stills = stills(extras);
     parts.pictures = embedded(pictureList(extras));
     const double end = run.frameTime(run.frameCount() - 1);

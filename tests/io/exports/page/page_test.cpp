@@ -489,6 +489,21 @@ TEST_F(Page, ARunThatWasStoppedSaysSo) {
     EXPECT_EQ(page.facts["outcome"]["end"], m_run->frameTime(8));
 }
 
+TEST_F(Page, ReadersWithoutScriptsReadItsCautions) {
+    record(20, 9);
+    PageExtras extras;
+    extras.chinese = [](const Message& message) { return "<" + message.id + ">"; };
+    const ReadPage page = exported(extras);
+    const std::string read = between(m_text, "<div id=\"warnings\">", "</div>");
+    EXPECT_GE(page.facts["cautions"].size(), 2u);
+    for (const json& caution : page.facts["cautions"]) {
+        EXPECT_NE(read.find("lang=\"zh-CN\">&lt;" + between(caution["what"]["zh"], "<", ">") + "&gt;。</p>"), std::string::npos)
+            << read;
+    }
+    EXPECT_NE(read.find("<p role=\"note\">Not complete: the run goes up to"), std::string::npos) << read;
+    EXPECT_EQ(m_text.find("{{"), std::string::npos) << "every place of the frame is filled";
+}
+
 TEST_F(Page, NotesOfTheAuthorCannotBecomePartOfThePage) {
     record(8, 8);
     Case theCase;

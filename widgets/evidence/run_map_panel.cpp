@@ -95,7 +95,6 @@ QWidget* RunMapPanel::buildLayerRow() {
     FoldingBar* widget = newRow();
     QHBoxLayout* row = groupOf(*widget);
     m_layer->setObjectName(QStringLiteral("mapLayer"));
-    m_layer->setMinimumContentsLength(12);
     m_layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     addNamed(*row, tr("Show"), m_layer, tr("What the colours of the map say"));
     row->setStretchFactor(m_layer, 1);
@@ -247,7 +246,12 @@ void RunMapPanel::fillLayers() {
         m_layer->addItem(worded(mapLayerTitle(map, each)), static_cast<int>(each));
         m_layer->setItemData(m_layer->count() - 1, said("messages", mapLayerRow(each).help), Qt::ToolTipRole);
     }
-    // The list is as wide as its longest name, however narrow the panel.
+    // Its longest name is read whole, in the field and in the list, however narrow the panel.
+    int longest = 0;
+    for (int i = 0; i < m_layer->count(); ++i) {
+        longest = std::max(longest, static_cast<int>(m_layer->itemText(i).size()));
+    }
+    m_layer->setMinimumContentsLength(longest);
     m_layer->view()->setMinimumWidth(m_layer->view()->sizeHintForColumn(0) + 2 * m_layer->view()->frameWidth() +
                                      m_layer->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     m_layer->setCurrentIndex(std::max(0, m_layer->findData(static_cast<int>(m_choice.layer))));

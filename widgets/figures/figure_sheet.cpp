@@ -95,19 +95,6 @@ void besideEachOther(std::vector<SheetPanel>& panels) {
 
 }  // namespace
 
-void paintWhole(QPainter& painter, const QRectF& box, const QString& text, double largest, double smallest, bool italic) {
-    constexpr int centred = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
-    for (double size = largest; size > smallest; size *= 0.92) {
-        const QFont font = sheetFont(size, italic);
-        painter.setFont(font);
-        const QRectF needed = QFontMetricsF(font).boundingRect(box, centred, text);
-        if (needed.height() <= box.height() && needed.width() <= box.width()) {
-            break;
-        }
-    }
-    painter.drawText(box, centred, text);
-}
-
 void dress(render::View& view, render::Style style) {
     view.style = style;
     if (style == render::Style::Presentation) {
@@ -152,7 +139,8 @@ void paintCautions(QPainter& painter, const QRectF& strip, const QString& cautio
     painter.fillRect(strip, palette(theme).findingTint);
     painter.setPen(palette(theme).text);
     const double largest = cautionShare * text;
-    paintWhole(painter, strip.adjusted(0.6 * largest, 0.0, -0.6 * largest, 0.0), cautions, largest, 0.3 * largest, false);
+    writeWhole(painter, strip.adjusted(0.6 * largest, 0.0, -0.6 * largest, 0.0), cautions, Qt::AlignCenter,
+               {largest, 0.3 * largest, false});
 }
 
 SheetLayout layOutSheet(int columns, int rows, SheetLegend legend, bool provenance, QSize pixels, double dpi, bool cautions) {
@@ -356,7 +344,7 @@ void SheetPicture::paintCaptions(QPainter& painter) const {
             box.setWidth(box.width() - static_cast<int>(paintScaleLine(painter, panel.metresPerPixel, strip, m_layout.text)));
         }
         painter.setPen(palette(render::Theme::Print).text);
-        paintWhole(painter, box, panel.shown.caption, m_layout.text, smallestCaption * m_layout.text, true);
+        writeWhole(painter, box, panel.shown.caption, Qt::AlignCenter, {m_layout.text, smallestCaption * m_layout.text, true});
     }
 }
 

@@ -115,10 +115,6 @@ enum class SheetLegend : std::uint8_t {
 SheetLayout layOutSheet(int columns, int rows, SheetLegend legend, bool provenance, QSize pixels, double dpi,
                         bool cautions = false);
 
-/// Text in the middle of a box, whole: over two lines and in smaller letters rather than cut. In the colour of the pen.
-/// @param largest, smallest  pixels, height of the letters
-void paintWhole(QPainter& painter, const QRectF& box, const QString& text, double largest, double smallest, bool italic);
-
 /// Height of two lines of cautions, pixels. @param text  height of the text of the picture
 int cautionHeight(double text);
 /// What must be known beside a picture, on amber, whole: in smaller letters rather than cut.

@@ -22,6 +22,7 @@
 #include "widgets/figures/palette.h"
 #include "widgets/figures/sheets/map_contours.h"
 #include "widgets/figures/sheets/map_edges.h"
+#include "widgets/figures/sheets/map_head.h"
 #include "widgets/figures/sheets/map_window.h"
 #include "widgets/figures/sheets/map_words.h"
 #include "widgets/figures/sheets/sheet_text.h"
@@ -126,7 +127,13 @@ private:
     }
 
     /// Room of the subject and of the sums, pixels.
-    double aboveMap() const { return m_style.subject.empty() ? 0.0 : 2.4 * m_line; }
+    double aboveMap() const { return head().height(headWidth(), m_text); }
+    double headWidth() const { return m_style.pixels.width() - leftOfMap() - m_line; }
+    double leftOfMap() const { return 6.5 * m_small; }
+    MapHead head() const {
+        const bool sums = m_map.members == 0 && !m_map.cells.empty();
+        return {QString::fromStdString(m_style.subject), sums ? debrisSums(m_map) : QString()};
+    }
 
     /// Where the column of the legend is low, north stands beside its title, and words are smaller.
     void suitLowPicture() {
@@ -164,7 +171,7 @@ private:
     /// The map fills what legend, coordinates and caption leave.
     void layOut() {
         const double foot = 2.2 * m_line + belowCaption();
-        const double left = 6.5 * m_small;
+        const double left = leftOfMap();
         const double top = aboveMap() + m_line;
         m_legend =
             QRectF(m_style.pixels.width() - 11.0 * m_line, top, 10.0 * m_line, m_style.pixels.height() - foot - top - m_line);
@@ -395,12 +402,9 @@ private:
         y += entryPitch * m_line;
     }
 
-    /// Set smaller where it is long, as a smaller font may be wider than its size says; what is longer still is cut.
     void writeEntry(QPainter& painter, const QRectF& box, const QString& text) const {
-        const double share = box.width() / QFontMetricsF(sheetFont(m_text)).horizontalAdvance(text);
-        const double size = m_text * (share >= 1.0 ? 1.0 : std::max(0.6, 0.96 * share));
-        write(painter, box, QFontMetricsF(sheetFont(size)).elidedText(text, Qt::ElideRight, box.width()),
-              static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), size);
+        painter.setPen(m_palette.text);
+        writeWhole(painter, box, text, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), {m_text, 0.5 * m_text, false});
     }
 
     /// Components that debris comes from, those with most cells first; what the legend has no room for is of one grey.
@@ -464,14 +468,7 @@ private:
 
     /// What it is a map of, and how much lies there.
     void drawHead(QPainter& painter) {
-        if (m_style.subject.empty()) {
-            return;
-        }
-        const QRectF line(m_field.left(), 0.4 * m_line, m_style.pixels.width() - m_field.left() - m_line, m_line);
-        writeEntry(painter, line, QString::fromStdString(m_style.subject));
-        if (m_map.members == 0 && !m_map.cells.empty()) {
-            writeEntry(painter, line.translated(0.0, entryPitch * m_line), debrisSums(m_map));
-        }
+        head().paint(painter, QRectF(leftOfMap(), 0.4 * m_line, headWidth(), aboveMap()), m_text, m_palette.text);
     }
 
     void drawFoot(QPainter& painter) {
@@ -491,8 +488,8 @@ private:
         const double bottom = m_style.pixels.height() - belowCaption();
         const double room = 0.98 * m_style.pixels.width();
         painter.setPen(m_palette.text);
-        paintWhole(painter, QRectF(0.5 * (m_style.pixels.width() - room), bottom - 1.8 * m_line, room, 1.5 * m_line), caption,
-                   m_text, 0.4 * m_text, true);
+        writeWhole(painter, QRectF(0.5 * (m_style.pixels.width() - room), bottom - 1.8 * m_line, room, 1.5 * m_line), caption,
+                   Qt::AlignCenter, {m_text, 0.4 * m_text, true});
         if (!m_style.cautions.empty()) {
             paintCautions(painter, QRectF(0.0, bottom, m_style.pixels.width(), cautionHeight(m_text)),
                           QString::fromStdString(m_style.cautions), m_text, m_style.theme);

@@ -406,8 +406,8 @@ private:
                     .arg(timeText(m_made.time), numberText(m_made.iou), lengthText(m_grid.cell),
                          m_made.settings.withFallen ? tr("counted") : tr("left out"));
             painter.setPen(m_palette.text);
-            paintWhole(painter, QRectF(0.01 * m_foot.width(), m_foot.top() + 0.4 * m_line, 0.98 * m_foot.width(), 1.5 * m_line),
-                       caption, m_text, 0.4 * m_text, true);
+            writeWhole(painter, QRectF(0.01 * m_foot.width(), m_foot.top() + 0.4 * m_line, 0.98 * m_foot.width(), 1.5 * m_line),
+                       caption, Qt::AlignCenter, {m_text, 0.4 * m_text, true});
         }
         if (!m_style.cautions.empty()) {
             paintCautions(painter, QRectF(0.0, m_foot.bottom() - belowCaption(), m_foot.width(), cautionHeight(m_text)),

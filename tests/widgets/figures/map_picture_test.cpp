@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QPainter>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,7 @@
 #include "tests/core/analysis/debris_scene.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/sheets/map_head.h"
 
 namespace rubble::figures {
 namespace {
@@ -149,6 +152,33 @@ TEST_F(MapPicture, APictureIsFittedToItsMapAndSaysWhatItIsOf) {
     const QImage narrow = mapPicture(along, MapLayer::Height, style);
     EXPECT_LT(narrow.width(), 1600);
     EXPECT_EQ(narrow.height(), 500);
+}
+
+TEST_F(MapPicture, ItsHeadIsReadWholeInANarrowPicture) {
+    const MapHead head{QStringLiteral("river-arch · case.rubble · default"),
+                       QString(QStringLiteral("1,234 fragments of 567 t; ")).repeated(8).trimmed()};
+    const QRectF box(3.0, 5.0, 400.0, head.height(400.0, 12.0));
+    EXPECT_GT(box.height(), 1.5 * head.height(4000.0, 12.0)) << "it takes the lines that it needs";
+    const MapHead none{QString(), head.sums};
+    EXPECT_EQ(none.height(400.0, 12.0), 0.0);
+    // The end of the last line: letters stand there, and none outside of the box.
+    const auto drawn = [&](const MapHead& what) {
+        QImage image(420, 200, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        what.paint(painter, box, 12.0, Qt::black);
+        return image;
+    };
+    EXPECT_EQ(pixelsOf(drawn(none), Qt::white), 420U * 200U) << "without a subject there is no head";
+    const QImage whole = drawn(head);
+    MapHead longer = head;
+    longer.sums += u'X';
+    EXPECT_NE(drawn(longer), whole) << "the last letter is drawn";
+    for (int y = 0; y < whole.height(); ++y) {
+        for (int x = 0; x < whole.width(); ++x) {
+            ASSERT_TRUE(box.adjusted(-1, -1, 1, 1).contains(x, y) || whole.pixelColor(x, y) == QColor(Qt::white)) << x << ' ' << y;
+        }
+    }
 }
 
 TEST_F(MapPicture, ASystemWithoutAPlaceOfTheModelIsNotClaimed) {

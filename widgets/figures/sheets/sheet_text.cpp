@@ -24,6 +24,19 @@ void writeLine(QPainter& painter, const QRectF& box, const QString& text, int al
     painter.drawText(box, alignment | static_cast<int>(Qt::TextSingleLine), text);
 }
 
+void writeWhole(QPainter& painter, const QRectF& box, const QString& text, int alignment, const WholeText& letters) {
+    const int flags = alignment | static_cast<int>(Qt::TextWordWrap);
+    for (double size = letters.largest; size > letters.smallest; size *= 0.92) {
+        const QFont font = sheetFont(size, letters.italic);
+        painter.setFont(font);
+        const QRectF needed = QFontMetricsF(font).boundingRect(box, flags, text);
+        if (needed.height() <= box.height() && needed.width() <= box.width()) {
+            break;
+        }
+    }
+    painter.drawText(box, flags, text);
+}
+
 void setResolution(QImage& image, double dpi) {
     const int dotsPerMetre = static_cast<int>(std::lround(dpi / inch));
     image.setDotsPerMeterX(dotsPerMetre);

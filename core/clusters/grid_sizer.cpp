@@ -64,7 +64,9 @@ Sizing GridSizer::size(const GridSettings& settings, const Execution& execution)
     for (AxisSizing& axis : sizing.axis) {
         axis.efficiencyMin = guideSize(axis.meanDistance, sizing.fragments, settings.bodiesMax);
     }
-    if (!settings.oneBodyPerFragment) {
+    // Who leaves it to the search gets what was counted, whatever the guide says.
+    const bool byHand = settings.multiple || settings.length || settings.width || settings.height;
+    if (!settings.oneBodyPerFragment && byHand) {
         reportManyBirths(settings, execution, sizing);
     }
     searchGrid(m_partitioner, rangesFor(settings, sizing), settings, execution, sizing);
@@ -135,7 +137,7 @@ void GridSizer::reportManyBirths(const GridSettings& settings, const Execution& 
          "share a birth",
          {sizing.fragments, m_partitioner.births(), multiple, sizing.bodiesMax, clusters}},
         {"sizing.many_births.remedy",
-         "Nothing to do: an automatic multiple is searched by counting. The guide is shown for comparison only",
+         "Leave the multiple automatic, which is searched by counting. The guide is shown for comparison only.",
          {}});
 }
 

@@ -15,6 +15,7 @@ namespace rubble {
 struct RemedySetting {
     std::string key;
     ParameterValue value;
+    friend bool operator==(const RemedySetting&, const RemedySetting&) = default;
 };
 
 /// What a remedy is chosen by.

@@ -182,7 +182,7 @@ TEST(StoneArchSizing, TheTargetIsOutOfReachWithinTheBounds) {
     EXPECT_EQ(sizing.axis[2].clampedBy, ClampedBy::FragmentSize);
     EXPECT_EQ(sizing.findings.count("sizing.fragment_over_component.z"), 1);
     EXPECT_EQ(sizing.findings.count("sizing.fps_unreachable"), 1);
-    EXPECT_EQ(sizing.findings.count("sizing.many_births"), 1);
+    EXPECT_EQ(sizing.findings.count("sizing.many_births"), 0) << "the search counts, nobody follows the guide";
     // "About 5,400" of the independent script; the golden number repeats exactly.
     EXPECT_EQ(sizing.clusters, 5369u);
     EXPECT_NEAR(sizing.reachableFps, 24.0 * 4500 / 5369, 1e-9);

@@ -384,6 +384,39 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
     EXPECT_TRUE(told(QStringLiteral("bulking of the pile 0.741 (outside the 1.15 to 2 of a pile")));
 }
 
+TEST(RunPanel, ASettingThatHealthAndFindingsAskForHasOneButton) {
+    RunPanel panel;
+    auto result = std::make_shared<SimulationResult>();
+    result->findings.add({"simulation.speed_held", "held back", {}}, {"r", "raise the steps", {}});
+    result->findings.add({"simulation.auto_remedy", "halved", {}}, {"r", "raise the steps", {}});
+    result->findings.add({"simulation.held_together", "left whole", {}}, {"r", "allow more bodies", {}});
+    RunPanel::Outcome outcome;
+    outcome.result = result;
+    outcome.grounds = {Scenario(), 60.0};
+    const auto buttons = [&panel] {
+        QStringList words;
+        for (const QPushButton* button : panel.findChildren<QPushButton*>(QStringLiteral("applyRemedy"))) {
+            words << button->text();
+        }
+        return words;
+    };
+    panel.setOutcome(outcome);
+    EXPECT_EQ(buttons().filter(QStringLiteral("Steps per second")).size(), 1) << qPrintable(buttons().join(u'|'));
+    EXPECT_EQ(buttons().size(), 2);
+    HealthList::Content health;
+    HealthBreach deep;
+    deep.check = HealthCheck::Penetration;
+    deep.what = {"test.deep", "deep", {}};
+    health.health.breaches = {deep};
+    health.grounds = outcome.grounds;
+    panel.setHealth(health);
+    EXPECT_EQ(buttons().filter(QStringLiteral("Steps per second")).size(), 1) << qPrintable(buttons().join(u'|'));
+    panel.setHealth(std::nullopt);
+    EXPECT_EQ(buttons().filter(QStringLiteral("Steps per second")).size(), 1) << qPrintable(buttons().join(u'|'));
+    panel.setOutcome({});
+    EXPECT_TRUE(buttons().isEmpty());
+}
+
 TEST(GridPanel, SaysWhatTheBodiesAllowedLeaveOut) {
     GridPanel panel;
     const auto told = [&panel] {

@@ -123,7 +123,8 @@ FindingList::FindingList(QWidget* parent) : QWidget(parent), m_column(new QVBoxL
     hide();
 }
 
-void FindingList::set(const Findings& findings, const RemedyGrounds& grounds) {
+void FindingList::set(const Findings& findings, const RemedyGrounds& grounds, const std::vector<RemedySetting>& elsewhere) {
+    std::vector<RemedySetting> offered = elsewhere;
     while (QLayoutItem* item = m_column->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -143,15 +144,17 @@ void FindingList::set(const Findings& findings, const RemedyGrounds& grounds) {
         notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
         notice->setToolTip(QFileInfo(QString::fromStdString(finding.example)).isAbsolute() ? QString::fromStdString(finding.example)
                                                                                            : QString());
-        addButtons(finding, grounds);
+        addButtons(finding, grounds, offered);
     }
     m_count = static_cast<std::int64_t>(findings.list().size());
     setVisible(!findings.empty());
 }
 
-void FindingList::addButtons(const Finding& finding, const RemedyGrounds& grounds) {
+void FindingList::addButtons(const Finding& finding, const RemedyGrounds& grounds, std::vector<RemedySetting>& offered) {
+    const auto setting = remedySettingOf(finding, grounds);
     // What a button does may set other findings, which ends the button.
-    if (const auto setting = remedySettingOf(finding, grounds)) {
+    if (setting && std::find(offered.begin(), offered.end(), *setting) == offered.end()) {
+        offered.push_back(*setting);
         auto* button = new RemedyButton(*setting);
         button->setScenario(m_scenario);
         connect(button, &RemedyButton::chosen, this, [this](const QString& key, const ParameterValue& value) {

@@ -69,8 +69,10 @@ public:
     explicit FindingList(QWidget* parent = nullptr);
     /// Of findings that are set from now on.
     void setDoings(std::vector<Doing> doings) { m_doings = std::move(doings); }
-    /// @param grounds  what the remedies are chosen by
-    void set(const Findings& findings, const RemedyGrounds& grounds = {});
+    /// A setting that several remedies ask for has one button.
+    /// @param grounds    what the remedies are chosen by
+    /// @param elsewhere  settings that buttons beside this list offer
+    void set(const Findings& findings, const RemedyGrounds& grounds = {}, const std::vector<RemedySetting>& elsewhere = {});
     /// How many boxes there are: one for each kind of finding.
     std::int64_t count() const { return m_count; }
     /// As it is set now: what a remedy asks for may be set already.
@@ -81,7 +83,7 @@ signals:
     void remedyChosen(const QString& key, const rubble::ParameterValue& value);
 
 private:
-    void addButtons(const Finding& finding, const RemedyGrounds& grounds);
+    void addButtons(const Finding& finding, const RemedyGrounds& grounds, std::vector<RemedySetting>& offered);
 
     QVBoxLayout* m_column;
     std::vector<Doing> m_doings;

@@ -165,7 +165,7 @@ void EffectsPanel::showSum(const Content& content) {
     const QString colour = (content.runStale ? tints().muted : tints().text).name();
     QString text = tr("Together <b>%1</b> per step").arg(shownMilliseconds(ms));
     if (share > 0.0) {
-        text += tr(", <b>%1</b> of a step of %2; the rest is motion and bookkeeping.")
+        text += tr(", <b>%1</b> of a step of %2, in the mean of the whole run; the rest is motion and bookkeeping.")
                     .arg(shownStepShare(share), shownMilliseconds(ms / share));
     }
     if (content.runStale) {

@@ -235,6 +235,7 @@ void HealthList::showBreaches(const Content& content) {
         delete item->widget();
         delete item;
     }
+    m_offered.clear();
     const std::vector<HealthBreach>& breaches = content.health.breaches;
     for (const PassedLimit& limit : passedLimits(breaches)) {
         const HealthBreach& breach = breaches[limit.worst];
@@ -258,7 +259,9 @@ void HealthList::showBreaches(const Content& content) {
 }
 
 void HealthList::addRemedy(QVBoxLayout& row, const HealthBreach& breach, const Content& content) {
-    if (const auto setting = remedySettingOf(breach, content.grounds)) {
+    const auto setting = remedySettingOf(breach, content.grounds);
+    if (setting && std::find(m_offered.begin(), m_offered.end(), *setting) == m_offered.end()) {
+        m_offered.push_back(*setting);
         auto* apply = new RemedyButton(*setting);
         apply->setScenario(content.scenario);
         connect(apply, &RemedyButton::chosen, this, &HealthList::remedyChosen);

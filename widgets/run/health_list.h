@@ -38,6 +38,8 @@ public:
         std::optional<double> upTo = {};  ///< s, where the run was stopped; unset: it is complete
     };
     void setContent(const Content& content);
+    /// Settings that its buttons offer, each once.
+    const std::vector<RemedySetting>& offered() const { return m_offered; }
     /// What went wrong with an acknowledgement; empty takes it away.
     void setComplaint(const QString& complaint);
 
@@ -53,6 +55,7 @@ private:
     void addRemedy(QVBoxLayout& row, const HealthBreach& breach, const Content& content);
     void acknowledge();
 
+    std::vector<RemedySetting> m_offered;
     Notice* m_verdict;
     QVBoxLayout* m_breaches;
     QWidget* m_form;

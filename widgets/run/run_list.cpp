@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
@@ -74,6 +75,12 @@ void RunList::setContent(std::vector<Line> lines) {
     list(longer ? 0 : m_list->currentRow());
 }
 
+void RunList::setSimulating(bool simulating) {
+    if (std::exchange(m_simulating, simulating) != simulating) {
+        choose();
+    }
+}
+
 void RunList::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     // Dates are written as the language has them.
@@ -129,16 +136,16 @@ void RunList::choose() {
                         : run.file.empty() ? tr("Its file was not kept, so it cannot be shown.")
                         : !line.fileThere
                             ? tr("%1 is not there any more, so it cannot be shown.").arg(QString::fromStdString(run.file))
-                            : QString();
+                        : m_simulating ? tr("A run is being simulated: this one can be shown when that has ended.")
+                                       : QString();
     m_details->setText(parts.join(QStringLiteral(" · ")) + (why.isEmpty() ? QString() : u'\n' + why));
     m_details->setToolTip(tr("Fingerprint of inputs, settings and program: %1\nTrajectory of every recorded frame: %2\nProgram: %3")
                               .arg(QString::fromStdString(run.fingerprint.hex()), QString::fromStdString(run.trajectoryHash.hex()),
                                    QString::fromStdString(run.build)));
-    m_show->setEnabled(line.fileThere && !line.shown);
-    m_show->setToolTip(line.shown         ? tr("It is the run in the views")
-                       : run.file.empty() ? tr("Its file was not kept, so it cannot be shown.")
-                       : !line.fileThere
-                           ? tr("%1 is not there any more, so it cannot be shown.").arg(QString::fromStdString(run.file))
+    m_show->setEnabled(why.isEmpty() && !line.shown);
+    m_show->setToolTip(line.shown ? tr("It is the run in the views")
+                       : !why.isEmpty()
+                           ? why
                            : tr("Open %1 and show it in the views").arg(QFileInfo(QString::fromStdString(run.file)).fileName()));
 }
 

@@ -27,6 +27,8 @@ public:
 
     /// @param lines  in the order in which the runs ended
     void setContent(std::vector<Line> lines);
+    /// While a run is simulated no other one can be shown.
+    void setSimulating(bool simulating);
     int count() const;
 
 signals:
@@ -42,6 +44,7 @@ private:
     std::size_t placeOf(int row) const { return m_lines.size() - 1 - static_cast<std::size_t>(row); }
 
     std::vector<Line> m_lines;
+    bool m_simulating = false;
     QLabel* m_none;
     QListWidget* m_list;
     QLabel* m_details;

@@ -78,7 +78,15 @@ RunPanel::RunPanel(QWidget* parent)
 
 void RunPanel::setHealth(const std::optional<HealthList::Content>& health) {
     m_healthGroup->setVisible(health.has_value());
+    const std::vector<RemedySetting> before = m_health->offered();
     m_health->setContent(health.value_or(HealthList::Content()));
+    if (m_health->offered() != before) {
+        showFindings();
+    }
+}
+
+void RunPanel::showFindings() {
+    m_findings->set(m_found, m_grounds, m_health->offered());
 }
 
 void RunPanel::buildSettings() {
@@ -179,7 +187,8 @@ void RunPanel::buildOutcome() {
 
 void RunPanel::clearOutcome() {
     m_outcome->hide();
-    m_findings->set(Findings());
+    m_found = {};
+    showFindings();
 }
 
 void RunPanel::setOutcome(const Outcome& outcome) {
@@ -227,13 +236,14 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     m_hash->setToolTip(QString::fromStdString(r.trajectoryHash.hex()));
     m_outcome->show();
     // What the health of the run says above is not said again.
-    Findings others;
+    m_found = {};
     for (const Finding& finding : r.findings.list()) {
         if (!toldByHealth(finding)) {
-            others.add(finding.what, finding.remedy, finding.example, finding.count);
+            m_found.add(finding.what, finding.remedy, finding.example, finding.count);
         }
     }
-    m_findings->set(others, outcome.grounds);
+    m_grounds = outcome.grounds;
+    showFindings();
 }
 
 void RunPanel::setReady(bool ready, bool running, const QString& why) {

@@ -57,6 +57,7 @@ signals:
 private:
     void buildSettings();
     void buildOutcome();
+    void showFindings();
     void clearOutcome();
 
     QPushButton* m_simulate;
@@ -69,6 +70,8 @@ private:
     HealthList* m_health;
     RunList* m_runs;
     PanelGroup* m_outcome;
+    Findings m_found;         ///< of the run, but for what its health says
+    RemedyGrounds m_grounds;  ///< of the run
     QPushButton* m_take;
     QLabel* m_solver;
     QLabel* m_bodies;

@@ -28,6 +28,8 @@ ScenariosDisplay::ScenariosDisplay(Session& session, widgets::ScenarioList& scen
     connect(&m_document, &Document::scenariosChanged, this, &ScenariosDisplay::refresh);
     connect(&m_document, &Document::scenarioChanged, this, &ScenariosDisplay::fillComparison);
     connect(&m_history, &RunHistory::changed, this, &ScenariosDisplay::refresh);
+    connect(&m_computation, &Computation::stateChanged, this, [this] { m_runs.setSimulating(m_computation.simulating()); });
+    m_runs.setSimulating(m_computation.simulating());
     refresh();
     if (m_kept.comparing) {
         compare();

@@ -268,7 +268,21 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     EXPECT_EQ(session->computation().currentRun()->outcome->trajectoryHash, first);
     EXPECT_NE(window->rooms().scene->data().trajectory, nullptr);
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Stale) << "it was made with other settings";
-    simulateIt();
+    QStringList whileSimulating;
+    QObject watching;
+    QObject::connect(&session->computation(), &Computation::stateChanged, &watching, [&] {
+        if (session->computation().simulating()) {
+            list->setCurrentRow(0);
+            whileSimulating << (show->isEnabled() ? QStringLiteral("enabled") : show->toolTip());
+        }
+    });
+    window->rooms().runs->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().project->runs().runs().size() > 2 && !session->computation().busy(); },
+                                30'000));
+    ASSERT_FALSE(whileSimulating.isEmpty());
+    for (const QString& words : whileSimulating) {
+        EXPECT_TRUE(words.contains(QStringLiteral("is being simulated"))) << qPrintable(words);
+    }
     EXPECT_TRUE(QFile::exists(kept)) << "a kept run is the user's";
 
     // The history lies beside the case, and comes back with it.

@@ -7711,14 +7711,6 @@
         <translation>轮廓已从“{0}”投影到案例坐标系</translation>
     </message>
     <message>
-        <source>the raster does not say in which unit its heights are; they are taken as metres</source>
-        <translation>栅格未说明高程单位；按米处理</translation>
-    </message>
-    <message>
-        <source>the raster gives its heights in &quot;{0}&quot;; they are taken as metres</source>
-        <translation>栅格高程的单位为“{0}”；按米处理</translation>
-    </message>
-    <message>
         <source>the raster has {0} bands; the first is taken as heights</source>
         <translation>栅格有 {0} 个波段；取第一个为高程</translation>
     </message>
@@ -12879,10 +12871,6 @@
         <translation>“{0}”就是本案例堆积物所落的地形：其中没有堆积物</translation>
     </message>
     <message>
-        <source>Nothing to do: an automatic multiple is searched by counting. The guide is shown for comparison only</source>
-        <translation>无需处理：自动倍数按计数搜索得到。参考值仅供比较</translation>
-    </message>
-    <message>
         <source>Take the heights that were measured after the collapse.</source>
         <translation>请采用倒塌之后测得的高度。</translation>
     </message>
@@ -12929,6 +12917,62 @@
     <message>
         <source>{0} passed, the gravest a finding: {1}</source>
         <translation>超过 {0}，最重的属发现项：{1}</translation>
+    </message>
+    <message>
+        <source>An element has less than half or more than twice its volume at rest when it dies: its fragment has that volume, and the mass at rest</source>
+        <translation>单元失效时体积不足静止时的一半或超过两倍：其碎块取该体积，质量仍为静止时的质量</translation>
+    </message>
+    <message>
+        <source>Leave the multiple automatic, which is searched by counting. The guide is shown for comparison only.</source>
+        <translation>请让倍数保持自动，它通过计数搜索得出。参考值仅供对比。</translation>
+    </message>
+    <message>
+        <source>Let the solver delete such elements earlier if they matter: their fragments are too dense or too light.</source>
+        <translation>若其重要，请让求解器更早删除这类单元：其碎块过密或过轻。</translation>
+    </message>
+    <message>
+        <source>fitting: {0} values tried, round {1} of {2}</source>
+        <translation>拟合：已试 {0} 个取值，第 {1} 轮，共 {2} 轮</translation>
+    </message>
+    <message>
+        <source>letting {0} bodies go, {1} times</source>
+        <translation>放开 {0} 个物体，{1} 次</translation>
+    </message>
+    <message>
+        <source>masses are assumed: their unit was taken from what densities weigh as materials</source>
+        <translation>质量为假定：其单位按密度与材料相符者推得</translation>
+    </message>
+    <message>
+        <source>masses are assumed: {0} elements without volume at rest weigh what their fragments would</source>
+        <translation>质量为假定：{0} 个静止时无体积的单元按其碎块的体积计重</translation>
+    </message>
+    <message>
+        <source>masses are doubtful: {0} elements have a density that no material has</source>
+        <translation>质量存疑：{0} 个单元的密度不属于任何材料</translation>
+    </message>
+    <message>
+        <source>of {0} elements the velocity of some corners is not known: that of the others was taken</source>
+        <translation>{0} 个单元部分角点的速度未知：取其余角点的速度</translation>
+    </message>
+    <message>
+        <source>simulating {0} scenes</source>
+        <translation>正在模拟 {0} 个场景</translation>
+    </message>
+    <message>
+        <source>the raster {0} does not say in which unit its heights are; they are taken as metres</source>
+        <translation>栅格 {0} 未说明其高程的单位，按米处理</translation>
+    </message>
+    <message>
+        <source>the raster {0} gives its heights in &quot;{1}&quot;; they are taken as metres</source>
+        <translation>栅格 {0} 的高程以“{1}”为单位，按米处理</translation>
+    </message>
+    <message>
+        <source>the time of death of {0} elements lies outside the states that report it: that of the state was taken</source>
+        <translation>{0} 个单元的失效时刻在报告它的状态之外：取该状态的时刻</translation>
+    </message>
+    <message>
+        <source>the velocity of {0} elements at their death is not known: their fragments began at rest</source>
+        <translation>{0} 个单元失效时的速度未知：其碎块从静止开始</translation>
     </message>
 </context>
 <context>
@@ -20958,12 +21002,12 @@ What the file fits: %2.</source>
         <translation>合计每步 &lt;b&gt;%1&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>, &lt;b&gt;%1&lt;/b&gt; of a step of %2; the rest is motion and bookkeeping.</source>
-        <translation>，在 %2 的一步中占 &lt;b&gt;%1&lt;/b&gt;；其余为运动与记录。</translation>
-    </message>
-    <message>
         <source>Measured before the settings changed.</source>
         <translation>在设置更改之前测得。</translation>
+    </message>
+    <message>
+        <source>, &lt;b&gt;%1&lt;/b&gt; of a step of %2, in the mean of the whole run; the rest is motion and bookkeeping.</source>
+        <translation>，在 %2 的一步（全程平均）中占 &lt;b&gt;%1&lt;/b&gt;；其余为运动与记录。</translation>
     </message>
 </context>
 <context>
@@ -25235,6 +25279,10 @@ Program: %3</source>
         <source>%1 is not there any more, so it cannot be shown.</source>
         <translation>%1 已不存在，无法显示。</translation>
     </message>
+    <message>
+        <source>A run is being simulated: this one can be shown when that has ended.</source>
+        <translation>正在模拟一次计算：结束后即可显示此计算。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::RunMapPanel</name>
@@ -26946,10 +26994,6 @@ Program: %3</source>
         <translation>噪声在 %1 m 内相互关联。</translation>
     </message>
     <message>
-        <source>A map of another run has no noise.</source>
-        <translation>另一次计算的堆积物图没有噪声。</translation>
-    </message>
-    <message>
         <source>The level of detection is not known: state the noise of survey and ground.</source>
         <translation>检测限未知：请给定测绘和地面的噪声。</translation>
     </message>
@@ -27100,6 +27144,10 @@ Program: %3</source>
     <message>
         <source>Draw a line on the difference map: run and survey are cut along it, drawn and measured together. Measured points without a map are cut along themselves.</source>
         <translation>在差异图上画一条线：沿它剖切计算和测绘，一起绘出并量取。没有图的测点沿其自身剖切。</translation>
+    </message>
+    <message>
+        <source>A map made of a run has no noise.</source>
+        <translation>由计算生成的堆积物图没有噪声。</translation>
     </message>
 </context>
 <context>

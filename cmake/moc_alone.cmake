@@ -13,6 +13,9 @@ function(rubble_moc_alone)
             break()
         endif()
     endforeach()
+    if(NOT moc)
+        return()  # as CMake finds and calls it
+    endif()
     set(script ${CMAKE_BINARY_DIR}/moc_alone.sh)
     file(CONFIGURE OUTPUT ${script} @ONLY CONTENT [=[#!/bin/sh
 for word; do

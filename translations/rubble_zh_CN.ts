@@ -12939,10 +12939,6 @@
         <translation>放开 {0} 个物体，{1} 次</translation>
     </message>
     <message>
-        <source>masses are assumed: their unit was taken from what densities weigh as materials</source>
-        <translation>质量为假定：其单位按密度与材料相符者推得</translation>
-    </message>
-    <message>
         <source>masses are assumed: {0} elements without volume at rest weigh what their fragments would</source>
         <translation>质量为假定：{0} 个静止时无体积的单元按其碎块的体积计重</translation>
     </message>

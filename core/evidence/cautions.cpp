@@ -147,7 +147,7 @@ std::vector<Message> reworded(const Findings& findings, std::span<const Reworded
 }  // namespace
 
 std::vector<Message> assumedMasses(const Findings& findings) {
-    static const std::array<Reworded, 6> known{{
+    static const std::array<Reworded, 5> known{{
         {"components.assumed_density",
          {"caution.assumed_density", "masses are assumed: no density is known of {0} elements, and {1} was taken", {}}},
         {"components.assumed_thickness",
@@ -156,8 +156,6 @@ std::vector<Message> assumedMasses(const Findings& findings) {
          {"caution.assumed_area", "masses are assumed: no section is known of {0} elements, and {1} was taken", {}}},
         {"components.implausible_density",
          {"caution.implausible_density", "masses are doubtful: {0} elements have a density that no material has", {}}},
-        {"fe.density_unit",
-         {"caution.density_unit", "masses are assumed: their unit was taken from what densities weigh as materials", {}}},
         {"fragments.no_volume_at_rest",
          {"caution.no_volume_at_rest",
           "masses are assumed: {0} elements without volume at rest weigh what their fragments would",

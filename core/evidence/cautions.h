@@ -67,7 +67,7 @@ std::vector<Message> placeDoubts(const Findings& findings);
 /// speed, or left whole for want of room.
 std::vector<Message> motionDoubts(const Findings& findings);
 
-/// What of the findings of a run says that its masses rest on assumptions: densities and their unit, thicknesses, sections,
+/// What of the findings of a run says that its masses rest on assumptions: densities, thicknesses, sections,
 /// elements without volume, each with their number.
 std::vector<Message> assumedMasses(const Findings& findings);
 

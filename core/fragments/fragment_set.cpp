@@ -258,8 +258,7 @@ void FragmentMaker::noteShape(const ElementSolid& element, const Lifetime& life)
                atRest > 0.0 && isFarFromRest(std::abs(element.unit.volume) / atRest)) {
         add("fragments.far_from_rest",
             "An element has less than half or more than twice its volume at rest when it dies: its fragment has that volume, and "
-            "the "
-            "mass at rest",
+            "the mass at rest",
             "Let the solver delete such elements earlier if they matter: their fragments are too dense or too light.", life);
     }
     if (solid.thickened && !solid.boxed) {

@@ -283,6 +283,8 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     for (const QString& words : whileSimulating) {
         EXPECT_TRUE(words.contains(QStringLiteral("is being simulated"))) << qPrintable(words);
     }
+    list->setCurrentRow(1);
+    EXPECT_TRUE(show->isEnabled()) << "the simulation has ended";
     EXPECT_TRUE(QFile::exists(kept)) << "a kept run is the user's";
 
     // The history lies beside the case, and comes back with it.

@@ -105,6 +105,18 @@ TEST_F(RunMapPanelTest, ContoursAreChosenWithTheKeys) {
     EXPECT_NE(drawn(panel), none);
 }
 
+TEST_F(RunMapPanelTest, NamesOfLayersAreReadWholeInANarrowPanel) {
+    auto* layer = child<QComboBox>("mapLayer");
+    int longest = 0;
+    for (int i = 0; i < layer->count(); ++i) {
+        longest = std::max(longest, layer->fontMetrics().horizontalAdvance(layer->itemText(i)));
+    }
+    panel.resize(panel.minimumSizeHint().width(), 700);
+    QCoreApplication::processEvents();
+    EXPECT_GT(layer->width(), longest);
+    EXPECT_LE(panel.minimumSizeHint().width(), 400) << "it fits beside the views of a small window";
+}
+
 TEST_F(RunMapPanelTest, OtherCellsOrAnotherInstantAskForAnotherMap) {
     auto* cell = child<QLineEdit>("mapCell");
     cell->setFocus();

@@ -252,6 +252,8 @@ void RunMapPanel::fillLayers() {
         longest = std::max(longest, static_cast<int>(m_layer->itemText(i).size()));
     }
     m_layer->setMinimumContentsLength(longest);
+    // Qt keeps the least width that it found before.
+    m_layer->setMinimumWidth(m_layer->sizeHint().width());
     m_layer->view()->setMinimumWidth(m_layer->view()->sizeHintForColumn(0) + 2 * m_layer->view()->frameWidth() +
                                      m_layer->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     m_layer->setCurrentIndex(std::max(0, m_layer->findData(static_cast<int>(m_choice.layer))));

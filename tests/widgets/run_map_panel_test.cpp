@@ -17,6 +17,7 @@
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/theme.h"
 #include "widgets/figures/map_picture.h"
+#include "widgets/figures/palette.h"
 #include "widgets/figures/sheets/map_contours.h"
 #include "widgets/figures/sheets/map_window.h"
 #include "widgets/figures/sheets/map_words.h"
@@ -179,6 +180,8 @@ TEST_F(RunMapPanelTest, CautionsStandOnAmberBelowTheMap) {
     panel.setContent(cautioned);
     EXPECT_NE(drawn(panel), without);
     EXPECT_TRUE(child<QFrame>("mapCautions")->isVisibleTo(&panel));
+    const QImage amber = child<QFrame>("mapCautions")->grab().toImage();
+    EXPECT_EQ(amber.pixelColor(amber.width() - 4, amber.height() / 2), figures::palette(render::Theme::Light).findingTint);
 }
 
 TEST_F(RunMapPanelTest, BesideThePointerStandThePlaceAndItsValue) {

@@ -63,7 +63,6 @@ Notice::Notice(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     m_label->setWordWrap(true);
     m_label->setTextFormat(Qt::RichText);
     m_label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse);
-    setObjectName(QStringLiteral("notice"));
     hide();
 }
 

@@ -148,9 +148,9 @@ QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px so
 #panelBody, QScrollArea { background: %panel%; }
 #panelStack { background: %panel%; border-right: 1px solid %hairline%; }
 #value { color: %text%; font-weight: 600; }
-#notice { border: none; border-left: 3px solid %muted%; background: %window%; border-radius: 2px; }
-#notice[kind="finding"] { border-left-color: %finding%; background: %findingTint%; }
-#notice[kind="error"] { border-left-color: %error%; }
+rubble--widgets--Notice { border: none; border-left: 3px solid %muted%; background: %window%; border-radius: 2px; }
+rubble--widgets--Notice[kind="finding"] { border-left-color: %finding%; background: %findingTint%; }
+rubble--widgets--Notice[kind="error"] { border-left-color: %error%; }
 #noticeBar { background: %findingTint%; border-bottom: 1px solid %hairline%; }
 #bottom { background: %panel%; border-top: 1px solid %hairline%; }
 #hairline { background: %hairline%; border: none; }
